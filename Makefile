@@ -1,0 +1,111 @@
+# `make` lists the targets. All that is needed beforehand is Python 3.11 or newer.
+
+# The first of these that is new enough makes the environment; `make run PYTHON=...` names another.
+PYTHON ?= python3 python3.14 python3.13 python3.12 python3.11 python
+# Arguments for the sandbox: make run ARGS="play newton/atwood"
+ARGS ?=
+# Processes that share the tests.
+WORKERS ?= 2
+
+VENV := .venv
+PY := $(VENV)/bin/python
+PIP_INSTALL := $(PY) -m pip install -q --disable-pip-version-check --no-input
+# No window, no sound; and threads inside of NumPy would only contend with the test processes.
+HEADLESS := SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy OPENBLAS_NUM_THREADS=1
+
+# Each stamp says that the environment holds what its name says, as pyproject.toml asks for it.
+FOR_RUN := $(VENV)/.ready-to-run
+FOR_TEST := $(VENV)/.ready-to-test
+# Present while the environment is being changed. Left behind by an interruption, it condemns the lot.
+UNFINISHED := $(VENV)/.unfinished
+
+.DEFAULT_GOAL := help
+.NOTPARALLEL:
+.PHONY: help run test lint check-levels pytest validate format schema clean
+
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
+
+run: $(FOR_RUN) ## start the sandbox (set up first, once); ARGS="play newton/atwood" passes arguments
+	$(PY) -m sandbox $(ARGS)
+
+test: lint check-levels pytest validate ## every check (set up first, once); with -k, go on after a failure
+
+lint: $(FOR_TEST) ## style, format, types and the direction of imports
+	$(PY) -m ruff check .
+	$(PY) -m ruff format --check .
+	$(PY) -m mypy
+	$(PY) $(VENV)/bin/lint-imports
+
+check-levels: $(FOR_TEST) ## is every level well formed
+	$(HEADLESS) $(PY) -m sandbox check levels/*/*.json
+
+pytest: $(FOR_TEST) ## the tests
+	$(HEADLESS) $(PY) -m pytest -n $(WORKERS)
+
+validate: $(FOR_TEST) ## every case against its closed form
+	$(HEADLESS) $(PY) -m validation run
+
+format: $(FOR_TEST) ## put the code into the project's format
+	$(PY) -m ruff check --fix .
+	$(PY) -m ruff format .
+
+schema: $(FOR_RUN) ## write the JSON Schema of a level anew
+	$(PY) -m sandbox.model.schema
+
+clean: ## remove the environment, caches and builds
+	rm -rf $(VENV) build dist *.egg-info
+	rm -rf .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+# $(PY) is a prerequisite so that an environment whose Python has gone is made anew. What serves the
+# tests serves the sandbox too, so their set-up leaves both stamps.
+
+$(FOR_RUN): pyproject.toml $(PY)
+	@$(open_environment)
+	$(PIP_INSTALL) --editable .
+	@rm $(UNFINISHED) && touch $(FOR_RUN)
+
+$(FOR_TEST): pyproject.toml $(PY)
+	@$(open_environment)
+	$(PIP_INSTALL) --editable '.[report,test]'
+	@rm $(UNFINISHED) && touch $(FOR_RUN) $(FOR_TEST)
+
+$(PY): ;
+
+# Shell: keep a sound environment or make one, and mark it unfinished: no stamp holds until the end.
+define open_environment
+set -eu; \
+sound='import sys, pip; sys.exit(sys.version_info < (3, 11))'; \
+if [ -e $(UNFINISHED) ] || ! $(PY) -c "$$sound" 2>/dev/null; then \
+    $(find_python); \
+    echo "Setting up $(VENV) with $$python: once, a minute or two."; \
+    rm -rf $(VENV); mkdir $(VENV); touch $(UNFINISHED); \
+    "$$python" -m venv $(VENV); \
+fi; \
+touch $(UNFINISHED); rm -f $(FOR_RUN) $(FOR_TEST)
+endef
+
+# Shell: set $python, or say what is missing and stop.
+define find_python
+python=; old=; bare=; \
+for candidate in $(PYTHON); do \
+    command -v "$$candidate" >/dev/null || continue; \
+    if ! "$$candidate" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then \
+        old="$$old $$candidate"; \
+    elif ! "$$candidate" -c 'import ensurepip, venv' 2>/dev/null; then \
+        bare="$$bare $$candidate"; \
+    else \
+        python=$$candidate; break; \
+    fi; \
+done; \
+if [ -z "$$python" ] && [ -n "$$bare" ]; then \
+    echo "error: this Python comes without venv:$$bare" >&2; \
+    echo "On Debian and Ubuntu: sudo apt install python3-venv (or python3.12-venv, its number)." >&2; \
+    exit 1; \
+elif [ -z "$$python" ]; then \
+    echo "error: Python 3.11 or newer is needed; tried: $(PYTHON); too old:$${old:- none}" >&2; \
+    echo "Install one from python.org, or name it: make $(MAKECMDGOALS) PYTHON=/path/to/python3" >&2; \
+    exit 1; \
+fi
+endef
