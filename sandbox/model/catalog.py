@@ -1,0 +1,66 @@
+"""The levels that come with the project: one JSON file each, in a folder a chapter."""
+
+from pathlib import Path
+
+from sandbox.model.document import refuse
+from sandbox.model.errors import brief
+from sandbox.model.suggest import meant, suggestion
+
+
+def root() -> Path:
+    """Return the folder of the levels: inside an installed package, beside it in a checkout."""
+    package = Path(__file__).resolve().parents[1]
+    installed = package / "levels"
+    return installed if installed.is_dir() else package.parent / "levels"
+
+
+def names() -> list[str]:
+    """Return the names of all levels, sorted, such as `newton/atwood`."""
+    return sorted(f"{path.parent.name}/{path.stem}" for path in root().glob("*/*.json"))
+
+
+def find(level: str) -> Path:
+    """Return the file of a level.
+
+    Parameters
+    ----------
+    level
+        A path to a file, a name such as `newton/atwood`, or the last part of a name if it is the
+        only one that ends so.
+
+    Raises
+    ------
+    LevelError
+        If there is no such level; the message says what was probably meant.
+    """
+    known = names()
+    name = level.replace("\\", "/").removesuffix(".json")
+    if _is_file(level):
+        return Path(level)
+    if name in known:
+        return root() / f"{name}.json"
+    if level.endswith(".json"):
+        hint = meant(Path(level).stem, _endings(known))
+        refuse(brief(level), f"there is no such file{hint}")
+    ending = [other for other in known if other.endswith(f"/{name}")]
+    if not ending:
+        refuse(brief(level), f"is neither a level nor a file{_hint(name, known)}")
+    if len(ending) > 1:
+        refuse(brief(level), f"is the name of several levels: {', '.join(ending)}")
+    return root() / f"{ending[0]}.json"
+
+
+def _is_file(path: str) -> bool:
+    try:
+        return Path(path).is_file()
+    except (OSError, ValueError):  # a name that no file can have, or a folder that is locked
+        return False
+
+
+def _hint(name: str, known: list[str]) -> str:
+    """Suggest a level by the whole of its name, or by its last part if only that was given."""
+    return suggestion(name, known if "/" in name else _endings(known))
+
+
+def _endings(known: list[str]) -> list[str]:
+    return [name.rpartition("/")[2] for name in known]

@@ -1,0 +1,250 @@
+"""What must hold between the parts of a level whatever the values of its parameters."""
+
+from collections.abc import Callable, Iterator, Mapping
+from keyword import iskeyword
+
+from sandbox.model.effects import Friction, Restitution
+from sandbox.model.errors import brief
+from sandbox.model.expressions import RESERVED, Expression, Formula
+from sandbox.model.level import (
+    ApexEvent,
+    Body,
+    ContactEvent,
+    CrossingEvent,
+    LandingEvent,
+    Level,
+)
+from sandbox.model.locating import Path
+from sandbox.model.parts import Fault, expressions
+from sandbox.model.quantities import QuantityError, quantity
+from sandbox.model.suggest import suggestion
+
+_FORBIDDEN: Mapping[str, tuple[str, ...]] = {
+    "dynamic": (),
+    "kinematic": ("mass", "moment"),
+    "static": ("mass", "moment", "velocity", "angular_velocity"),
+}
+"""The fields that a type of body cannot have."""
+
+
+def inconsistencies(level: Level) -> Iterator[Fault]:
+    """Yield whatever in a level contradicts something else in it."""
+    for rule in _RULES:
+        yield from rule(level)
+
+
+def dangling(level: Level) -> Iterator[Fault]:
+    """Yield the names that lead to nothing: parameters, bodies and quantities that do not exist."""
+    for rule in (_names, _references, _quantities):
+        yield from rule(level)
+
+
+def _parameters(level: Level) -> Iterator[Fault]:
+    scene, formulas = _used(level, Expression), _used(level, Formula)
+    for name, parameter in level.parameters.items():
+        path = ("parameters", name)
+        if name in RESERVED or iskeyword(name):
+            yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
+        if parameter.min > parameter.max:
+            yield Fault((*path, "min"), f"must not be greater than 'max', {parameter.max:g}")
+        elif not parameter.min <= parameter.value <= parameter.max:
+            bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
+            yield Fault((*path, "value"), f"must lie {bounds}")
+        if name not in scene | formulas:
+            yield Fault(path, f"'{name}' is declared but nothing uses it")
+        elif name not in scene:
+            rule = f"only checks and ghosts use '{name}', so it changes nothing in the scene"
+            yield Fault(path, rule)
+
+
+def _used(level: Level, kind: type[Expression]) -> set[str]:
+    """Return the names in the level's formulas of time, or in all its other expressions."""
+    used = (e.names for _, e in expressions(level) if isinstance(e, Formula) is (kind is Formula))
+    return set().union(*used)
+
+
+def _names(level: Level) -> Iterator[Fault]:
+    for path, expression in expressions(level):
+        known = [*level.parameters, *(["t"] if expression.in_time else [])]
+        for name in sorted(expression.names.difference(known)):
+            if name == "t":
+                yield Fault(path, "the time 't' has no meaning here")
+            else:
+                yield Fault(path, f"unknown parameter '{name}'{suggestion(name, known)}")
+    for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
+        for name in names:
+            if name in ("system", "t"):
+                yield Fault((kind, name), f"the name '{name}' is taken")
+            elif kind == "joints" and name in level.bodies:
+                yield Fault((kind, name), f"'{name}' is already the name of a body")
+
+
+def _references(level: Level) -> Iterator[Fault]:
+    for path, name in _body_names(level):
+        if name not in level.bodies:
+            yield Fault(path, f"unknown body '{brief(name)}'{suggestion(name, level.bodies)}")
+    for path, names in _couples(level):
+        if names[0] == names[1]:
+            yield Fault(
+                path, f"'{brief(names[0])}' is named twice; two different bodies are needed"
+            )
+
+
+def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
+    for path, names in _couples(level):
+        yield (*path, 0), names[0]
+        yield (*path, 1), names[1]
+    for name in level.ghosts:
+        yield ("ghosts", name), name
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, ApexEvent | LandingEvent):
+            yield ("checks", index, "at", "body"), check.at.body
+
+
+def _couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
+    """Yield everything that two bodies are named for."""
+    for name, joint in level.joints.items():
+        yield ("joints", name, "ends"), joint.ends
+    for kind, effect in _surfaces(level).items():
+        for index, pair in enumerate(effect.pairs):
+            yield ("effects", kind, "pairs", index, "bodies"), pair.bodies
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, ContactEvent):
+            yield ("checks", index, "at", "bodies"), check.at.bodies
+
+
+def _quantities(level: Level) -> Iterator[Fault]:
+    for path, name in _quantity_names(level):
+        try:
+            quantity(name, level)
+        except QuantityError as error:
+            yield Fault(path, str(error))
+
+
+def _quantity_names(level: Level) -> Iterator[tuple[Path, str]]:
+    for index, check in enumerate(level.checks):
+        yield ("checks", index, "quantity"), check.quantity
+        if isinstance(check.at, CrossingEvent):
+            yield ("checks", index, "at", "quantity"), check.at.quantity
+
+
+def _contact(level: Level) -> Iterator[Fault]:
+    """Whatever waits for bodies to touch needs bodies that can."""
+    if level.effects.contact:
+        return
+    for path, name in _quantity_names(level):
+        if ".contact." in name:
+            yield _undeclared(path, name, "contact")
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, ContactEvent):
+            yield _undeclared(("checks", index, "at", "event"), "contact", "contact")
+
+
+def _bodies(level: Level) -> Iterator[Fault]:
+    for name, body in level.bodies.items():
+        path = ("bodies", name)
+        if body.type == "dynamic" and body.mass is None:
+            yield Fault(path, "a dynamic body needs a mass")
+        for field in _FORBIDDEN[body.type]:
+            if _given(body, field):
+                yield Fault((*path, field), f"a {body.type} body has no {field.replace('_', ' ')}")
+
+
+def _given(body: Body, field: str) -> bool:
+    """Whether a field says anything; its default may be written out."""
+    return bool(getattr(body, field) != type(body).model_fields[field].default)
+
+
+def _joints(level: Level) -> Iterator[Fault]:
+    for name, joint in level.joints.items():
+        ends = [level.bodies[end] for end in joint.ends if end in level.bodies]
+        if len(ends) == 2 and not any(body.type == "dynamic" for body in ends):
+            yield Fault(("joints", name, "ends"), "at least one end must be a dynamic body")
+
+
+def _effects(level: Level) -> Iterator[Fault]:
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name in () if dynamic else level.effects.declared:
+        yield Fault(("effects", name), f"'{name}' is declared but no body is dynamic")
+    if level.effects.contact and dynamic and len(level.bodies) < 2:
+        yield Fault(("effects", "contact"), "'contact' is declared but there is only one body")
+    for kind in ("friction", "restitution"):
+        yield from _surface(level, kind)
+
+
+def _rotation(level: Level) -> Iterator[Fault]:
+    """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
+    dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
+    turning = any(_given(body, "angular_velocity") for body in dynamic.values())
+    if level.effects.rotation:
+        if not (turning or level.effects.contact or _levers(level)):
+            rule = "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+            yield Fault(("effects", "rotation"), rule)
+        return
+    for name, body in dynamic.items():
+        for field in ("moment", "angular_velocity"):
+            if _given(body, field):
+                yield _undeclared(("bodies", name, field), field, "rotation")
+
+
+def _levers(level: Level) -> bool:
+    """Whether a joint can turn a body; a pulley's string pulls at the centre."""
+    return any(joint.type != "pulley" for joint in level.joints.values())
+
+
+def _undeclared(path: Path, used: str, effect: str) -> Fault:
+    return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
+
+
+def _surfaces(level: Level) -> dict[str, Friction | Restitution]:
+    """Return those effects that have a coefficient a body."""
+    declared = {"friction": level.effects.friction, "restitution": level.effects.restitution}
+    return {kind: effect for kind, effect in declared.items() if effect is not None}
+
+
+def _surface(level: Level, kind: str) -> Iterator[Fault]:
+    """Friction and restitution: declared if used, used if declared, and only with contact."""
+    effect = _surfaces(level).get(kind)
+    given = [name for name, body in level.bodies.items() if getattr(body, kind) is not None]
+    if effect is None:
+        yield from (_undeclared(("bodies", name, kind), kind, kind) for name in given)
+        return
+    if level.effects.contact is None:
+        yield Fault(("effects", kind), f"'{kind}' needs the effect 'contact'")
+    paired = {name for pair in effect.pairs for name in pair.bodies}
+    if not given and not paired:
+        yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")
+        return
+    for name in level.bodies:
+        if name not in paired.union(given):
+            yield Fault(
+                ("bodies", name),
+                f"needs a '{kind}' coefficient, for the level declares '{kind}'"
+                " (1 leaves the other body's as it is, 0 is none)",
+            )
+    yield from _repeated_pairs(effect, kind)
+
+
+def _repeated_pairs(effect: Friction | Restitution, kind: str) -> Iterator[Fault]:
+    seen: set[frozenset[str]] = set()
+    for index, pair in enumerate(effect.pairs):
+        bodies = frozenset(pair.bodies)
+        if bodies in seen:
+            path = ("effects", kind, "pairs", index)
+            yield Fault(
+                path, f"the pair {' and '.join(map(brief, pair.bodies))} has a coefficient already"
+            )
+        seen.add(bodies)
+
+
+_RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
+    _parameters,
+    _names,
+    _references,
+    _quantities,
+    _contact,
+    _bodies,
+    _joints,
+    _effects,
+    _rotation,
+)

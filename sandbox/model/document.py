@@ -1,0 +1,115 @@
+"""A level's JSON text: what it holds, where everything stands, and how it is refused."""
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property
+from itertools import islice
+from typing import Any, NoReturn
+
+from sandbox.model import locating, wording
+from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
+from sandbox.model.locating import Path, Position, Value
+from sandbox.model.parts import Fault
+
+_NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
+
+
+def refuse(source: str, rule: str, place: Position | None = None) -> NoReturn:
+    """Raise a `LevelError` about the whole of a level, or about one place in its text."""
+    line, column = place or (None, None)
+    raise LevelError((Mistake(source, line, column, "", rule),))
+
+
+class Document:
+    """A JSON text, and where everything in it stands.
+
+    Parameters
+    ----------
+    text
+        The JSON.
+    source
+        Where it came from, for the messages.
+    """
+
+    def __init__(self, text: str, source: str) -> None:
+        self.text = text
+        self.source = source
+
+    @cached_property
+    def values(self) -> dict[Path, Value]:
+        """Every value of the text, by its path."""
+        return {value.path: value for value in locating.values(self.text)}
+
+    def read(self) -> Any:  # noqa: ANN401 (whatever JSON holds)
+        """Return what the text holds; refuse repeated keys and numbers that are not finite."""
+        if not self.text.strip():
+            refuse(self.source, "is empty")
+        suspects: list[str] = []
+
+        def pairs(items: list[tuple[str, Any]]) -> dict[str, Any]:
+            found = dict(items)
+            if len(found) < len(items):
+                suspects.append("a key")
+            return found
+
+        try:
+            data = json.loads(self.text, object_pairs_hook=pairs, parse_constant=suspects.append)
+        except json.JSONDecodeError as error:
+            refuse(self.source, wording.syntax(error.msg), (error.lineno, error.colno))
+        except RecursionError:
+            refuse(self.source, "is nested too deeply")
+        except ValueError:
+            refuse(self.source, "holds a whole number of thousands of digits")
+        if suspects:
+            self._raise(self._suspects())
+        return data
+
+    def refuse(self, faults: Iterable[Fault]) -> NoReturn:
+        """Raise everything that is wrong, in the order of the text."""
+        found = islice(dict.fromkeys(faults), MAX_MISTAKES + 1)
+        self._raise(sorted(map(self._mistake, found), key=lambda m: (m.line or 0, m.column or 0)))
+
+    def start(self, path: Path) -> int:
+        """Return where in the text something stands, or what is around it if it is missing."""
+        return self._nearest(path).start
+
+    def _nearest(self, path: Path) -> Value:
+        while path not in self.values:
+            path = path[:-1]
+        return self.values[path]
+
+    def _raise(self, mistakes: Iterable[Mistake]) -> NoReturn:
+        found = list(islice(mistakes, MAX_MISTAKES + 1))
+        if len(found) > MAX_MISTAKES:
+            found[-1] = Mistake(self.source, None, None, "", "and more mistakes like these")
+        raise LevelError(tuple(found))
+
+    def _suspects(self) -> Iterator[Mistake]:
+        """Yield what JSON readers let pass, but a level does not."""
+        for value in locating.values(self.text):
+            if value.repeated:
+                key = brief(str(value.path[-1]))
+                yield self._at(value, value.path, f"the key '{key}' stands twice in one object")
+            if value.text in _NOT_FINITE:
+                yield self._at(value, value.path, f"{value.text} is not a number for a level")
+
+    def _mistake(self, fault: Fault) -> Mistake:
+        """Place a fault; where the text has nothing there, at what is around it."""
+        value = self._nearest(fault.path)
+        mistake = self._at(value, fault.path, fault.rule)
+        tells = value.path == fault.path and value.text not in "{[" and not _says(fault, value)
+        return replace(mistake, value=brief(value.text)) if tells else mistake
+
+    def _at(self, value: Value, path: Path, rule: str) -> Mistake:
+        line, column = locating.position(self.text, value.start)
+        shown = ".".join(brief(str(step)) for step in path)
+        return Mistake(self.source, line, column, shown, rule)
+
+
+def _says(fault: Fault, value: Value) -> bool:
+    """Whether a rule already names the value, or is about the key."""
+    known = brief(value.text.strip('"'))
+    about_key = bool(fault.path) and f"'{fault.path[-1]}'" in fault.rule
+    return about_key or bool(re.search(rf"(?<![\w.]){re.escape(known)}(?![\w.])", fault.rule))

@@ -1,0 +1,92 @@
+"""The manifest of effects: what a level does not declare is not simulated, and costs nothing."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Expression, Fraction, NonNegative
+from sandbox.model.shapes import Point
+
+
+class Gravity(Model):
+    """The same acceleration for every dynamic body: F = m g, U = −m g · r."""
+
+    acceleration: Point
+    """[x, y] in m/s²; downwards y is negative, such as `[0, -9.81]`"""
+
+
+class Contact(Model):
+    """Bodies are impenetrable. Without it shapes are drawn, but never touch."""
+
+    correction: Fraction | None = None
+    """the share of an overlap that each step takes back; if left out 0.2, but 0 where the level
+    declares restitution, for pushing bodies apart adds to the energy of their bounces"""
+    slop: NonNegative = NonNegative(1e-6)
+    """m, the overlap that is left alone"""
+
+
+class Pair(Model):
+    """Two bodies that touch."""
+
+    bodies: tuple[str, str]
+    """their names, in any order"""
+
+
+class FrictionPair(Pair):
+    """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
+
+    coefficient: NonNegative
+
+
+class Friction(Model):
+    """Coulomb friction between bodies in contact; the coefficient of a pair is the product."""
+
+    pairs: tuple[FrictionPair, ...] = ()
+
+
+class RestitutionPair(Pair):
+    """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
+
+    coefficient: Fraction
+
+
+class Restitution(Model):
+    """Bodies bounce: the speed of separation over that of approach, the product of a pair's."""
+
+    pairs: tuple[RestitutionPair, ...] = ()
+
+
+class Rotation(Model):
+    """Bodies can turn. Without it every moment of inertia is infinite."""
+
+
+class Attraction(Model):
+    """Newtonian attraction to a fixed centre: F = −mu m r / |r|³, U = −mu m / |r|."""
+
+    mu: Expression
+    """m³/s², the gravitational parameter of the centre; negative to repel"""
+    center: Point = (Expression(0), Expression(0))
+    """m"""
+
+
+class Effects(Model):
+    """Everything that acts in a level."""
+
+    gravity: Gravity | None = None
+    """Uniform gravity."""
+    contact: Contact | None = None
+    """Bodies touch."""
+    friction: Friction | None = None
+    """Bodies in contact rub."""
+    restitution: Restitution | None = None
+    """Bodies in contact bounce."""
+    rotation: Rotation | None = None
+    """Bodies turn."""
+    attraction: Annotated[tuple[Attraction, ...], Field(min_length=1)] | None = None
+    """Fixed centres attract or repel."""
+
+    @property
+    def declared(self) -> tuple[str, ...]:
+        """The names of the effects that the level declares."""
+        return tuple(name for name in type(self).model_fields if getattr(self, name) is not None)

@@ -1,0 +1,73 @@
+"""What can be wrong, and how it is said.
+
+    SandboxError
+    ├── LevelError       a level that cannot be used; it holds every Mistake
+    ├── ExpressionError  a formula that is not allowed, or has no value
+    ├── QuantityError    a name that is not a quantity of the level
+    ├── ValueRangeError  a parameter that does not exist, or a value that it cannot have
+    └── SimulationError  a run that had to stop (in sandbox.physics)
+
+Whoever shows messages to a person catches `SandboxError`; anything else is a defect.
+"""
+
+from dataclasses import dataclass
+
+MAX_MISTAKES = 100
+"""The most mistakes that are listed; a file with more has one at its root."""
+
+
+class SandboxError(Exception):
+    """Anything that a user can mend; its text is fit to be shown as it is."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mistake:
+    """One thing that is wrong with a level, and where.
+
+    Attributes
+    ----------
+    source
+        The file, or what else the level came from.
+    line, column
+        Where in the file, from 1; None if the mistake has no place in it.
+    path
+        Where in the level, such as `bodies.ball.mass`; empty for the level as a whole.
+    rule
+        What is wrong or must hold, and where possible what was probably meant.
+    value
+        What was found there, as it is written in the file; empty if it would tell nothing.
+    """
+
+    source: str
+    line: int | None
+    column: int | None
+    path: str
+    rule: str
+    value: str = ""
+
+    def __str__(self) -> str:
+        place = f"{self.source}:{self.line}:{self.column}" if self.line else self.source
+        inside = f" {self.path}:" if self.path else ""
+        found = f" (found {self.value})" if self.value else ""
+        return f"{place}:{inside} {self.rule}{found}"
+
+
+class LevelError(SandboxError):
+    """A level that cannot be used, with every mistake that was found in it."""
+
+    def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
+        self.mistakes = mistakes
+        super().__init__("\n".join(str(mistake) for mistake in mistakes))
+
+    def __reduce__(self) -> tuple[type["LevelError"], tuple[tuple[Mistake, ...]]]:
+        return type(self), (self.mistakes,)  # Exception would rebuild it from its text
+
+
+class ValueRangeError(SandboxError):
+    """A parameter that the level does not have, or a value that it cannot have."""
+
+
+def brief(text: str, most: int = 60) -> str:
+    """Return what a file holds, fit for a message: on one line, printable, and not too long."""
+    shown = text if len(text) <= most else f"{text[: most - 1]}…"
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in shown)

@@ -1,0 +1,208 @@
+"""The level format: what a level's JSON file may say.
+
+A `Level` is frozen: it describes a scene and never changes. What moves lives in the world that
+`sandbox.physics` builds from it.
+"""
+
+from collections.abc import Mapping
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic_core import PydanticCustomError
+
+from sandbox.model.base import Model
+from sandbox.model.effects import Effects
+from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive, Values
+from sandbox.model.shapes import Point, Shape
+
+Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
+"""What bodies, joints and parameters are called: a letter, then letters, digits or _."""
+
+
+def _version(value: object) -> object:
+    if type(value) is not int:  # true is equal to 1
+        raise PydanticCustomError("version", "must be 1")
+    return value
+
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Scheme = Literal["leapfrog", "symplectic-euler", "explicit-euler"]
+
+
+class Parameter(Model):
+    """A number that a person may change, within a range."""
+
+    value: Finite
+    """the default"""
+    min: Finite
+    """the smallest value that it may be given"""
+    max: Finite
+    """the largest value that it may be given"""
+    unit: str = ""
+    """as it is shown; a parameter in degrees is used as `angle*deg`"""
+    label: str = ""
+    """what the number is, in a few words"""
+
+
+class Body(Model):
+    """Something that moves, or that others move against."""
+
+    type: Literal["dynamic", "kinematic", "static"] = "dynamic"
+    shape: Shape
+    mass: Positive | None = None
+    """kg; dynamic bodies have one, others do not"""
+    moment: Positive | None = None
+    """kg m², about the centre of mass; that of the uniform shape if left out"""
+    position: Point = (Expression(0), Expression(0))
+    """[x, y] in m, y up, at the start; of a dynamic body the position of its centre of mass"""
+    angle: Expression = Expression(0)
+    """rad, counter-clockwise, at the start; from degrees with `"30*deg"`"""
+    velocity: Point = (Expression(0), Expression(0))
+    """[x, y] in m/s, at the start"""
+    angular_velocity: Expression = Expression(0)
+    """rad/s, counter-clockwise, at the start"""
+    friction: NonNegative | None = None
+    """coefficient; a pair's is the product of its bodies' own"""
+    restitution: Fraction | None = None
+    """coefficient; a pair's is the product of its bodies' own"""
+    color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
+    """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
+
+
+class Pulley(Model):
+    """A light, inextensible string over fixed, frictionless pegs; it pulls and never pushes."""
+
+    type: Literal["pulley"]
+    ends: tuple[str, str]
+    """the two bodies it is tied to, at their centres"""
+    over: Annotated[tuple[Point, ...], Field(min_length=1, max_length=20)]
+    """m, the pegs it runs over, from the first end to the second"""
+    length: Positive | None = None
+    """m; the length of its path at the start if left out, slack at first if longer"""
+
+
+Joint = Pulley
+
+
+class ContactEvent(Model):
+    """Two bodies touch for the first time; measured one step later, when the impact is over."""
+
+    event: Literal["contact"]
+    bodies: tuple[str, str]
+
+
+class CrossingEvent(Model):
+    """A quantity crosses a value for the first time; measured between steps."""
+
+    event: Literal["crossing"]
+    quantity: str
+    value: Expression = Expression(0)
+    direction: Literal["up", "down", "either"] = "either"
+
+
+class ApexEvent(Model):
+    """A body stops rising for the first time; measured between steps."""
+
+    event: Literal["apex"]
+    body: str
+
+
+class LandingEvent(Model):
+    """A body's centre falls to a height for the first time; measured between steps."""
+
+    event: Literal["landing"]
+    body: str
+    height: Expression = Expression(0)
+    """m"""
+
+
+def _kind(at: object) -> str | None:
+    if isinstance(at, Mapping):
+        return str(at["event"]) if "event" in at else None
+    return str(getattr(at, "event", "a number"))
+
+
+Instant = Annotated[
+    Annotated[Expression, Tag("a number")]
+    | Annotated[ContactEvent, Tag("contact")]
+    | Annotated[CrossingEvent, Tag("crossing")]
+    | Annotated[ApexEvent, Tag("apex")]
+    | Annotated[LandingEvent, Tag("landing")],
+    Discriminator(_kind),
+]
+"""A time [s], or an event."""
+
+
+class Check(Model):
+    """A quantity, its closed form, and how far the two may differ."""
+
+    quantity: str
+    """such as `ball.position.x` or `string.tension`"""
+    formula: Formula
+    """over the parameters and the time t"""
+    tolerance: Annotated[float, Field(gt=0, allow_inf_nan=False)]
+    """relative to the largest expected value, absolute where that is zero"""
+    valid_if: Formula | None = None
+    """a condition over the parameters; where it is false the formula does not apply"""
+    at: Instant | None = None
+    """a time [s] or an event; every step if left out"""
+    label: str = ""
+    """what is checked, in a few words"""
+
+
+class Stepping(Model):
+    """How time advances."""
+
+    rate: Annotated[float, Field(ge=1, le=100_000)] = 60.0
+    """Hz, steps a second"""
+    iterations: Annotated[int, Field(ge=1, le=1000)] = 10
+    """sweeps of the solver over contacts and joints, a step"""
+    scheme: Scheme = "leapfrog"
+    """`symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+
+
+class View(Model):
+    """What part of the plane is shown."""
+
+    center: Point = (Expression(0), Expression(0))
+    """[x, y] in m, of the middle of the picture"""
+    width: Positive = Positive(10)
+    """m, of the picture"""
+
+
+class Level(Model):
+    """A scene, its parameters, and the closed forms it is held against."""
+
+    schema_: Annotated[str | None, Field(alias="$schema")] = None
+    """where an editor finds the JSON Schema of the format"""
+    format: Annotated[Literal[1], BeforeValidator(_version)]
+    """the version of the level format"""
+    title: Annotated[str, Field(min_length=1, max_length=80)]
+    """as it stands in the list of levels"""
+    summary: str = ""
+    """one or two sentences for the person who plays"""
+    reference: str = ""
+    """the part of the document that it comes from"""
+    parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
+    """the numbers that a person may change; any number of the scene may be a formula over them"""
+    effects: Effects = Effects()
+    """what acts; an effect that is not named here is not simulated"""
+    bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=2000)]
+    """what moves, and what others move against"""
+    joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
+    """what ties bodies together"""
+    stepping: Stepping = Stepping()
+    """how time advances"""
+    duration: Positive = Positive(10)
+    """s, how long the checks hold and a run lasts"""
+    checks: Annotated[tuple[Check, ...], Field(max_length=200)] = ()
+    """the closed forms that a run is held against"""
+    ghosts: Mapping[Name, tuple[Formula, Formula]] = {}
+    """where the closed form says that a body is: [x, y] over the parameters and t"""
+    view: View = View()
+    """what part of the plane is shown"""
+
+    @property
+    def defaults(self) -> Values:
+        """The parameters' default values."""
+        return {name: parameter.value for name, parameter in self.parameters.items()}

@@ -1,0 +1,166 @@
+"""From a file to a level: whole and frozen, or a `LevelError` that lists every mistake."""
+
+import codecs
+import hashlib
+import json
+from collections.abc import Iterator, Mapping
+from functools import reduce
+from math import isfinite
+from operator import getitem
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from sandbox.model import rules, wording
+from sandbox.model.consistency import dangling
+from sandbox.model.document import Document, refuse
+from sandbox.model.errors import MAX_MISTAKES, ValueRangeError, brief
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Parameter
+from sandbox.model.locating import position
+from sandbox.model.parts import Fault
+from sandbox.model.suggest import meant
+
+MAX_BYTES = 500_000
+"""The largest file that is read: ten times what a large level needs."""
+
+_MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
+"""The types of pydantic's errors that a 1 in the place of the value usually mends."""
+
+
+def load(path: Path) -> Level:
+    """Read a level from a JSON file.
+
+    Raises
+    ------
+    LevelError
+        If the file cannot be read, or the level has mistakes.
+    """
+    source = str(path)
+    try:
+        content = _content(path, source).removeprefix(codecs.BOM_UTF8)
+    except (FileNotFoundError, NotADirectoryError):
+        refuse(source, "there is no such file")
+    except (OSError, ValueError) as error:
+        refuse(source, f"cannot be read: {getattr(error, 'strerror', None) or error}")
+    try:
+        text = content.decode()
+    except UnicodeDecodeError as error:
+        before = content[: error.start].decode()
+        rule = "is not UTF-8 text: here is a byte that makes no character"
+        refuse(source, rule, position(before, len(before)))
+    return parse(text, source)
+
+
+def parse(text: str, source: str = "<text>") -> Level:
+    """Make a level from JSON text.
+
+    Parameters
+    ----------
+    text
+        The JSON.
+    source
+        Where it came from, for the messages.
+
+    Raises
+    ------
+    LevelError
+        If the level has mistakes.
+    """
+    document = Document(text, source)
+    data = document.read()
+    try:
+        level = Level.model_validate_json(text)
+    except ValidationError as error:
+        details = error.errors(include_url=False)
+        if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
+            refuse(source, *wording.refused(details[0]["ctx"]["error"]))
+        document.refuse(_faults(document, data, details))
+    if found := rules.faults(level):
+        document.refuse(found)
+    return level
+
+
+def digest(level: Level) -> str:
+    """Return a hash of what a level says, whatever its layout."""
+    data = level.model_dump(mode="json", exclude={"schema_"})
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
+
+
+def choose(level: Level, settings: Mapping[str, float]) -> Values:
+    """Return the level's parameters, with some set to other values than their defaults.
+
+    Raises
+    ------
+    ValueRangeError
+        If the level has no such parameter, or the value is not finite, or out of the parameter's
+        range, or makes a part of the level impossible.
+    """
+    for name, value in settings.items():
+        if name not in level.parameters:
+            known = "; ".join(_described(*item) for item in level.parameters.items()) or "none"
+            hint = meant(name, level.parameters)
+            raise ValueRangeError(f"unknown parameter '{brief(name)}'{hint} (there are: {known})")
+        parameter = level.parameters[name]
+        if not isfinite(value):
+            raise ValueRangeError(f"'{name}' is {value}, not a finite number")
+        if not parameter.min <= value <= parameter.max:
+            raise ValueRangeError(f"'{name}' is {value:g}, but must lie {_range(parameter)}")
+    values = {**level.defaults, **settings}
+    if settings and (fault := next(rules.broken(level, values), None)):
+        chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
+        place = ".".join(map(str, fault.path))
+        raise ValueRangeError(f"{chosen} is not possible: {place}: {fault.rule}")
+    return values
+
+
+def _described(name: str, parameter: Parameter) -> str:
+    label = f", the {parameter.label}," if parameter.label else ""
+    return f"{name}{label} {_range(parameter)}"
+
+
+def _range(parameter: Parameter) -> str:
+    unit = f" {parameter.unit}" if parameter.unit else ""
+    return f"between {parameter.min:g} and {parameter.max:g}{unit}"
+
+
+def _content(path: Path, source: str) -> bytes:
+    if path.is_dir():
+        refuse(source, "is a folder, not a file")
+    if path.exists() and not path.is_file():
+        refuse(source, "is not an ordinary file")  # to read a device might never end
+    if path.stat().st_size > MAX_BYTES:
+        refuse(source, f"the file is larger than {MAX_BYTES // 1000} kB")
+    return path.read_bytes()
+
+
+def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
+    """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
+    paths = [wording.path_of(detail, document.values) for detail in details]
+    placed = zip(paths, details, strict=True)
+    ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
+    for path, detail in ordered[: MAX_MISTAKES + 1]:
+        yield Fault(path, wording.rule(detail, path))
+    mended = _mend(document, data, details)
+    if mended is not None:
+        yield from dangling(mended)
+
+
+def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level | None:  # noqa: ANN401 (whatever JSON holds)
+    """Return the level without the values that pydantic refused, if that is possible.
+
+    It is looked at only for names that lead nowhere, so that they are not the next surprise.
+    """
+    try:
+        for detail in details:
+            *outside, last = wording.path_of(detail, document.values)
+            part = reduce(getitem, outside, data)
+            if detail["type"] == "extra_forbidden":
+                del part[last]
+            elif detail["type"] in _MENDED:
+                part[last] = 1
+        return Level.model_validate_json(json.dumps({**data, "format": 1, "title": "?"}))
+    except (ValidationError, LookupError, TypeError, ValueError, RecursionError):
+        return None

@@ -1,0 +1,78 @@
+"""Where in a JSON text a value stands."""
+
+import json
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+Path = tuple[str | int, ...]
+"""Keys and indices, from the outside in."""
+
+Position = tuple[int, int]
+"""Line and column, from 1."""
+
+_TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\]]|[^\s,:{}\[\]"]+', re.DOTALL)
+
+
+class Value(NamedTuple):
+    """A value of a JSON text, and where it stands."""
+
+    path: Path
+    start: int
+    """The index of its key's first character, or of its own if it has no key."""
+    text: str
+    """As it is written; of an object or a list only the bracket that opens it."""
+    repeated: bool
+    """Whether its key stands earlier in the same object."""
+
+
+@dataclass(slots=True)
+class _Container:
+    """An object or list that is being read."""
+
+    step: str | int | None
+    """The key or index of the value that comes next; None where a key comes next."""
+    keys: set[str] = field(default_factory=set)
+
+
+def position(text: str, index: int) -> Position:
+    """Return the line and column of a character."""
+    return text.count("\n", 0, index) + 1, index - text.rfind("\n", 0, index)
+
+
+def values(text: str) -> Iterator[Value]:
+    """Yield every value of a JSON text in the order in which they begin, the whole first.
+
+    Parameters
+    ----------
+    text
+        JSON that is known to be well formed, but for repeated keys and NaN or Infinity.
+    """
+    opened: list[_Container] = []
+    start, repeated = -1, False
+    for match in _TOKEN.finditer(text):
+        token = match[0]
+        if token in "}]":
+            opened.pop()
+            _advance(opened)
+        elif opened and opened[-1].step is None:
+            key = json.loads(token)
+            start, repeated = match.start(), key in opened[-1].keys
+            opened[-1].keys.add(key)
+            opened[-1].step = key
+        else:
+            path = tuple(container.step for container in opened if container.step is not None)
+            keyed = bool(opened) and isinstance(opened[-1].step, str)
+            yield Value(path, start if keyed else match.start(), token, keyed and repeated)
+            if token in "{[":
+                opened.append(_Container(None if token == "{" else 0))
+            else:
+                _advance(opened)
+
+
+def _advance(opened: list[_Container]) -> None:
+    """Go on to the next member of the innermost container."""
+    if opened:
+        step = opened[-1].step
+        opened[-1].step = step + 1 if isinstance(step, int) else None

@@ -1,0 +1,125 @@
+"""The names of everything that can be measured, and their units.
+
+A quantity has one name everywhere: in a level's checks, on the command line, in a CSV header, in a
+graph and on the screen. It reads `subject.attribute`, with `.x` or `.y` for a component; a vector
+without a component stands for its magnitude. The subject is a body, a joint, or `system`.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.level import Level
+from sandbox.model.suggest import closest, suggestion
+
+Component = Literal["x", "y"]
+Owner = Literal["body", "joint", "system", "time"]
+
+_VECTORS: Mapping[Owner, Mapping[str, str]] = {
+    "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
+    "system": {"center": "m", "momentum": "kg·m/s"},
+}
+_SCALARS: Mapping[Owner, Mapping[str, str]] = {
+    "body": {
+        "speed": "m/s",
+        "angle": "rad",
+        "angular_velocity": "rad/s",
+        "angular_acceleration": "rad/s²",
+        "kinetic_energy": "J",
+        "potential_energy": "J",
+        "energy": "J",
+        "contact.normal": "N",
+        "contact.friction": "N",
+    },
+    "joint": {"tension": "N"},
+    "system": {
+        "kinetic_energy": "J",
+        "potential_energy": "J",
+        "energy": "J",
+        "angular_momentum": "kg·m²/s",
+    },
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A quantity of a level, taken apart.
+
+    Attributes
+    ----------
+    name
+        In full, such as `ball.position.x`.
+    owner
+        What kind of thing it belongs to.
+    subject
+        The body or joint; `system` or `t` where there is neither.
+    attribute
+        Such as `position` or `contact.normal`.
+    component
+        Of a vector; None for its magnitude, and for scalars.
+    unit
+        In SI.
+    """
+
+    name: str
+    owner: Owner
+    subject: str
+    attribute: str
+    component: Component | None
+    unit: str
+
+
+TIME = Quantity("t", "time", "t", "t", None, "s")
+
+
+class QuantityError(SandboxError, ValueError):
+    """A name that is not a quantity of the level."""
+
+
+def quantities(level: Level) -> Iterator[Quantity]:
+    """Yield every quantity of a level that can be measured."""
+    yield TIME
+    for subject, owner in _owners(level).items():
+        yield from _of(owner, subject)
+
+
+def quantity(name: str, level: Level) -> Quantity:
+    """Return the quantity of that name.
+
+    Raises
+    ------
+    QuantityError
+        If the level has none of that name; the message says what was probably meant.
+    """
+    if name == TIME.name:
+        return TIME
+    owners = _owners(level)
+    subject, dot, rest = name.partition(".")
+    if subject not in owners:
+        close = closest(subject, owners)
+        hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
+        raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
+    known = {quantity.name: quantity for quantity in _of(owners[subject], subject)}
+    if name not in known:
+        hint = suggestion(name, known, most=len(known))
+        raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
+    return known[name]
+
+
+def _owners(level: Level) -> dict[str, Owner]:
+    return {
+        **dict.fromkeys(level.bodies, "body"),
+        **dict.fromkeys(level.joints, "joint"),
+        "system": "system",
+    }
+
+
+def _of(owner: Owner, subject: str) -> Iterator[Quantity]:
+    for attribute, unit in _VECTORS.get(owner, {}).items():
+        name = f"{subject}.{attribute}"
+        yield Quantity(f"{name}.x", owner, subject, attribute, "x", unit)
+        yield Quantity(f"{name}.y", owner, subject, attribute, "y", unit)
+        yield Quantity(name, owner, subject, attribute, None, unit)
+    for attribute, unit in _SCALARS.get(owner, {}).items():
+        yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)

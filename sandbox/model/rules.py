@@ -1,0 +1,167 @@
+"""What must hold in a level beyond the type of each part, and over the ranges of its parameters.
+
+Every rule is a generator of `Fault`: a path into the level and what is wrong there. They are all
+run, so that an author sees all mistakes at once. What depends on the values of the parameters is a
+`Condition`, and must hold at the corners of their ranges.
+"""
+
+from collections.abc import Callable, Collection, Iterator
+from functools import partial
+from itertools import islice, pairwise, product
+from math import hypot
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.consistency import inconsistencies
+from sandbox.model.errors import MAX_MISTAKES, brief
+from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
+from sandbox.model.level import Body, Joint, Level
+from sandbox.model.locating import Path
+from sandbox.model.parts import Fault, expressions, names_in
+from sandbox.model.shapes import Shape, evaluate, fault
+
+__all__ = ["Fault", "broken", "corners", "expressions", "faults"]
+
+MAX_CORNERS = 256
+"""How many combinations of the parameters' bounds are tried at the most."""
+
+
+class Condition(NamedTuple):
+    """What must hold for every choice of the parameters."""
+
+    path: Path
+    names: frozenset[str]
+    """The parameters that it depends on."""
+    broken: Callable[[Values], str | None]
+    """Say what is wrong for the given parameters, if anything is."""
+
+
+def faults(level: Level) -> list[Fault]:
+    """Return everything that is wrong with a level, as far as it makes sense to look."""
+    stages = (inconsistencies, _values, _late)
+    listed = (list(islice(stage(level), MAX_MISTAKES + 1)) for stage in stages)
+    return next(filter(None, listed), [])
+
+
+def broken(level: Level, values: Values) -> Iterator[Fault]:
+    """Yield every part of a level that the given parameters make impossible."""
+    for condition in _conditions(level):
+        if condition.names and (rule := condition.broken(values)):
+            yield Fault(condition.path, rule)
+
+
+def corners(level: Level, names: Collection[str] | None = None) -> Iterator[Values]:
+    """Yield the defaults, then what the bounds of the parameters combine to.
+
+    Parameters
+    ----------
+    level
+        Whose parameters.
+    names
+        The parameters that vary, the others keep their defaults; all if left out. Of more than
+        eight not all combinations are tried, but each bound alone, and all of a side together.
+    """
+    defaults = level.defaults
+    yield defaults
+    ranges = {n: (p.min, p.max) for n, p in level.parameters.items() if names is None or n in names}
+    if 2 ** len(ranges) <= MAX_CORNERS:
+        for values in product(*ranges.values()):
+            yield {**defaults, **dict(zip(ranges, values, strict=True))}
+        return
+    for side in (0, 1):
+        yield {**defaults, **{name: bounds[side] for name, bounds in ranges.items()}}
+        for name, bounds in ranges.items():
+            yield {**defaults, name: bounds[side]}
+
+
+def _values(level: Level) -> Iterator[Fault]:
+    """Every condition holds over the whole ranges of the parameters."""
+    for path, names, wrong in _conditions(level):
+        for values in corners(level, names):
+            if rule := wrong(values):
+                used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(names))
+                yield Fault(path, f"{rule} when {used}" if used else rule)
+                break
+
+
+def _conditions(level: Level) -> Iterator[Condition]:
+    for path, expression in expressions(level):
+        if expression.names and not isinstance(expression, Formula):
+            yield Condition(path, expression.names, partial(_value_fault, expression))
+    for name, body in level.bodies.items():
+        wrong = partial(_shape_fault, body.shape)
+        yield Condition(("bodies", name, "shape"), names_in(body.shape), wrong)
+    for name, joint in level.joints.items():
+        ends = [level.bodies[end] for end in joint.ends]
+        names = names_in((joint, *(body.position for body in ends)))
+        wrong = partial(_length_fault, joint, ends)
+        yield Condition(("joints", name, "length"), names, wrong)
+
+
+def _value_fault(expression: Expression, values: Values) -> str | None:
+    try:
+        expression(values)
+    except ExpressionError as error:
+        return str(error)
+    return None
+
+
+def _shape_fault(shape: Shape, values: Values) -> str | None:
+    try:
+        return fault(shape, values)
+    except ExpressionError:
+        return None  # the expression's own condition tells
+
+
+def _length_fault(joint: Joint, ends: list[Body], values: Values) -> str | None:
+    if joint.length is None:
+        return None
+    try:
+        points = [evaluate(p, values) for p in (ends[0].position, *joint.over, ends[1].position)]
+        length = joint.length(values)
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    shortest = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(points))
+    if length < shortest * (1 - 1e-12):
+        return f"the string is {length:g} m long, but its path is {shortest:g} m"
+    return None
+
+
+def _late(level: Level) -> Iterator[Fault]:
+    yield from _formulas(level)
+    yield from _instants(level)
+
+
+def _formulas(level: Level) -> Iterator[Fault]:
+    """Every formula has a value at some time, with the defaults, if it is said to apply then."""
+    values = level.defaults
+    times = np.linspace(0, level.duration(values), 9)
+    for path, formula in expressions(level):
+        if isinstance(formula, Formula):
+            try:
+                lost = not np.isfinite(formula.over(values, times)).any()
+                if lost and (path[-1] == "valid_if" or _applies(level, path, times)):
+                    shown = brief(str(formula.source))
+                    rule = f"'{shown}' has no finite value with the parameters' default values"
+                    yield Fault(path, rule)
+            except ExpressionError as error:
+                yield Fault(path, str(error))
+
+
+def _applies(level: Level, path: Path, times: Array) -> bool:
+    """Whether the formula at a path is said to hold with the defaults, at any of the times."""
+    index = path[1]
+    condition = level.checks[index].valid_if if isinstance(index, int) else None
+    return condition is None or bool(condition.over(level.defaults, times).any())
+
+
+def _instants(level: Level) -> Iterator[Fault]:
+    """Every check at a time comes before the end."""
+    duration = level.duration(level.defaults)
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, Expression):
+            at = check.at(level.defaults)
+            if not 0 <= at <= duration:
+                rule = f"is at {at:g} s, but the run lasts from 0 to {duration:g} s ('duration')"
+                yield Fault(("checks", index, "at"), rule)

@@ -1,0 +1,79 @@
+"""The JSON Schema of the level format, for editors: `python -m sandbox.model.schema` writes it."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
+from pydantic_core import core_schema, to_jsonable_python
+
+from sandbox.model import catalog
+from sandbox.model.expressions import Expression
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
+
+class _Generate(GenerateJsonSchema):
+    """What pydantic makes of the format, as an author wants to see it."""
+
+    def encode_default(self, dft: object) -> Any:  # noqa: ANN401 (whatever JSON holds)
+        return to_jsonable_python(dft, fallback=_source, exclude_none=True)
+
+    def default_schema(self, schema: core_schema.WithDefaultSchema) -> JsonSchemaValue:
+        """Leave out a default of null: an author leaves the key out instead."""
+        made = super().default_schema(schema)
+        return {key: value for key, value in made.items() if (key, value) != ("default", None)}
+
+    def nullable_schema(self, schema: core_schema.NullableSchema) -> JsonSchemaValue:
+        """Leave out the null for the same reason."""
+        return self.generate_inner(schema["schema"])
+
+    def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
+        """Refuse what has no proper name."""
+        return {**super().dict_schema(schema), "additionalProperties": False}
+
+
+def schema() -> dict[str, Any]:
+    """Return the JSON Schema of a level."""
+    made = Level.model_json_schema(by_alias=True, schema_generator=_Generate)
+    explained: dict[str, Any] = _explain({"$schema": DIALECT, **made})
+    return explained
+
+
+def text() -> str:
+    """Return the schema as its file has it."""
+    return json.dumps(schema(), indent=2, ensure_ascii=False) + "\n"
+
+
+def write() -> Path:
+    """Write the schema beside the levels, whole or not at all, and return where."""
+    target = catalog.root() / "level.schema.json"
+    write_atomically(target, text())
+    return target
+
+
+def _source(default: object) -> float | str:
+    if isinstance(default, Expression):
+        return default.source
+    raise TypeError(f"{default!r} cannot be written as JSON")
+
+
+def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Move what an expression's comment says to the end of the description of its field."""
+    if isinstance(part, list):
+        return [_explain(item) for item in part]
+    if not isinstance(part, dict):
+        return part
+    made = {key: _explain(value) for key, value in part.items()}
+    if isinstance(said := made.get("description"), str):
+        made["description"] = " ".join(said.split())
+    if isinstance(comment := made.pop("$comment", None), str):
+        made["description"] = f"{made['description']}. {comment}" if said else comment
+    return made
+
+
+if __name__ == "__main__":
+    sys.stdout.write(f"{write()}\n")

@@ -1,0 +1,147 @@
+"""The shapes a body can have.
+
+A dynamic body's position is its centre of mass: the points of a polygon, segment or polyline are
+moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies keep
+their points as they are written, relative to their position.
+"""
+
+from typing import Annotated, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
+
+Point = tuple[Expression, Expression]
+"""Two coordinates: [x, y]."""
+
+XY = tuple[float, float]
+
+
+def evaluate(point: Point, values: Values) -> XY:
+    """Return the coordinates of a point for the given parameters."""
+    return point[0](values), point[1](values)
+
+
+class Disc(Model):
+    """A uniform disc: I = m r² / 2."""
+
+    type: Literal["disc"]
+    radius: Positive
+    """m"""
+
+
+class Hoop(Model):
+    """A thin ring that collides as a disc does: I = m r²."""
+
+    type: Literal["hoop"]
+    radius: Positive
+    """m"""
+
+
+class Box(Model):
+    """A uniform rectangle: I = m (w² + h²) / 12."""
+
+    type: Literal["box"]
+    width: Positive
+    """m"""
+    height: Positive
+    """m"""
+
+
+class Polygon(Model):
+    """A uniform simple polygon, convex or not, its vertices in order around it."""
+
+    type: Literal["polygon"]
+    vertices: Annotated[tuple[Point, ...], Field(min_length=3, max_length=200)]
+    """m, relative to the body"""
+
+
+class Segment(Model):
+    """A straight line from one point to another: a thin rod, I = m L² / 12."""
+
+    type: Literal["segment"]
+    start: Point
+    """m, relative to the body"""
+    end: Point
+    """m, relative to the body"""
+    thickness: NonNegative = NonNegative(0)
+    """m"""
+
+
+class Polyline(Model):
+    """An open chain of segments, such as a ramp or a curved floor."""
+
+    type: Literal["polyline"]
+    points: Annotated[tuple[Point, ...], Field(min_length=2, max_length=2000)]
+    """m, relative to the body"""
+    thickness: NonNegative = NonNegative(0)
+    """m"""
+
+
+Shape = Annotated[Disc | Hoop | Box | Polygon | Segment | Polyline, Field(discriminator="type")]
+
+
+def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
+    """Return the points that a shape is drawn through."""
+    match shape:
+        case Polygon():
+            return shape.vertices
+        case Segment():
+            return (shape.start, shape.end)
+        case Polyline():
+            return shape.points
+
+
+def fault(shape: Shape, values: Values) -> str | None:
+    """Say what is wrong with a shape's geometry for the given parameters, if anything is."""
+    if not isinstance(shape, Polygon | Segment | Polyline):
+        return None
+    points = np.array([evaluate(point, values) for point in points_of(shape)])
+    closed = isinstance(shape, Polygon)
+    ends = np.roll(points, -1, axis=0) if closed else points[1:]
+    starts = points if closed else points[:-1]
+    same = np.flatnonzero(np.all(starts == ends, axis=1))
+    if same.size:
+        i = int(same[0])
+        return f"the points {i} and {(i + 1) % len(points)} are the same"
+    with np.errstate(all="ignore"):
+        return _polygon_fault(starts, ends) if closed else None
+
+
+def _polygon_fault(starts: Array, ends: Array) -> str | None:
+    crossing = _crossings(starts, ends)
+    if crossing.size:
+        i, j = crossing[0]
+        return f"the polygon crosses itself: the edge from point {i} meets that from point {j}"
+    area = np.sum(_turn(starts[0], starts, ends)) / 2
+    extent = np.max(np.ptp(starts, axis=0))
+    return "the polygon has no area" if abs(area) <= 1e-12 * extent**2 else None
+
+
+def _crossings(starts: Array, ends: Array) -> NDArray[np.int64]:
+    """Return the pairs of edges that have a point in common but do not follow each other."""
+    count = len(starts)
+    i, j = np.triu_indices(count, k=2)
+    apart = (j - i) != count - 1
+    i, j = i[apart], j[apart]
+    a, b, c, d = starts[i], ends[i], starts[j], ends[j]
+    turns = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
+    meet = (turns[0] * turns[1] < 0) & (turns[2] * turns[3] < 0)
+    for turn, p, q, r in zip(turns, (a, a, c, c), (b, b, d, d), (c, d, a, b), strict=True):
+        meet |= (turn == 0) & _between(p, q, r)
+    return np.stack([i, j], axis=1)[meet]
+
+
+def _turn(a: Array, b: Array, c: Array) -> Array:
+    """Twice the area of the triangle a-b-c, positive if it turns counter-clockwise."""
+    ab, ac = b - a, c - a
+    return np.asarray(ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0])
+
+
+def _between(a: Array, b: Array, c: Array) -> NDArray[np.bool_]:
+    """Whether c, known to lie on the line through a and b, lies between them."""
+    inside = (np.minimum(a, b) <= c) & (c <= np.maximum(a, b))
+    return np.asarray(np.all(inside, axis=-1))

@@ -1,0 +1,30 @@
+"""Guessing what a person probably meant."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+
+LONGEST = 100  # characters; nothing longer resembles a name
+
+
+def closest(name: str, known: Iterable[str]) -> str | None:
+    """Return the known name that resembles the given one, if any does."""
+    choices = {choice.casefold(): choice for choice in sorted(known)}
+    close = get_close_matches(name[:LONGEST].casefold(), choices, n=1, cutoff=0.6)
+    return choices[close[0]] if close else None
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """Return "; did you mean 'x'?" if a known name resembles the given one, else nothing."""
+    close = closest(name, known)
+    return f"; did you mean '{close}'?" if close else ""
+
+
+def suggestion(name: str, known: Iterable[str], *, most: int = 8) -> str:
+    """Return what was probably meant, or what there is to choose from, to end a message."""
+    choices = sorted(known)
+    if hint := meant(name, choices):
+        return hint
+    if not choices:
+        return "; there are none"
+    shown = ", ".join(choices[:most]) + (", …" if len(choices) > most else "")
+    return f"; known: {shown}"

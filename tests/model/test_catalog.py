@@ -1,0 +1,112 @@
+"""The levels that come with the project are found by name, by its end, and by path."""
+
+from pathlib import Path
+
+import pytest
+
+from sandbox.model import catalog
+from sandbox.model.errors import LevelError
+from sandbox.model.loading import load
+
+
+@pytest.fixture
+def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Make a small folder of levels the catalog's, and an empty one the current."""
+    levels, elsewhere = tmp_path / "levels", tmp_path / "elsewhere"
+    for name in ("newton/atwood", "newton/incline", "energy/incline", "deep/er/level"):
+        path = levels / f"{name}.json"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("{}")
+    (levels / "level.schema.json").write_text("{}")
+    (levels / "newton" / "notes.txt").write_text("")
+    elsewhere.mkdir()
+    monkeypatch.setattr(catalog, "root", lambda: levels)
+    monkeypatch.chdir(elsewhere)
+    return levels
+
+
+def test_levels_are_one_folder_deep_and_sorted(shelf: Path) -> None:
+    assert shelf.is_dir()
+    assert catalog.names() == ["energy/incline", "newton/atwood", "newton/incline"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "found"),
+    [
+        ("newton/atwood", "newton/atwood"),
+        ("newton/atwood.json", "newton/atwood"),
+        ("newton\\atwood", "newton/atwood"),
+        ("atwood", "newton/atwood"),
+        ("energy/incline", "energy/incline"),
+    ],
+)
+def test_a_level_is_found_by_its_name_or_the_end_of_it(shelf: Path, asked: str, found: str) -> None:
+    assert catalog.find(asked) == shelf / f"{found}.json"
+
+
+@pytest.mark.parametrize("name", ["mine.json", "mine.txt", "sub/mine.json"])
+@pytest.mark.usefixtures("shelf")
+def test_a_level_is_found_by_its_path(name: str) -> None:
+    path = Path(name)
+    path.parent.mkdir(exist_ok=True)
+    path.write_text("{}")
+
+    assert catalog.find(name) == path
+    assert catalog.find(str(path.absolute())) == path.absolute()
+
+
+@pytest.mark.usefixtures("shelf")
+def test_a_file_comes_before_a_level_of_the_same_name() -> None:
+    Path("newton").mkdir()
+    Path("newton/atwood.json").write_text("{}")
+
+    assert catalog.find("newton/atwood.json") == Path("newton/atwood.json")
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ("newton/atwod", "did you mean 'newton/atwood'?"),
+        ("atwod", "did you mean 'atwood'?"),
+        ("incline", "several levels: energy/incline, newton/incline"),
+        ("atwod.json", "there is no such file; did you mean 'atwood'?"),
+        ("zzz", "is neither a level nor a file; known: atwood, incline"),
+        ("level.schema", "neither"),
+        ("er/level", "neither"),
+        ("", "neither"),
+        (".", "neither"),
+        ("..", "neither"),
+        ("/", "neither"),
+        ("a\0b", "neither"),
+        ("x" * 10**5, "neither"),
+    ],
+)
+@pytest.mark.usefixtures("shelf")
+def test_what_is_not_found_is_told_with_what_was_meant(asked: str, told: str) -> None:
+    with pytest.raises(LevelError) as caught:
+        catalog.find(asked)
+
+    assert told in str(caught.value)
+    assert str(caught.value).isprintable()
+    assert len(str(caught.value)) < 300
+
+
+@pytest.mark.parametrize(
+    ("there", "found"),
+    [(["levels"], "levels"), (["sandbox/levels"], "sandbox/levels"), ([], "levels")],
+    ids=["checkout", "installed", "neither"],
+)
+def test_the_levels_are_inside_the_package_or_beside_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, there: list[str], found: str
+) -> None:
+    for folder in there:
+        (tmp_path / folder).mkdir(parents=True)
+    monkeypatch.setattr(catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py"))
+
+    assert catalog.root() == tmp_path / found
+    assert catalog.names() == []
+
+
+@pytest.mark.parametrize("name", catalog.names())
+def test_every_level_of_the_project_is_found_and_well_formed(name: str) -> None:
+    assert load(catalog.find(name)).title

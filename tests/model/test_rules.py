@@ -1,0 +1,230 @@
+# ruff: noqa: E501 (a table is read by its rows)
+"""What contradicts itself in a level is told by name, and nothing else is."""
+
+from collections.abc import Callable
+from itertools import product
+
+import pytest
+
+from sandbox.model.errors import MAX_MISTAKES
+from sandbox.model.rules import broken, corners, expressions
+from tests.model.levels import (
+    Change,
+    Data,
+    bare,
+    hanging,
+    level,
+    mistakes,
+    said,
+    setting,
+    touching,
+)
+
+CONTACT_EVENT = {"event": "contact", "bodies": ["ball", "floor"]}
+
+
+def parameter(value: float = 1, low: float = 0, high: float = 2) -> dict[str, float]:
+    return {"value": value, "min": low, "max": high}
+
+
+@pytest.mark.parametrize(
+    "data", [bare(), touching(), hanging()], ids=["bare", "touching", "hanging"]
+)
+def test_a_sound_level_has_no_mistakes(data: Data) -> None:
+    assert mistakes(data) == ()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        setting("view", {"center": [0, "g"]}),
+        setting("bodies.ball.velocity", [1, 2]),
+        setting("bodies.ball.angular_velocity", 0),
+        setting("bodies.ball.moment", None),
+        setting("checks.0.at", 1),
+        setting("checks.0.at", {"event": "apex", "body": "ball"}),
+        setting("checks.0.at", {"event": "landing", "body": "ball", "height": "-m"}),
+        setting("checks.0.at", {"event": "crossing", "quantity": "ball.speed", "value": "m"}),
+        setting("checks.0.formula", "1/t"),
+    ],
+)
+def test_what_is_allowed_is_not_a_mistake(change: Change) -> None:
+    assert mistakes(bare(), change) == ()
+
+
+def test_a_parameter_may_change_the_picture_only() -> None:
+    zoom = setting("parameters.zoom", parameter(low=0.5))
+
+    assert mistakes(bare(), zoom, setting("view", {"width": "4*zoom"})) == ()
+
+
+@pytest.mark.parametrize(
+    ("data", "path", "value", "expected"),
+    [
+        # parameters
+        (bare, "parameters.x", parameter(), "parameters.x: 'x' is declared but nothing uses it"),
+        (bare, "parameters.m.value", 9, "parameters.m.value: must lie between 'min', 1, and 'max', 4"),
+        (bare, "parameters.m.min", 9, "parameters.m.min: must not be greater than 'max', 4"),
+        (bare, "parameters.pi", parameter(), "parameters.pi: 'pi' already has a meaning"),
+        (bare, "parameters.t", parameter(), "parameters.t: 't' already has a meaning"),
+        (bare, "parameters.sin", parameter(), "parameters.sin: 'sin' already has a meaning"),
+        (bare, "parameters.lambda", parameter(), "parameters.lambda: 'lambda' already has a meaning"),
+        (bare, "bodies.ball.mass", "n", "bodies.ball.mass: unknown parameter 'n'"),
+        (bare, "bodies.ball.mass", "G", "bodies.ball.mass: unknown parameter 'G'; did you mean 'g'?"),
+        (bare, "bodies.ball.mass", "t + 1", "bodies.ball.mass: the time 't' has no meaning here"),
+        (bare, "effects.gravity.acceleration", [0, -9.81], "parameters.g: only checks and ghosts use 'g'"),
+        # names
+        (bare, "ghosts", {"bal": [0, 0]}, "ghosts.bal: unknown body 'bal'; did you mean 'ball'?"),
+        (hanging, "joints.string.ends", ["ball", "othr"], "joints.string.ends.1: unknown body 'othr'; did you mean 'other'?"),
+        (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is named twice"),
+        (hanging, "joints.ball", hanging()["joints"]["string"], "joints.ball: 'ball' is already the name of a body"),
+        (hanging, "joints.system", hanging()["joints"]["string"], "joints.system: the name 'system' is taken"),
+        (bare, "bodies.t", bare()["bodies"]["ball"], "bodies.t: the name 't' is taken"),
+        # checks
+        (bare, "checks.0.quantity", "ball.hight", "checks.0.quantity: 'ball.hight' is not a quantity"),
+        (bare, "checks.0.quantity", "bal.speed", "checks.0.quantity: 'bal.speed' is not a quantity of this level; did you mean 'ball.speed'?"),
+        (bare, "checks.0.quantity", "ball.contact.normal", "'ball.contact.normal' is used but the effect 'contact' is not declared"),
+        (bare, "checks.0.formula", "1/(m - m)", "checks.0.formula: '1/(m - m)' has no finite value"),
+        (bare, "checks.0.formula", "t + 1/0", "checks.0.formula: 't + 1/0' divides by zero"),
+        (bare, "checks.0.valid_if", "t + 1/0 > 1", "checks.0.valid_if: 't + 1/0 > 1' divides by zero"),
+        (bare, "checks.0.at", 5, "checks.0.at: is at 5 s, but the run lasts from 0 to 1 s"),
+        (bare, "checks.0.at", -1, "checks.0.at: is at -1 s"),
+        (bare, "checks.0.at", {"event": "apex", "body": "bal"}, "checks.0.at.body: unknown body 'bal'"),
+        (bare, "checks.0.at", {"event": "crossing", "quantity": "x"}, "checks.0.at.quantity: 'x' is not a quantity"),
+        (touching, "checks.0.at", {**CONTACT_EVENT, "bodies": ["ball", "ball"]}, "checks.0.at.bodies: 'ball' is named twice"),
+        # bodies and joints
+        (bare, "bodies.ball.mass", None, "bodies.ball: a dynamic body needs a mass"),
+        (touching, "bodies.floor.mass", 1, "bodies.floor.mass: a static body has no mass"),
+        (touching, "bodies.floor.velocity", [1, 0], "bodies.floor.velocity: a static body has no velocity"),
+        (touching, "bodies.floor.angular_velocity", 1, "a static body has no angular velocity"),
+        (hanging, "bodies.ball.type", "kinematic", "bodies.ball.mass: a kinematic body has no mass"),
+        (hanging, "joints.string.length", 8, None),
+        (hanging, "joints.string.length", 7, "joints.string.length: the string is 7 m long, but its path is 8 m"),
+        # effects
+        (bare, "effects.contact", {}, "effects.contact: 'contact' is declared but there is only one body"),
+        (bare, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
+        (hanging, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
+        (bare, "effects.friction", {}, "effects.friction: 'friction' needs the effect 'contact'"),
+        (bare, "effects.restitution", {}, "effects.restitution: 'restitution' is declared but no body has"),
+        (bare, "bodies.ball.friction", 0.1, "bodies.ball.friction: 'friction' is used but the effect 'friction' is not declared"),
+        (bare, "bodies.ball.restitution", 0.1, "'restitution' is used but the effect 'restitution' is not declared"),
+        (bare, "bodies.ball.angular_velocity", 1, "'angular_velocity' is used but the effect 'rotation' is not declared"),
+        (bare, "bodies.ball.moment", 1, "'moment' is used but the effect 'rotation' is not declared"),
+        (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
+        (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
+        (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+    ],
+)  # fmt: skip
+def test_a_contradiction_is_told_where_it_is(
+    data: Callable[[], Data], path: str, value: object, expected: str | None
+) -> None:
+    found = said(mistakes(data(), setting(path, value)))
+
+    assert any(expected in mistake for mistake in found) if expected else not found
+
+
+@pytest.mark.parametrize("name", ["gravity", "attraction"])
+def test_an_effect_without_a_dynamic_body_is_told(name: str) -> None:
+    effect = {"gravity": bare()["effects"]["gravity"], "attraction": [{"mu": "g"}]}[name]
+    still = {"type": "static", "shape": {"type": "disc", "radius": "m"}}
+
+    found = mistakes(bare(), setting("effects", {name: effect}), setting("bodies.ball", still))
+
+    assert said(found) == [f"effects.{name}: '{name}' is declared but no body is dynamic"]
+
+
+def test_a_first_contact_needs_bodies_that_touch() -> None:
+    data = touching()
+    data["effects"] = bare()["effects"]
+    for body in data["bodies"].values():
+        del body["friction"], body["restitution"]
+
+    found = mistakes(data, setting("checks.0.at", CONTACT_EVENT))
+
+    assert said(found) == [
+        "checks.0.at.event: 'contact' is used but the effect 'contact' is not declared"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "expected"),
+    [
+        ("bodies.ball.mass", "m - 1", "'m - 1' is 0, but must be greater than 0 when m = 1"),
+        ("bodies.ball.mass", "4 - m", "'4 - m' is 0, but must be greater than 0 when m = 4"),
+        ("bodies.ball.mass", "m - g", "is -7.81, but must be greater than 0 when g = 9.81, m = 2"),
+        ("bodies.ball.position", [0, "m/g"], "'m/g' is inf, not a finite number when g = 0, m = "),
+        ("duration", "g", "'g' is 0, but must be greater than 0 when g = 0"),
+    ],
+)
+def test_a_value_must_be_possible_at_the_ends_of_the_ranges(
+    path: str, value: object, expected: str
+) -> None:
+    [mistake] = mistakes(bare(), setting(path, value), setting("view", {"center": ["m", 0]}))
+
+    assert expected in mistake.rule
+
+
+def test_a_polygon_must_be_simple_at_the_ends_of_the_ranges() -> None:
+    vertices = [[0, 0], [1, 0], ["m - 1.5", 1], [0, 1]]
+
+    [mistake] = mistakes(
+        bare(), setting("bodies.ball.shape", {"type": "polygon", "vertices": vertices})
+    )
+
+    assert mistake.path == "bodies.ball.shape"
+    assert "crosses itself" in mistake.rule
+    assert mistake.rule.endswith("when m = 1")
+
+
+def test_a_formula_need_not_have_a_value_where_it_is_not_valid() -> None:
+    formula = setting("checks.0.formula", "sqrt(g - 10*m)")
+
+    assert mistakes(bare(), formula)
+    assert mistakes(bare(), formula, setting("checks.0.valid_if", "g > 10*m")) == ()
+
+
+def test_what_the_parameters_make_impossible_between_the_ends_is_found_for_them() -> None:
+    made = level(bare(), setting("bodies.ball.position", ["1/(m - 3)", 0]))
+
+    assert not list(broken(made, {"m": 2, "g": 1}))
+    [fault] = broken(made, {"m": 3, "g": 1})
+    assert fault.path == ("bodies", "ball", "position", 0)
+
+
+def test_corners_are_the_defaults_and_all_combinations_of_the_bounds() -> None:
+    found = [(values["m"], values["g"]) for values in corners(level(bare()))]
+
+    assert found[0] == (2.0, 9.81)
+    assert found[1:] == list(product((1.0, 4.0), (0.0, 25.0)))
+
+
+def test_of_many_parameters_each_reaches_both_bounds() -> None:
+    names = [f"p{i}" for i in range(20)]
+    many = {name: parameter(0, -1, 1) for name in names}
+    data = bare()
+    data["parameters"] |= many
+    data["bodies"]["ball"]["position"] = ["+".join(names), 0]
+
+    found = list(corners(level(data), names))
+
+    assert len(found) < 100
+    for name in names:
+        assert {values[name] for values in found} == {-1, 0, 1}
+
+
+def test_every_expression_is_found_with_its_path() -> None:
+    found = dict(expressions(level(bare())))
+
+    assert found["bodies", "ball", "mass"].source == "m"
+    assert found["effects", "gravity", "acceleration", 1].source == "-g"
+    assert found["checks", 0, "formula"].in_time
+    assert found["ghosts", "ball", 1].names == {"g", "t"}
+
+
+def test_mistakes_are_listed_up_to_a_limit() -> None:
+    ghosts = {f"ghost{i}": [0, 0] for i in range(10 * MAX_MISTAKES)}
+
+    found = mistakes(bare(), setting("ghosts", ghosts))
+
+    assert len(found) == MAX_MISTAKES + 1
+    assert "and more" in found[-1].rule

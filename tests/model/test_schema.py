@@ -1,0 +1,88 @@
+"""The JSON Schema says what the models say, and editors have the latest."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sandbox.model import catalog
+from sandbox.model.effects import Effects
+from sandbox.model.level import Level
+from sandbox.model.schema import schema, text, write
+
+SCHEMA = schema()
+
+
+def _parts(part: object) -> Iterator[dict[str, Any]]:
+    """Yield every object below a part of the schema."""
+    if isinstance(part, dict):
+        yield part
+        part = list(part.values())
+    for child in part if isinstance(part, list) else ():
+        yield from _parts(child)
+
+
+def test_the_file_is_what_the_models_say() -> None:
+    """If not: `python -m sandbox.model.schema` writes it."""
+    assert (catalog.root() / "level.schema.json").read_text(encoding="utf-8") == text()
+
+
+def test_it_is_written_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(catalog, "root", lambda: tmp_path)
+
+    assert write().read_text(encoding="utf-8") == text()
+    assert [path.name for path in tmp_path.iterdir()] == ["level.schema.json"]
+
+
+def test_every_reference_leads_to_a_definition() -> None:
+    leads = {part["$ref"] for part in _parts(SCHEMA) if "$ref" in part}
+
+    assert leads == {f"#/$defs/{name}" for name in SCHEMA["$defs"]}
+
+
+@pytest.mark.parametrize("name", sorted(SCHEMA["$defs"]))
+def test_every_part_is_described_and_refuses_unknown_keys(name: str) -> None:
+    part = SCHEMA["$defs"][name]
+
+    assert part["description"]
+    assert part["additionalProperties"] is False
+
+
+@pytest.mark.parametrize("name", sorted(Level.model_fields.keys() - {"schema_"}))
+def test_every_field_of_a_level_is_described(name: str) -> None:
+    assert SCHEMA["properties"][name]["description"]
+
+
+@pytest.mark.parametrize("name", Effects.model_fields)
+def test_every_effect_is_described(name: str) -> None:
+    assert SCHEMA["$defs"]["Effects"]["properties"][name]["description"]
+
+
+def test_a_description_keeps_the_unit_and_says_the_rule() -> None:
+    mass = SCHEMA["$defs"]["Body"]["properties"]["mass"]
+
+    assert mass["description"].startswith("kg")
+    assert "greater than 0" in mass["description"]
+    assert mass["type"] == ["number", "string"]
+    assert mass["exclusiveMinimum"] == 0
+
+
+@pytest.mark.parametrize("tag", ["disc", "hoop", "box", "polygon", "segment", "polyline"])
+def test_a_shape_is_chosen_by_its_tag(tag: str) -> None:
+    lead = SCHEMA["$defs"]["Body"]["properties"]["shape"]["discriminator"]["mapping"][tag]
+
+    assert SCHEMA["$defs"][lead.rpartition("/")[2]]["properties"]["type"]["const"] == tag
+
+
+@pytest.mark.parametrize("kind", ["parameters", "bodies", "joints", "ghosts"])
+def test_names_have_the_form_that_the_loader_asks_for(kind: str) -> None:
+    part = SCHEMA["properties"][kind]
+
+    assert list(part["patternProperties"]) == ["^[A-Za-z][A-Za-z0-9_]{0,30}$"]
+    assert part["additionalProperties"] is False
+
+
+def test_an_author_is_never_offered_a_null() -> None:
+    assert not [part for part in _parts(SCHEMA) if part.get("type") == "null"]
+    assert not [part for part in _parts(SCHEMA) if part.get("default", 0) is None]
