@@ -1,0 +1,310 @@
+"""From a level to a pymunk space: the only place where pymunk's objects are made.
+
+What a level does not declare is not made: without contact no shape joins the space, without
+rotation every moment is infinite, without friction or restitution the coefficients are zero.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
+from math import inf
+
+import numpy as np
+import pymunk
+from pymunk.autogeometry import convex_decomposition
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Body, Level, Pulley, Stepping
+from sandbox.model.shapes import (
+    XY,
+    Box,
+    Disc,
+    Hoop,
+    Polygon,
+    Polyline,
+    Segment,
+    Shape,
+    evaluate,
+    points_of,
+)
+from sandbox.physics.forces import Force, Gravity, force_laws, gravity
+from sandbox.physics.pulley import PulleyString
+
+HAIR = 1e-9
+"""m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
+is placed on a surface would fall freely for half a step. Discs keep their radius, for rolling."""
+
+INSET = 1e-8
+"""m, how much smaller the core of a polygon is, which has this as its radius. Each body's differs a
+little: between boxes that are as wide as each other, and stand in line but for the last digit,
+pymunk now and then finds a sideways normal and throws them apart."""
+
+GOLDEN = 0.6180339887498949
+"""Its multiples, less their whole part, stay clear of each other."""
+
+CORRECTION = 0.2
+"""The share of an overlap that a step takes back, where the level has nothing else to say."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A level's objects in pymunk, and what must be known of them to run and to measure.
+
+    Attributes
+    ----------
+    bodies
+        In the level's order, static and kinematic ones included; n of them.
+    mass, moment
+        (n,), of dynamic bodies; 0 for others. The moment is 0, too, where nothing rotates.
+    strings
+        The joints that pymunk has not, in the level's order.
+    gravity, laws
+        What acts on the bodies: gravity is pymunk's own, the laws need a hook.
+    """
+
+    space: pymunk.Space
+    bodies: dict[str, pymunk.Body]
+    mass: np.ndarray
+    moment: np.ndarray
+    strings: dict[str, PulleyString]
+    gravity: Gravity | None
+    laws: tuple[Force, ...]
+
+
+def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
+    """Make the pymunk objects of a level for the given parameters."""
+    as_it_comes = stepping.scheme != "leapfrog"
+    space = pymunk.Space()
+    space.iterations = stepping.iterations
+    field = gravity(level.effects, values)
+    if field:
+        space.gravity = field.acceleration
+    bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
+    space.add(*bodies.values())
+    if level.effects.contact:
+        hair = 0.0 if as_it_comes else HAIR
+        if not as_it_comes:
+            _skip_ids(space, level)
+        for index, (name, spec) in enumerate(level.bodies.items()):
+            space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
+        _pairs(space, level, values)
+        if not as_it_comes:
+            _settle(space, level, values, 1 / stepping.rate)
+    dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
+    mass = np.array([body.mass for body in bodies.values()])
+    moment = np.array([body.moment for body in bodies.values()])
+    return Scene(
+        space=space,
+        bodies=bodies,
+        mass=np.where(dynamic, mass, 0.0),
+        moment=np.where(np.isfinite(moment) & dynamic, moment, 0.0),
+        strings={name: _string(name, spec, bodies, values) for name, spec in level.joints.items()},
+        gravity=field,
+        laws=force_laws(level.effects, values),
+    )
+
+
+def _skip_ids(space: pymunk.Space, level: Level) -> None:
+    """Use up the ids of shapes that are as small as the numbers of corners.
+
+    pymunk knows a contact again by a hash of the two shapes' ids and corners. While both numbers
+    come from the same small range, the two ends of a box's side can have the same hash, and each
+    step starts one end from the other's impulse: a box with friction then never comes to rest.
+    """
+    corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
+    spare = pymunk.Circle(space.static_body, 1.0)
+    for _ in range(max([4, *corners]) + 1):
+        space.add(spare)
+        space.remove(spare)
+
+
+def _body(spec: Body, level: Level, values: Values) -> pymunk.Body:
+    if spec.type == "dynamic":
+        assert spec.mass is not None
+        mass = spec.mass(values)
+        body = pymunk.Body(mass, _moment(spec, mass, values) if level.effects.rotation else inf)
+    else:
+        static = spec.type == "static"
+        body = pymunk.Body(body_type=pymunk.Body.STATIC if static else pymunk.Body.KINEMATIC)
+    body.position = evaluate(spec.position, values)
+    body.angle = spec.angle(values)
+    if spec.type != "static":
+        body.velocity = evaluate(spec.velocity, values)
+        body.angular_velocity = spec.angular_velocity(values)
+    return body
+
+
+def _moment(spec: Body, mass: float, values: Values) -> float:
+    """Return the moment of inertia about the centre of mass [kg m²]."""
+    if spec.moment is not None:
+        return spec.moment(values)
+    match spec.shape:
+        case Disc(radius=radius):
+            return pymunk.moment_for_circle(mass, 0, radius(values))
+        case Hoop(radius=radius):
+            return pymunk.moment_for_circle(mass, radius(values), radius(values))
+        case Box(width=width, height=height):
+            return pymunk.moment_for_box(mass, (width(values), height(values)))
+        case Polygon():
+            return pymunk.moment_for_poly(mass, local_points(spec, values))
+        case Segment() | Polyline():
+            return _moment_of_line(mass, local_points(spec, values))
+
+
+def _moment_of_line(mass: float, points: list[XY]) -> float:
+    """Return the moment of a thin wire through points about the origin: Σ m_i (a² + a·b + b²)/3."""
+    edges = np.array([(a, b) for a, b in pairwise(points)])
+    a, b = edges[:, 0], edges[:, 1]
+    length = np.hypot(*(b - a).T)
+    square = np.sum(a * a + a * b + b * b, axis=1) / 3
+    return float(mass * np.sum(length * square) / np.sum(length))
+
+
+def local_points(spec: Body, values: Values) -> list[XY]:
+    """Return the corners of a body's shape relative to it [m]; those of a disc or hoop are none.
+
+    A dynamic body's are moved so that the origin is its centre of mass.
+    """
+    shape = spec.shape
+    if isinstance(shape, Disc | Hoop):
+        return []
+    if isinstance(shape, Box):
+        x, y = shape.width(values) / 2, shape.height(values) / 2
+        return [(-x, -y), (x, -y), (x, y), (-x, y)]
+    points = [evaluate(point, values) for point in points_of(shape)]
+    if spec.type != "dynamic":
+        return points
+    cx, cy = _centroid(points, closed=isinstance(shape, Polygon))
+    return [(x - cx, y - cy) for x, y in points]
+
+
+def _centroid(points: list[XY], *, closed: bool) -> XY:
+    """Return the centre of mass of a uniform polygon, or of a uniform wire."""
+    a = np.array(points)
+    b = np.roll(a, -1, axis=0)
+    if closed:
+        cross = a[:, 0] * b[:, 1] - b[:, 0] * a[:, 1]
+        x, y = ((a + b) * cross[:, None]).sum(axis=0) / (3 * cross.sum())
+    else:
+        a, b = a[:-1], b[:-1]
+        x, y = np.average((a + b) / 2, axis=0, weights=np.hypot(*(b - a).T))
+    return float(x), float(y)
+
+
+def _surfaces(
+    spec: Body, body: pymunk.Body, level: Level, values: Values, hair: float, kind: int
+) -> list[pymunk.Shape]:
+    """Make the shapes with which a body touches others."""
+    shapes = _outline(spec, spec.shape, body, values, hair, kind)
+    effects = level.effects
+    for shape in shapes:
+        shape.collision_type = kind
+        if effects.friction and spec.friction is not None:
+            shape.friction = spec.friction(values)
+        if effects.restitution and spec.restitution is not None:
+            shape.elasticity = spec.restitution(values)
+    return shapes
+
+
+def _outline(
+    spec: Body, shape: Shape, body: pymunk.Body, values: Values, hair: float, kind: int
+) -> list[pymunk.Shape]:
+    points = local_points(spec, values)
+    match shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return [pymunk.Circle(body, radius(values))]
+        case Box():
+            return [_convex(body, points, hair, kind)]
+        case Polygon():
+            return [_convex(body, part, hair, kind) for part in _convex_parts(points)]
+        case Segment(thickness=thickness) | Polyline(thickness=thickness):
+            return _line(body, points, thickness(values) / 2 + hair)
+
+
+def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymunk.Shape:
+    """Make a convex polygon that stands proud by a hair, as a smaller one with a radius."""
+    if not hair:
+        return pymunk.Poly(body, points)
+    inset = INSET * (1 + kind * GOLDEN % 1)
+    a = np.array(points)
+    edge = np.roll(a, -1, axis=0) - a
+    outwards = np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
+    outwards *= np.sign(_twice_area(a))
+    before = np.roll(outwards, 1, axis=0)
+    corner = (before + outwards) / (1 + np.sum(before * outwards, axis=1))[:, None]
+    core = [(float(x), float(y)) for x, y in a - inset * corner]
+    return pymunk.Poly(body, core, radius=inset + hair)
+
+
+def _twice_area(a: Array) -> float:
+    """Return twice the area of a polygon, positive if its corners go round counter-clockwise."""
+    b = np.roll(a, -1, axis=0)
+    return float(np.sum(a[:, 0] * b[:, 1] - b[:, 0] * a[:, 1]))
+
+
+def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:
+    """Make the segments through the points; each knows its neighbours: no ball trips at a join."""
+    lines: list[pymunk.Shape] = []
+    for i, (a, b) in enumerate(pairwise(points)):
+        line = pymunk.Segment(body, a, b, radius)
+        line.set_neighbors(points[max(i - 1, 0)], points[min(i + 2, len(points) - 1)])
+        lines.append(line)
+    return lines
+
+
+def _convex_parts(points: list[XY]) -> list[list[XY]]:
+    """Cut a polygon into convex ones; pymunk would silently fill its hollows instead."""
+    a = np.array(points)
+    edge = np.roll(a, -1, axis=0) - a
+    following = np.roll(edge, -1, axis=0)
+    turn = edge[:, 0] * following[:, 1] - edge[:, 1] * following[:, 0]
+    if np.all(turn >= 0) or np.all(turn <= 0):
+        return [points]
+    around = points if _twice_area(a) > 0 else points[::-1]
+    parts = convex_decomposition([*around, around[0]], 0)
+    return [[(float(x), float(y)) for x, y in part] for part in parts]
+
+
+def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
+    """Choose how overlaps are dealt with; pymunk's own settings were made for pixels."""
+    contact = level.effects.contact
+    assert contact is not None
+    if contact.correction is not None:
+        correction = contact.correction(values)
+    else:
+        correction = 0.0 if level.effects.restitution else CORRECTION
+    space.collision_bias = (1 - correction) ** (1 / dt)
+    space.collision_slop = contact.slop(values)
+
+
+def _pairs(space: pymunk.Space, level: Level, values: Values) -> None:
+    """Give the pairs that the level names their own coefficients."""
+    kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
+    coefficients: dict[tuple[str, str], dict[str, float]] = {}
+    for attribute in ("friction", "restitution"):
+        effect = getattr(level.effects, attribute)
+        for pair in effect.pairs if effect else ():
+            a, b = sorted(pair.bodies)
+            coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
+    for (a, b), chosen in coefficients.items():
+        space.on_collision(kinds[a], kinds[b], pre_solve=_setter(chosen))
+
+
+def _setter(
+    coefficients: dict[str, float],
+) -> Callable[[pymunk.Arbiter, pymunk.Space, object], None]:
+    def choose(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
+        for attribute, value in coefficients.items():
+            setattr(arbiter, attribute, value)
+
+    return choose
+
+
+def _string(
+    name: str, spec: Pulley, bodies: dict[str, pymunk.Body], values: Values
+) -> PulleyString:
+    ends = (bodies[spec.ends[0]], bodies[spec.ends[1]])
+    pegs = tuple(evaluate(peg, values) for peg in spec.over)
+    path = [ends[0].position, *pegs, ends[1].position]
+    length = sum(float(np.hypot(b[0] - a[0], b[1] - a[1])) for a, b in pairwise(path))
+    return PulleyString(name, ends, pegs, spec.length(values) if spec.length else length)

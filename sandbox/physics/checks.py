@@ -1,0 +1,145 @@
+"""Holding a run against the closed forms that its level states."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Expression, ExpressionError, Values
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+)
+from sandbox.physics.interpolation import crossing, value_at
+from sandbox.physics.trace import Trace
+
+Verdict = Literal["passed", "failed", "waiting", "not applicable"]
+
+ZERO = 1e-9
+"""An expected value below this, in its SI unit, counts as zero: its error is absolute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """How a check came out.
+
+    Attributes
+    ----------
+    check
+        What was checked.
+    unit
+        Of the measured and the expected value.
+    t
+        When the two were furthest apart, or when the event was [s]; None without either.
+    measured, expected
+        The two values at that time; None if there are none.
+    error
+        Their largest difference, over the largest expected value; in the unit where that is zero.
+        None if there is none.
+    verdict
+        `waiting` if the run has not come to the time or event yet, `not applicable` if the
+        check's own condition says that its formula does not hold here.
+    """
+
+    check: Check
+    unit: str
+    t: float | None
+    measured: float | None
+    expected: float | None
+    error: float | None
+    verdict: Verdict
+
+
+def grade(trace: Trace) -> tuple[Result, ...]:
+    """Grade a run by all the checks of its level."""
+    return tuple(_grade(check, trace) for check in trace.level.checks)
+
+
+def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
+    """Return the largest difference, relative if it can be, and where it is.
+
+    Where nothing is expected but zeros, the error is absolute. A difference that is not a number
+    is an infinite error.
+    """
+    difference = np.abs(measured - expected)
+    difference = np.where(np.isnan(difference), np.inf, difference)
+    worst = int(np.argmax(difference))
+    scale = float(np.abs(expected).max())
+    return float(difference[worst]) / (scale if scale > ZERO else 1.0), worst
+
+
+def _grade(check: Check, trace: Trace) -> Result:
+    unit = trace.units[check.quantity]
+    if not _applies(check, trace.values):
+        return Result(check, unit, None, None, None, None, "not applicable")
+    found = samples(trace, check.quantity, check.at)
+    if found is None:
+        return Result(check, unit, None, None, None, None, "waiting")
+    t, measured = found
+    try:
+        expected = check.formula.over(trace.values, t)
+    except ExpressionError:
+        expected = np.full_like(t, np.nan)
+    error, worst = relative_error(measured, expected)
+    return Result(
+        check,
+        unit,
+        float(t[worst]),
+        float(measured[worst]),
+        float(expected[worst]),
+        error,
+        "passed" if error <= check.tolerance else "failed",
+    )
+
+
+def _applies(check: Check, values: Values) -> bool:
+    if check.valid_if is None:
+        return True
+    try:
+        return bool(check.valid_if.over(values, np.zeros(()))[()])
+    except ExpressionError:
+        return False
+
+
+def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
+    """Return the times that count and what was measured there; None if they have not come.
+
+    Parameters
+    ----------
+    trace
+        A run that recorded the quantity, and those that `needed` names for the instant.
+    quantity
+        What is measured.
+    at
+        A time or an event; every step if None.
+    """
+    column = trace.columns[quantity]
+    if at is None:
+        # Euler's schemes know no forces before the first step
+        first = 0 if trace.stepping.scheme == "leapfrog" else 1
+        return (trace.t[first:], column[first:]) if len(trace.t) > first else None
+    if isinstance(at, ContactEvent):
+        touched = trace.first_contacts.get(frozenset(at.bodies), len(trace.t))
+        after = slice(touched + 1, touched + 2)
+        return (trace.t[after], column[after]) if touched + 1 < len(trace.t) else None
+    time = _time(trace, at)
+    return None if time is None else (np.array([time]), np.array([value_at(trace.t, column, time)]))
+
+
+def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:
+    """Return when an instant is [s], None if it has not come yet."""
+    t, columns, values = trace.t, trace.columns, trace.values
+    match at:
+        case ApexEvent(body=body):
+            return crossing(t, columns[f"{body}.velocity.y"], 0.0, "down")
+        case LandingEvent(body=body, height=height):
+            return crossing(t, columns[f"{body}.position.y"], height(values), "down")
+        case CrossingEvent(quantity=quantity, value=value, direction=direction):
+            return crossing(t, columns[quantity], value(values), direction)
+        case Expression():
+            time = at(values)
+            return time if time <= t[-1] else None

@@ -1,0 +1,48 @@
+"""The one place where Python runs inside a step.
+
+pymunk drifts the positions, finds the contacts, kicks the velocities and lets the solver have its
+way. Forces belong between drift and kick, where they see the new positions: that makes the step
+leapfrog instead of explicit Euler. Joints of our own also need the end of the step. A motor without
+strength offers both moments; a level that needs neither has no hook at all.
+"""
+
+from collections.abc import Callable, Sequence
+
+import pymunk
+
+Work = Callable[[], None]
+
+
+class Hook:
+    """Calls work between drift and kick, and after the solver, and keeps what goes wrong.
+
+    pymunk prints an exception that leaves a callback and carries on; `error` holds it instead, for
+    the world to raise once the step is over. `count` is the number of calls a step.
+    """
+
+    def __init__(
+        self,
+        space: pymunk.Space,
+        body: pymunk.Body,
+        before_kick: Sequence[Work],
+        after_solve: Sequence[Work],
+    ) -> None:
+        self.error: Exception | None = None
+        self.count = bool(before_kick) + bool(after_solve)
+        motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
+        motor.max_force = 0.0
+        if before_kick:
+            motor.pre_solve = self._guarded(before_kick)
+        if after_solve:
+            motor.post_solve = self._guarded(after_solve)
+        space.add(motor)
+
+    def _guarded(self, work: Sequence[Work]) -> Callable[[pymunk.Constraint, pymunk.Space], None]:
+        def run(_constraint: pymunk.Constraint, _space: pymunk.Space) -> None:
+            try:
+                for item in work:
+                    item()
+            except Exception as error:  # noqa: BLE001 (raised again by the world)
+                self.error = error
+
+        return run

@@ -1,0 +1,67 @@
+"""Between two steps: values and crossings, by the cubic through four neighbouring samples.
+
+The cubic takes two samples before the interval, so that an impact at its end spoils nothing, and is
+exact for the parabolas of uniformly accelerated motion.
+"""
+
+from typing import Literal
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+
+BISECTIONS = 60
+"""A step halved this often is shorter than a float's rounding."""
+
+
+def value_at(t: Array, samples: Array, at: float) -> float:
+    """Return the value at a time within the samples' own [s]."""
+    if at <= t[0] or len(t) == 1:
+        return float(samples[0])
+    end = min(max(int(np.searchsorted(t, at)), 1), len(t) - 1)
+    step = float(t[end] - t[end - 1])
+    return _Cubic(samples, end)(float(at - t[end]) / step)
+
+
+def crossing(
+    t: Array, samples: Array, level: float, direction: Literal["up", "down", "either"]
+) -> float | None:
+    """Return when the samples first cross a value [s], None if they never do.
+
+    A start on the value itself is no crossing.
+    """
+    above = samples - level
+    rises = (above[:-1] < 0) & (above[1:] >= 0)
+    falls = (above[:-1] > 0) & (above[1:] <= 0)
+    found = {"up": rises, "down": falls, "either": rises | falls}[direction]
+    if not found.any():
+        return None
+    end = int(np.argmax(found)) + 1
+    cubic = _Cubic(above, end)
+    low, high = -1.0, 0.0
+    sign = 1.0 if above[end - 1] > 0 else -1.0
+    for _ in range(BISECTIONS):
+        middle = (low + high) / 2
+        if sign * cubic(middle) > 0:
+            low = middle
+        else:
+            high = middle
+    return float(t[end] + high * (t[end] - t[end - 1]))
+
+
+class _Cubic:
+    """Newton's backward differences from one sample: s = 0 there, −1 at the one before."""
+
+    def __init__(self, samples: Array, end: int) -> None:
+        difference = samples[max(end - 3, 0) : end + 1]
+        self._terms: list[float] = []
+        while len(difference):
+            self._terms.append(float(difference[-1]))
+            difference = np.diff(difference)
+
+    def __call__(self, s: float) -> float:
+        value, weight = 0.0, 1.0
+        for order, term in enumerate(self._terms):
+            value += weight * term
+            weight *= (s + order) / (order + 1)
+        return value

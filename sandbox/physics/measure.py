@@ -1,0 +1,146 @@
+"""From snapshots to named quantities."""
+
+from collections.abc import Callable, Iterable, Mapping
+from math import nan
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.quantities import Component, Quantity, quantity
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.world import World
+
+Measurement = Callable[[Snapshot], Array]
+
+
+class Meter:
+    """Measures quantities of a world, from one snapshot or from a stack of them.
+
+    Parameters
+    ----------
+    world
+        Whose masses, moments and force laws count.
+    names
+        The quantities to measure, such as `ball.position.x`.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity.
+    """
+
+    def __init__(self, world: World, names: Iterable[str]) -> None:
+        scene = world.scene
+        self._rows = {name: i for i, name in enumerate(scene.bodies)}
+        self._joints = {name: i for i, name in enumerate(scene.strings)}
+        self._mass, self._moment = scene.mass, scene.moment
+        self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
+        self.quantities = {name: quantity(name, world.level) for name in names}
+        self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
+
+    def __call__(self, snapshot: Snapshot) -> dict[str, Array]:
+        """Return every quantity: a number for one snapshot, one for each instant of a stack."""
+        return {name: measure(snapshot) for name, measure in self._measurements.items()}
+
+    def _bind(self, quantity: Quantity) -> Measurement:
+        match quantity.owner:
+            case "time":
+                return lambda s: s.t
+            case "joint":
+                joint = self._joints[quantity.subject]
+                return lambda s: s.tension[..., joint]
+            case "body":
+                row = self._rows[quantity.subject]
+                if vectors := self._vectors_of_bodies.get(quantity.attribute):
+                    return _component(lambda s: vectors(s)[..., row, :], quantity.component)
+                scalars = self._scalars_of_bodies[quantity.attribute]
+                return lambda s: scalars(s)[..., row]
+            case "system":
+                if vector := self._vectors_of_system.get(quantity.attribute):
+                    return _component(vector, quantity.component)
+                return self._scalars_of_system[quantity.attribute]
+
+    @property
+    def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
+        """Of every body: (..., n, 2)."""
+        return {
+            "position": lambda s: s.position,
+            "velocity": lambda s: s.velocity,
+            "acceleration": lambda s: s.acceleration,
+            "momentum": self._momentum,
+        }
+
+    @property
+    def _scalars_of_bodies(self) -> Mapping[str, Measurement]:
+        """Of every body: (..., n)."""
+        return {
+            "speed": lambda s: _size(s.velocity),
+            "angle": lambda s: s.angle,
+            "angular_velocity": lambda s: s.angular_velocity,
+            "angular_acceleration": lambda s: s.angular_acceleration,
+            "kinetic_energy": self._kinetic,
+            "potential_energy": self._potential,
+            "energy": self._energy,
+            "contact.normal": lambda s: s.normal,
+            "contact.friction": lambda s: s.friction,
+        }
+
+    @property
+    def _vectors_of_system(self) -> Mapping[str, Measurement]:
+        """Of all dynamic bodies together: (..., 2)."""
+        return {
+            "center": lambda s: self._mass @ s.position / (self._mass.sum() or nan),
+            "momentum": lambda s: self._momentum(s).sum(axis=-2),
+        }
+
+    @property
+    def _scalars_of_system(self) -> Mapping[str, Measurement]:
+        """Of all dynamic bodies together: (...,)."""
+        return {
+            "kinetic_energy": lambda s: self._kinetic(s).sum(axis=-1),
+            "potential_energy": lambda s: self._potential(s).sum(axis=-1),
+            "energy": lambda s: self._energy(s).sum(axis=-1),
+            "angular_momentum": self._angular_momentum,
+        }
+
+    def _momentum(self, s: Snapshot) -> Array:
+        return self._mass[:, None] * s.velocity
+
+    def _kinetic(self, s: Snapshot) -> Array:
+        """T = m v² / 2 + I ω² / 2."""
+        return (
+            self._mass * np.sum(s.velocity * s.velocity, axis=-1)
+            + self._moment * s.angular_velocity**2
+        ) / 2
+
+    def _potential(self, s: Snapshot) -> Array:
+        moving = self._mass > 0
+        potential = np.zeros(s.position.shape[:-1])
+        for law in self._laws:
+            potential[..., moving] += law.potential_energy(
+                s.position[..., moving, :], self._mass[moving]
+            )
+        return potential
+
+    def _energy(self, s: Snapshot) -> Array:
+        return self._kinetic(s) + self._potential(s)
+
+    def _angular_momentum(self, s: Snapshot) -> Array:
+        """L = Σ m (x vy − y vx) + I ω, about the origin."""
+        x, y = s.position[..., 0], s.position[..., 1]
+        orbital = self._mass * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
+        return np.sum(orbital + self._moment * s.angular_velocity, axis=-1)
+
+
+def _component(vector: Measurement, component: Component | None) -> Measurement:
+    match component:
+        case "x":
+            return lambda s: vector(s)[..., 0]
+        case "y":
+            return lambda s: vector(s)[..., 1]
+        case None:
+            return lambda s: _size(vector(s))
+
+
+def _size(vector: Array) -> Array:
+    return np.hypot(vector[..., 0], vector[..., 1])

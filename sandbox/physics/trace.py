@@ -1,0 +1,157 @@
+"""Recorded runs: named quantities over time."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from math import ceil
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import (
+    ApexEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+    Stepping,
+)
+from sandbox.physics.measure import Meter
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.world import World, build
+
+Pair = frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Trace:
+    """What was recorded of a run; T instants.
+
+    Attributes
+    ----------
+    level, values, stepping
+        What was run.
+    t
+        (T,), times [s].
+    columns
+        (T,) each, the quantities by name.
+    units
+        The quantities' units.
+    first_contacts
+        For each pair of bodies that touched, the index of the first instant at which it did.
+    """
+
+    level: Level
+    values: Values
+    stepping: Stepping
+    t: Array
+    columns: Mapping[str, Array]
+    units: Mapping[str, str]
+    first_contacts: Mapping[Pair, int]
+
+    def until(self, t: float) -> "Trace":
+        """Return the part of the run up to a time [s]: to the first step not before it."""
+        count = _steps(t, self.stepping.rate) + 1
+        return replace(
+            self,
+            t=self.t[:count],
+            columns={name: column[:count] for name, column in self.columns.items()},
+            first_contacts={pair: i for pair, i in self.first_contacts.items() if i < count},
+        )
+
+
+class Recorder:
+    """Watches a world and notes quantities, step by step."""
+
+    def __init__(self, world: World, names: Iterable[str]) -> None:
+        self._world = world
+        self._meter = Meter(world, dict.fromkeys(names))
+        self._names = list(world.scene.bodies)
+        self._snapshots: list[Snapshot] = []
+        self._contacts: dict[Pair, int] = {}
+        self.note()
+
+    def __len__(self) -> int:
+        return len(self._snapshots)
+
+    def note(self) -> None:
+        """Note the world's last observed state."""
+        for a, b in self._world.contacts.bodies:
+            pair = frozenset((self._names[a], self._names[b]))
+            self._contacts.setdefault(pair, len(self._snapshots))
+        self._snapshots.append(self._world.snapshot)
+
+    @property
+    def trace(self) -> Trace:
+        """Everything noted so far."""
+        stack = Snapshot.stack(self._snapshots)
+        units = {name: quantity.unit for name, quantity in self._meter.quantities.items()}
+        world = self._world
+        columns = self._meter(stack)
+        return Trace(
+            world.level, world.values, world.stepping, stack.t, columns, units, self._contacts
+        )
+
+
+def simulate(
+    level: Level,
+    values: Values | None = None,
+    duration: float | None = None,
+    record: Iterable[str] | None = None,
+    stepping: Stepping | None = None,
+) -> Trace:
+    """Run a level and record it.
+
+    Parameters
+    ----------
+    level
+        What to simulate.
+    values
+        The parameters; the level's defaults if left out.
+    duration
+        How long [s]; as the level says if left out. The last step is the first not before it.
+    record
+        The quantities to record; those that the level's checks need if left out.
+    stepping
+        How time advances; as the level says if left out.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity.
+    SimulationError
+        If the run had to stop.
+    """
+    world = build(level, values, stepping)
+    recorder = Recorder(world, needed(level) if record is None else record)
+    for _ in range(count_steps(world, duration)):
+        world.advance()
+        recorder.note()
+    return recorder.trace
+
+
+def count_steps(world: World, duration: float | None = None) -> int:
+    """Return how many steps reach a duration [s], that of the level if left out."""
+    if duration is None:
+        duration = world.level.duration(world.values)
+    return _steps(duration, world.stepping.rate)
+
+
+def _steps(duration: float, rate: float) -> int:
+    return ceil(duration * rate * (1 - 1e-12))
+
+
+def needed(level: Level) -> list[str]:
+    """Return the quantities without which the level's checks cannot be graded."""
+    names = (name for check in level.checks for name in needed_at(check.quantity, check.at))
+    return list(dict.fromkeys(names))
+
+
+def needed_at(quantity: str, at: Instant | None) -> list[str]:
+    """Return a quantity and the one that tells when an instant has come."""
+    match at:
+        case CrossingEvent(quantity=crossing):
+            return [quantity, crossing]
+        case ApexEvent(body=body):
+            return [quantity, f"{body}.velocity.y"]
+        case LandingEvent(body=body):
+            return [quantity, f"{body}.position.y"]
+        case _:
+            return [quantity]

@@ -1,0 +1,307 @@
+"""A level that runs.
+
+pymunk's step drifts the positions with the velocities of the step before, then kicks the
+velocities. Started naively it is first order: free fall is late by half a step. Given half a kick
+before the first step, the same loop is leapfrog (Störmer-Verlet): second order, symplectic, and
+exact where accelerations are constant. Positions then live on the steps and pymunk's velocities
+half-way between; the velocity *at* a step is the mean of the two around it.
+"""
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.batch import NO_CONTACTS, Batch, Contacts
+from sandbox.physics.build import Scene, make_scene
+from sandbox.physics.errors import JointFailure, SimulationError
+from sandbox.physics.hook import Hook
+from sandbox.physics.impacts import impacts
+from sandbox.physics.snapshot import Snapshot
+
+MAX_KICKS = 500
+"""How often the first kick is repeated while contacts and strings come to terms."""
+
+
+def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
+    """Make the world of a level.
+
+    Parameters
+    ----------
+    level
+        What to simulate.
+    values
+        The parameters; the level's defaults if left out.
+    stepping
+        How time advances; as the level says if left out.
+
+    Raises
+    ------
+    SimulationError
+        If the world cannot even start.
+    """
+    return World(level, level.defaults if values is None else values, stepping or level.stepping)
+
+
+class World:
+    """The bodies of a level in motion; made by `build`.
+
+    Attributes
+    ----------
+    level, values, stepping
+        What it was built from.
+    dt
+        The time step [s].
+    steps
+        How many steps were taken; the time is `steps * dt`.
+    scene
+        The masses and laws of what moves.
+    snapshot
+        The state when it was last observed.
+    contacts
+        Who touched whom when it was last observed.
+    disturbed
+        Whether a hand has touched the scene, so that no formula for it holds any more.
+    """
+
+    def __init__(self, level: Level, values: Values, stepping: Stepping) -> None:
+        self.level, self.values, self.stepping = level, values, stepping
+        self.dt = 1 / stepping.rate
+        self.steps = 0
+        self.disturbed = False
+        self.scene: Scene = make_scene(level, values, stepping)
+        self._space = self.scene.space
+        self._bodies = list(self.scene.bodies.values())
+        self._batch = Batch(self._space, self._bodies)
+        self._smooth = np.zeros((len(self._bodies), 3))  # acceleration by gravity and laws
+        self._dynamic = self.scene.mass > 0
+        if self.scene.gravity:
+            self._smooth[self._dynamic, :2] = self.scene.gravity.acceleration
+        self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
+        self._leapfrog = stepping.scheme == "leapfrog"
+        self._hook = self._make_hook()
+        self._hand: pymunk.PivotJoint | None = None
+        self.contacts: Contacts = NO_CONTACTS
+        self.snapshot: Snapshot = self._start()
+
+    @property
+    def t(self) -> float:
+        """The time [s]."""
+        return self.steps * self.dt
+
+    @property
+    def hooks(self) -> int:
+        """How many Python callbacks a step makes."""
+        return self._hook.count if self._hook else 0
+
+    def step(self) -> None:
+        """Take one step without looking at it: nothing but pymunk's own step is paid for.
+
+        Raises
+        ------
+        SimulationError
+            If a joint cannot be kept.
+        """
+        if self._early:
+            self._apply_laws()
+        self._space.step(self.dt)
+        self.steps += 1
+        if self._hook and self._hook.error:
+            self._fail(self._hook.error)
+
+    def advance(self, steps: int = 1) -> Snapshot:
+        """Take one or more steps, observe the last, and return the state there.
+
+        Raises
+        ------
+        SimulationError
+            If a joint cannot be kept, or a body is nowhere any more. The last good state stays in
+            `snapshot`.
+        """
+        for _ in range(steps - 1):
+            self.step()
+        before = self._batch.velocity()
+        self.step()
+        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is told by name
+            self.snapshot = self._observe(before)
+        return self.snapshot
+
+    def _make_hook(self) -> Hook | None:
+        strings = self.scene.strings.values()
+        before = [string.warm_start for string in strings] if self.level.effects.contact else []
+        if self.scene.laws and not self._early:
+            before.insert(0, self._apply_laws)
+        after = [string.solve for string in strings]
+        dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
+        if dynamic is None or not (before or after):
+            return None
+        return Hook(self._space, dynamic, before, after)
+
+    def _apply_laws(self) -> None:
+        """Read all positions once, add up the laws, and write all forces once."""
+        moving = self._dynamic
+        position = self._batch.state()[:, :2]
+        mass = self.scene.mass[moving]
+        force = np.zeros_like(position)
+        for law in self.scene.laws:
+            force[moving] += law.force(position[moving], mass)
+        self._batch.set_force(force)
+        self._smooth[moving, :2] = force[moving] / mass[:, None]
+        if self.scene.gravity:
+            self._smooth[moving, :2] += self.scene.gravity.acceleration
+
+    def _start(self) -> Snapshot:
+        """Observe the initial state; for leapfrog, also give the first half kick."""
+        start = self._batch.velocity()
+        if not self._leapfrog:
+            self._time_strings(self.dt)
+            return self._snapshot(start, np.full_like(start, np.nan), NO_CONTACTS, np.nan)
+        kick = self.dt / 2
+        with self._held():
+            after = self._settle(start, kick)
+            self.contacts = self._read_contacts()
+            snapshot = self._snapshot(start, (after - start) / kick, self.contacts, kick)
+            if self.level.effects.contact:
+                # what pymunk remembers for the next step are impulses: leave it a whole step's
+                self._settle(start, self.dt)
+                self._batch.set_velocity(after)
+        self._time_strings(self.dt)
+        self._check_finite(snapshot)
+        return snapshot
+
+    @contextmanager
+    def _held(self) -> Iterator[None]:
+        """Hold all bodies where they are, whatever is stepped."""
+        moving = [b for b in self._bodies if b.body_type != pymunk.Body.STATIC]
+        bias, self._space.collision_bias = self._space.collision_bias, 1.0
+        for body in moving:
+            body.position_func = _stay
+        yield
+        for body in moving:
+            body.position_func = pymunk.Body.update_position
+        self._space.collision_bias = bias
+
+    def _settle(self, start: Array, kick: float) -> Array:
+        """Kick held bodies, and return their velocities after it.
+
+        Contacts and strings are solved in turn, one a step. So the kick is repeated from the same
+        velocities, each time from the impulses found before, until nothing changes any more.
+        """
+        self._time_strings(kick)
+        close = 1e-15 * kick * np.abs(self._smooth).max(initial=0.0)
+        after = np.full_like(start, np.inf)  # at least two kicks are compared
+        for _ in range(MAX_KICKS if self.level.effects.contact else 1):
+            previous = after
+            self._batch.set_velocity(start)
+            self._space.step(kick)
+            if self._hook and self._hook.error:
+                self._fail(self._hook.error)
+            after = self._batch.velocity()
+            if np.abs(after - previous).max(initial=0.0) <= close:
+                break
+        return after
+
+    def _time_strings(self, kick: float) -> None:
+        for string in self.scene.strings.values():
+            string.time(kick, self.dt)
+
+    def _observe(self, before: Array) -> Snapshot:
+        after = self._batch.velocity()
+        contacts = self._read_contacts()
+        velocity, acceleration = after, (after - before) / self.dt
+        if self._leapfrog:
+            velocity = (before + after) / 2
+            if contacts.first.any():
+                hit, onwards = impacts(
+                    contacts, before, after, self._smooth, self.scene.mass, self.dt
+                )
+                acceleration[hit] = onwards
+                velocity[hit] = after[hit] - onwards * (self.dt / 2)
+        snapshot = self._snapshot(velocity, acceleration, contacts, self.dt)
+        self._check_finite(snapshot)
+        self.contacts = contacts
+        return snapshot
+
+    def _read_contacts(self) -> Contacts:
+        return self._batch.contacts() if self.level.effects.contact else NO_CONTACTS
+
+    def _snapshot(
+        self, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
+    ) -> Snapshot:
+        state = self._batch.state()
+        count = len(self._bodies)
+        normal, friction = np.zeros(count), np.zeros(count)
+        if len(contacts.bodies):
+            for column in (0, 1):
+                np.add.at(normal, contacts.bodies[:, column], contacts.normal / kick)
+                np.add.at(friction, contacts.bodies[:, column], contacts.friction / kick)
+        return Snapshot(
+            t=np.array(self.t),
+            position=state[:, :2],
+            angle=state[:, 2],
+            velocity=velocity[:, :2],
+            angular_velocity=velocity[:, 2],
+            acceleration=acceleration[:, :2],
+            angular_acceleration=acceleration[:, 2],
+            normal=normal,
+            friction=friction,
+            tension=np.array([string.tension for string in self.scene.strings.values()]),
+        )
+
+    def _check_finite(self, snapshot: Snapshot) -> None:
+        rows = np.column_stack((snapshot.position, snapshot.velocity, snapshot.angle))
+        bad = ~np.isfinite(rows).all(axis=1)
+        if bad.any():
+            name = list(self.scene.bodies)[int(np.argmax(bad))]
+            raise SimulationError(name, self.t, f"the body '{name}' is no longer anywhere finite")
+
+    def _fail(self, error: Exception) -> None:
+        """Raise what a hook has kept, and go on raising it: such a world has ended."""
+        if isinstance(error, JointFailure):
+            raise SimulationError(error.joint, self.t, str(error)) from error
+        raise error
+
+    def grab(self, body: str, point: tuple[float, float]) -> None:
+        """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring."""
+        held = self.scene.bodies[body]
+        self.release()
+        hand = pymunk.PivotJoint(self._space.static_body, held, point, held.world_to_local(point))
+        hand.max_force = 200 * held.mass  # N, about twenty times its weight on Earth
+        hand.error_bias = 0.8**60
+        self._space.add(hand)
+        self._hand = hand
+        self.disturbed = True
+
+    def drag(self, point: tuple[float, float]) -> None:
+        """Pull the body that is held towards a point of the plane [m]."""
+        if self._hand:
+            self._hand.anchor_a = point
+
+    def release(self) -> None:
+        """Let go of the body that is held."""
+        if self._hand:
+            self._space.remove(self._hand)
+            self._hand = None
+
+    def place(self, positions: Mapping[str, tuple[float, float]]) -> Snapshot:
+        """Put bodies elsewhere [m] with the velocities they have; strings are cut to fit.
+
+        Returns the new state, from which the run goes on as if it had started there.
+        """
+        for name, position in positions.items():
+            self.scene.bodies[name].position = position
+            self._space.reindex_shapes_for_body(self.scene.bodies[name])
+        for string in self.scene.strings.values():
+            string.refit()
+        snapshot = self.snapshot
+        self._batch.set_velocity(np.column_stack((snapshot.velocity, snapshot.angular_velocity)))
+        self.disturbed = True
+        self.snapshot = self._start()
+        return self.snapshot
+
+
+def _stay(_body: pymunk.Body, _dt: float) -> None:
+    """Move nothing."""
