@@ -1,0 +1,1 @@
+"""Every level, swept through the same contracts."""

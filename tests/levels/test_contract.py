@@ -1,0 +1,162 @@
+"""What holds for every level that comes with the project: a new file joins by being there."""
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sandbox.model import catalog
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.loading import load, parse
+from sandbox.model.rules import corners
+from sandbox.physics.checks import grade
+from sandbox.physics.measure import Meter
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.trace import count_steps, simulate
+from sandbox.physics.world import World, build
+
+NAMES = catalog.names()
+
+
+@pytest.fixture(params=NAMES)
+def level(request: pytest.FixtureRequest) -> Level:
+    return load(catalog.find(request.param))
+
+
+def run(world: World) -> Iterator[Snapshot]:
+    """Yield the state at every step of a level's duration."""
+    yield world.snapshot
+    for _ in range(count_steps(world)):
+        yield world.advance()
+
+
+def fingerprint(name: str) -> str:
+    """Return a hash of everything that moved in a run."""
+    states = Snapshot.stack(list(run(build(load(catalog.find(name))))))
+    parts = (states.position, states.velocity, states.angle, states.tension)
+    return sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
+
+
+def test_there_are_levels() -> None:
+    assert len(NAMES) >= 17
+
+
+def test_says_what_it_is(level: Level) -> None:
+    assert level.summary.endswith(".")
+    assert level.reference[0].isdigit(), "the reference names a section of the chapter"
+    assert level.checks, "a level carries its own checks"
+    assert all(check.label for check in level.checks)
+    assert all(parameter.label for parameter in level.parameters.values())
+
+
+def test_survives_a_round_trip_through_json(level: Level) -> None:
+    assert parse(level.model_dump_json(by_alias=True)) == level
+
+
+def test_stays_finite_and_keeps_its_time(level: Level) -> None:
+    world = build(level)
+
+    states = Snapshot.stack(list(run(world)))
+
+    assert np.isfinite(states.position).all()
+    assert np.isfinite(states.velocity).all()
+    assert world.t >= level.duration(level.defaults) * (1 - 1e-12)
+    assert world.t == world.steps * world.dt
+
+
+def test_passes_its_checks(level: Level) -> None:
+    for result in grade(simulate(level)):
+        assert result.verdict in ("passed", "not applicable"), result
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_passes_its_checks_at_the_corners_of_its_parameters(name: str) -> None:
+    level = load(catalog.find(name))
+    applied: set[int] = set()
+    for values in islice(corners(level), 100):
+        for index, result in enumerate(grade(simulate(level, values))):
+            assert result.verdict in ("passed", "not applicable"), (values, result)
+            if result.verdict == "passed":
+                applied.add(index)
+
+    assert applied == set(range(len(level.checks))), "a check that never applies checks nothing"
+
+
+def test_ghosts_go_where_the_bodies_go(level: Level) -> None:
+    """Exactly, but for impacts, which a run finds up to a step late."""
+    world = build(level)
+    states = Snapshot.stack(list(run(world)))
+    speed = np.hypot(states.velocity[..., 0], states.velocity[..., 1]).max()
+    late = 2 * speed * world.dt if level.effects.contact else 1e-3
+    for name, formulas in level.ghosts.items():
+        body = list(level.bodies).index(name)
+        for axis, formula in enumerate(formulas):
+            ghost = formula.over(level.defaults, states.t)
+            assert np.abs(ghost - states.position[:, body, axis]).max() <= late + 1e-9
+
+
+def test_runs_the_same_however_it_is_stepped(level: Level) -> None:
+    one, many = build(level), build(level)
+    steps = min(count_steps(one), 120)
+    for _ in range(steps):
+        one.advance()
+    many.advance(steps)
+
+    for field in ("position", "velocity", "angle", "acceleration", "normal", "tension"):
+        assert np.array_equal(getattr(one.snapshot, field), getattr(many.snapshot, field))
+
+
+def test_all_run_the_same_in_another_process() -> None:
+    code = (
+        "from sandbox.model import catalog\n"
+        "from tests.levels.test_contract import fingerprint\n"
+        "for name in catalog.names(): print(name, fingerprint(name))"
+    )
+    here = [f"{name} {fingerprint(name)}" for name in NAMES]
+
+    there = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=Path(__file__).parents[2],
+    )
+
+    assert there.stdout.splitlines() == here
+
+
+def test_pays_only_for_what_it_declares(level: Level) -> None:
+    """No shape without contact, no callback without a force law or a string."""
+    world = build(level)
+    strings, laws = len(level.joints), len(level.effects.attraction or ())
+
+    assert bool(world.scene.space.shapes) == (level.effects.contact is not None)
+    assert bool(world.hooks) == bool(strings or laws)
+
+
+def test_every_quantity_can_be_measured(level: Level) -> None:
+    from sandbox.model.quantities import quantities
+
+    world = build(level)
+    meter = Meter(world, [quantity.name for quantity in quantities(level)])
+
+    for name, value in meter(world.snapshot).items():
+        assert np.ndim(value) == 0, name
+        assert np.isfinite(value), name
+
+
+def values_between(level: Level, share: float) -> Values:
+    """Return parameters at a share of the way through each range."""
+    return {n: p.min + share * (p.max - p.min) for n, p in level.parameters.items()}
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
+def test_passes_its_checks_inside_its_ranges(level: Level, share: float) -> None:
+    for result in grade(simulate(level, values_between(level, share))):
+        assert result.verdict in ("passed", "not applicable"), result
