@@ -1,0 +1,84 @@
+"""`python -m validation run`: its table, its JSON, its exit status."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from validation import cli
+from validation.case import Case, run
+from validation.cases import atwood, free_fall
+
+FIELDS = {
+    "name", "level", "parameters", "quantity", "unit", "measured", "expected", "error",
+    "tolerance", "passed", "naive_error", "step_seconds", "naive_step_seconds",
+}  # fmt: skip
+
+
+def few() -> Iterator[Case]:
+    yield next(free_fall.cases())
+    yield next(atwood.cases())
+
+
+@pytest.fixture(autouse=True)
+def _few_cases(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cli, "all_cases", few)
+
+
+def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
+    file = tmp_path / "out.json"
+
+    result = CliRunner().invoke(cli.app, ["run", "--json", str(file)])
+
+    assert result.exit_code == 0
+    content = json.loads(file.read_text(encoding="utf-8"))
+    assert content.keys() == {"environment", "cases"}
+    assert {"python", "pymunk", "numpy", "platform"} <= content["environment"].keys()
+    assert [case.keys() for case in content["cases"]] == [FIELDS, FIELDS]
+    assert all(case["passed"] for case in content["cases"])
+
+
+def test_the_table_shows_errors_side_by_side() -> None:
+    result = CliRunner().invoke(cli.app, ["run"])
+
+    assert "naive error" in result.stdout
+    assert "2 of 2 cases hold." in result.stdout
+
+
+def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    def wrong() -> Iterator[Case]:
+        case = next(free_fall.cases())
+        yield Case(
+            name="wrong",
+            level=case.level,
+            quantity=case.quantity,
+            expected=lambda _, __: 1.0,
+            tolerance=1e-3,
+            because="it cannot hold",
+        )
+
+    monkeypatch.setattr(cli, "all_cases", wrong)
+
+    result = CliRunner().invoke(cli.app, ["run"])
+
+    assert result.exit_code == 1
+    assert "failed: wrong (kinematics/free-fall" in result.stdout
+
+
+def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
+    result = CliRunner().invoke(cli.app, ["run", "--json", str(tmp_path / "no" / "out.json")])
+
+    assert result.exit_code == 2
+    assert "Traceback" not in result.output
+
+
+def test_an_event_that_never_came_is_null_in_the_json(tmp_path: Path) -> None:
+    outcome = next(run([next(free_fall.cases())]))
+    lost = {**{f: getattr(outcome, f) for f in FIELDS}, "measured": float("nan")}
+    file = tmp_path / "out.json"
+
+    cli._write(file, [type(outcome)(**lost)])
+
+    assert json.loads(file.read_text(encoding="utf-8"))["cases"][0]["measured"] is None

@@ -1,0 +1,15 @@
+"""`python -m validation`."""
+
+from sandbox import interrupts
+
+
+def main() -> None:
+    """Run the command line, and leave the process with its exit status."""
+    interrupts.install()
+    from validation.cli import app  # that takes a while, and may be interrupted, too
+
+    app()
+
+
+if __name__ == "__main__":
+    main()

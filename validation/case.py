@@ -1,0 +1,175 @@
+"""What a validation case is, and how one is run."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from sandbox.model.catalog import find
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Instant, Level, Stepping
+from sandbox.model.loading import choose, load
+from sandbox.model.quantities import quantity
+from sandbox.physics.checks import relative_error, samples
+from sandbox.physics.trace import Trace, count_steps, needed_at, simulate
+from sandbox.physics.world import build
+
+Expected = Callable[[Values, Array], ArrayLike]
+"""A closed form, of all parameters and the times that count [s]."""
+
+Parameters = Mapping[str, float]
+"""Those that differ from a level's defaults."""
+
+Choices = tuple[Parameters, ...]
+
+TIMING_STEPS = 120
+TIMING_REPEATS = 5
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """A quantity of a level, for certain parameters, and the closed form that it must meet.
+
+    Attributes
+    ----------
+    name
+        What is claimed, in a few words.
+    level
+        Such as `newton/atwood`.
+    quantity
+        What is measured.
+    expected
+        The closed form, of the parameters and the times that count [s].
+    tolerance
+        How large the error may be: relative, or absolute where nothing but zero is expected.
+    because
+        Why that much.
+    parameters
+        Those that differ from the level's defaults.
+    at
+        A time or an event; every step if None.
+    duration
+        How long it runs [s]; as the level says if None.
+    naive_misses
+        By how much naive pymunk must be off at least: proof that the case can fail. None where
+        pymunk does as well by itself.
+    """
+
+    name: str
+    level: str
+    quantity: str
+    expected: Expected
+    tolerance: float
+    because: str
+    parameters: Parameters = field(default_factory=dict)
+    at: Instant | None = None
+    duration: float | None = None
+    naive_misses: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a case came out; `naive` is pymunk as it comes, on the same level at the same rate.
+
+    Attributes
+    ----------
+    name, level, parameters, quantity, tolerance
+        As in the case, all parameters included.
+    unit
+        Of the measured and the expected value.
+    measured, expected
+        The two where they are furthest apart; NaN if the event never came.
+    error, naive_error
+        See `relative_error`; infinite if the event never came.
+    passed
+        Whether the error is within its bound, and the naive one beyond its own.
+    step_seconds, naive_step_seconds
+        What one step costs [s].
+    """
+
+    name: str
+    level: str
+    parameters: Values
+    quantity: str
+    unit: str
+    measured: float
+    expected: float
+    error: float
+    tolerance: float
+    passed: bool
+    naive_error: float
+    step_seconds: float
+    naive_step_seconds: float
+
+
+def run(cases: Iterable[Case]) -> Iterator[Outcome]:
+    """Run cases one after the other; those of one level and parameters share their timings."""
+    timings: dict[tuple[str, tuple[tuple[str, float], ...]], tuple[float, float]] = {}
+    for case in cases:
+        level = load(find(case.level))
+        values = choose(level, case.parameters)
+        key = (case.level, tuple(sorted(values.items())))
+        if key not in timings:
+            timings[key] = (
+                step_seconds(level, values, level.stepping),
+                step_seconds(level, values, naive(level)),
+            )
+        yield _outcome(case, level, values, timings[key])
+
+
+def naive(level: Level) -> Stepping:
+    """Return how time advances when pymunk is used as it comes, at the level's own rate."""
+    return Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
+
+
+def step_seconds(level: Level, values: Values, stepping: Stepping) -> float:
+    """Return the least time that a step took [s], in fresh worlds over the level's duration."""
+    best = float("inf")
+    for _ in range(TIMING_REPEATS):
+        world = build(level, values, stepping)
+        steps = min(count_steps(world), TIMING_STEPS)
+        start = perf_counter()
+        for _ in range(steps):
+            world.step()
+        best = min(best, (perf_counter() - start) / steps)
+    return best
+
+
+def _outcome(case: Case, level: Level, values: Values, timing: tuple[float, float]) -> Outcome:
+    ours = _compare(case, _trace(case, level, values, level.stepping))
+    theirs = _compare(case, _trace(case, level, values, naive(level)))
+    error, naive_error = ours[2], theirs[2]
+    proven = case.naive_misses is None or naive_error > case.naive_misses
+    return Outcome(
+        name=case.name,
+        level=case.level,
+        parameters=values,
+        quantity=case.quantity,
+        unit=quantity(case.quantity, level).unit,
+        measured=ours[0],
+        expected=ours[1],
+        error=error,
+        tolerance=case.tolerance,
+        passed=error <= case.tolerance and proven,
+        naive_error=naive_error,
+        step_seconds=timing[0],
+        naive_step_seconds=timing[1],
+    )
+
+
+def _trace(case: Case, level: Level, values: Values, stepping: Stepping) -> Trace:
+    record = needed_at(case.quantity, case.at)
+    return simulate(level, values, case.duration, record, stepping)
+
+
+def _compare(case: Case, trace: Trace) -> tuple[float, float, float]:
+    """Return measured, expected and the error."""
+    found = samples(trace, case.quantity, case.at)
+    if found is None:
+        return float("nan"), float("nan"), float("inf")
+    t, measured = found
+    expected = np.broadcast_to(np.asarray(case.expected(trace.values, t), dtype=float), t.shape)
+    error, worst = relative_error(measured, expected)
+    return float(measured[worst]), float(expected[worst]), error

@@ -1,0 +1,45 @@
+"""A glancing elastic collision of two equal smooth discs, which meet on a step."""
+
+from collections.abc import Iterator
+from math import radians
+
+from sandbox.model.level import ContactEvent
+from validation import formulas
+from validation.case import Case, Choices
+
+AFTER = ContactEvent(event="contact", bodies=("first", "second"))
+PARAMETERS: Choices = (
+    {},
+    {"angle": 0.0},
+    {"angle": 60.0, "speed": 5.0},
+    {"angle": 45.0, "mass": 10.0},
+)
+
+
+def cases() -> Iterator[Case]:
+    """Yield the cases of the glancing collision."""
+    for parameters in PARAMETERS:
+        for i, body in enumerate(("first", "second")):
+            for j, component in enumerate("xy"):
+                yield Case(
+                    name=f"glancing collision: velocity of the {body} along {component}",
+                    level="momentum/glancing",
+                    parameters=parameters,
+                    quantity=f"{body}.velocity.{component}",
+                    at=AFTER,
+                    expected=lambda p, _, i=i, j=j: formulas.glancing_velocities(  # type: ignore[misc]
+                        p["speed"], radians(p["angle"])
+                    )[i][j],
+                    tolerance=1e-12,
+                    because="they overlap by 1e-13 m when they meet, which turns the line between"
+                    " their centres by 2e-13",
+                )
+        yield Case(
+            name="glancing collision: kinetic energy at every step",
+            level="momentum/glancing",
+            parameters=parameters,
+            quantity="system.kinetic_energy",
+            expected=lambda p, _: formulas.kinetic_energy((p["mass"], p["speed"])),
+            tolerance=1e-12,
+            because="one contact between two bodies: the solver's first sweep is exact",
+        )

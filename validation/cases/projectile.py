@@ -1,0 +1,121 @@
+"""Projectiles: trajectory at every step; apex, range and time of flight between steps."""
+
+from collections.abc import Iterator
+from math import radians
+
+from sandbox.model.level import ApexEvent, LandingEvent
+from validation import formulas
+from validation.case import Case, Choices, Parameters
+
+APEX = ApexEvent(event="apex", body="ball")
+LANDING = LandingEvent(event="landing", body="ball")
+EXACT = "leapfrog's samples lie on the parabola, and the cubic between them is exact for one"
+
+PARAMETERS: Choices = (
+    {},
+    {"angle": 30.0},
+    {"angle": 60.0},
+    {"speed": 12.5},
+    {"speed": 30.0, "angle": 90.0, "g": 1.0},
+    {"speed": 5.0, "angle": 5.0, "g": 25.0},
+)
+FROM_HEIGHT: Choices = (
+    {},
+    {"angle": 40.0, "speed": 20.0, "height": 30.0},
+    {"angle": -60.0, "speed": 0.5, "height": 2.0, "g": 25.0},
+)
+
+
+def cases() -> Iterator[Case]:
+    """Yield the cases of projectiles."""
+    for parameters in PARAMETERS:
+        yield from _level_ground(parameters)
+    for parameters in FROM_HEIGHT:
+        yield from _from_height(parameters)
+
+
+def _level_ground(parameters: Parameters) -> Iterator[Case]:
+    level = "kinematics/projectile"
+    yield Case(
+        name="projectile: distance at every step",
+        level=level,
+        parameters=parameters,
+        quantity="ball.position.x",
+        expected=lambda p, t: formulas.projectile_distance(p["speed"], radians(p["angle"]), t),
+        tolerance=1e-12,
+        because="a sum of equal drifts; pymunk's own is as good",
+    )
+    yield Case(
+        name="projectile: height at every step",
+        level=level,
+        parameters=parameters,
+        quantity="ball.position.y",
+        expected=lambda p, t: formulas.projectile_height(
+            p["speed"], radians(p["angle"]), p["g"], t
+        ),
+        tolerance=1e-12,
+        because="leapfrog is exact for constant acceleration",
+        naive_misses=1e-3,
+    )
+    yield Case(
+        name="projectile: apex",
+        level=level,
+        parameters=parameters,
+        quantity="ball.position.y",
+        at=APEX,
+        expected=lambda p, _: formulas.projectile_apex(p["speed"], radians(p["angle"]), p["g"]),
+        tolerance=1e-12,
+        because=EXACT,
+        naive_misses=5e-4,
+    )
+    yield Case(
+        name="projectile: range",
+        level=level,
+        parameters=parameters,
+        quantity="ball.position.x",
+        at=LANDING,
+        expected=lambda p, _: formulas.projectile_range(p["speed"], radians(p["angle"]), p["g"]),
+        tolerance=1e-12,
+        because=EXACT,
+        naive_misses=None if parameters.get("angle") == 90 else 2e-4,
+    )
+    yield Case(
+        name="projectile: time of flight",
+        level=level,
+        parameters=parameters,
+        quantity="t",
+        at=LANDING,
+        expected=lambda p, _: formulas.flight_time(p["speed"], radians(p["angle"]), p["g"]),
+        tolerance=1e-12,
+        because=EXACT,
+        naive_misses=2e-4,
+    )
+
+
+def _from_height(parameters: Parameters) -> Iterator[Case]:
+    level = "kinematics/projectile-from-height"
+    yield Case(
+        name="projectile from a height: range",
+        level=level,
+        parameters=parameters,
+        quantity="ball.position.x",
+        at=LANDING,
+        expected=lambda p, _: formulas.projectile_distance(
+            p["speed"],
+            radians(p["angle"]),
+            formulas.flight_time(p["speed"], radians(p["angle"]), p["g"], p["height"]),
+        ),
+        tolerance=1e-12,
+        because=EXACT,
+        naive_misses=1e-3,
+    )
+    yield Case(
+        name="projectile from a height: speed on landing",
+        level=level,
+        parameters=parameters,
+        quantity="ball.speed",
+        at=LANDING,
+        expected=lambda p, _: formulas.landing_speed(p["speed"], p["g"], p["height"]),
+        tolerance=1e-6,
+        because="the speed is no polynomial of time: the cubic between steps is off by O(dt⁴)",
+    )

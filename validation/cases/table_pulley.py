@@ -1,0 +1,67 @@
+"""A block on a table, drawn by a weight over the edge: contact and string share the work."""
+
+from collections.abc import Iterator
+
+from validation import formulas
+from validation.case import Case, Choices, Parameters
+
+SMOOTH: Choices = ({}, {"m1": 10.0, "m2": 0.1}, {"m1": 0.1, "m2": 10.0})
+ROUGH: Choices = ({}, {"m1": 10.0, "m2": 10.0, "mu": 0.9}, {"m1": 0.5, "m2": 5.0, "mu": 0.1})
+HOLDS: Choices = (
+    {"mu": 0.6},
+    {"m1": 10.0, "m2": 9.0, "mu": 1.0},
+    {"m1": 10.0, "m2": 0.1, "mu": 0.5},
+)
+
+START = -2.2  # m, where the block begins
+
+
+def cases() -> Iterator[Case]:
+    """Yield the cases of the table and the pulley."""
+    for level, choices in (
+        ("newton/table-and-pulley", SMOOTH),
+        ("newton/table-and-pulley-with-friction", ROUGH),
+    ):
+        for parameters in choices:
+            yield from _drawn(level, parameters)
+    for parameters in HOLDS:
+        yield Case(
+            name="table and pulley: creep in 10 s where friction holds",
+            level="newton/table-and-pulley-with-friction",
+            parameters=parameters,
+            quantity="block.position.x",
+            duration=10.0,
+            expected=lambda _, __: START,
+            tolerance=4e-10,  # of 2.2 m: 1e-9 m
+            because="string and friction have come to terms before the first step",
+            naive_misses=4e-10,
+        )
+
+
+def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
+    yield Case(
+        name="table and pulley: way at every step",
+        level=level,
+        parameters=parameters,
+        quantity="block.position.x",
+        expected=lambda p, t: (
+            START
+            + formulas.table_pulley_acceleration(p["m1"], p["m2"], p["g"], p.get("mu", 0.0))
+            * t**2
+            / 2
+        ),
+        tolerance=1e-10,
+        because="string and contact take turns, but start from each other's right impulse",
+        naive_misses=1e-3,
+    )
+    yield Case(
+        name="table and pulley: tension at every step",
+        level=level,
+        parameters=parameters,
+        quantity="string.tension",
+        expected=lambda p, _: formulas.table_pulley_tension(
+            p["m1"], p["m2"], p["g"], p.get("mu", 0.0)
+        ),
+        tolerance=1e-10,
+        because="as for the way; the length's rounding is differenced twice",
+    )

@@ -1,0 +1,31 @@
+"""What a measurement was made with."""
+
+import os
+import platform
+from importlib.metadata import version
+
+from sandbox import __version__
+
+
+def environment() -> dict[str, str]:
+    """Return the versions and the machine that a reader needs to judge the figures."""
+    return {
+        "sandbox": __version__,
+        "python": platform.python_version(),
+        **{package: version(package) for package in ("pymunk", "numpy", "pydantic")},
+        "platform": platform.platform(),
+        "processor": _processor(),
+        "cores": str(os.cpu_count()),
+    }
+
+
+def _processor() -> str:
+    """Return the processor's name; Linux alone knows more of it than its family."""
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as lines:
+            for line in lines:
+                if line.startswith("model name"):
+                    return line.partition(":")[2].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
