@@ -33,6 +33,7 @@ _CONTACT_INTEGERS = (
 _CONTACT_FIELDS = _CONTACT_INTEGERS | ArbiterFields.TOTAL_IMPULSE | ArbiterFields.NORMAL
 
 Integers = NDArray[np.intp]
+Booleans = NDArray[np.bool_]
 
 
 class Contacts(NamedTuple):
@@ -51,7 +52,7 @@ class Contacts(NamedTuple):
     """
 
     bodies: Integers
-    first: NDArray[np.bool_]
+    first: Booleans
     direction: Array
     normal: Array
     friction: Array

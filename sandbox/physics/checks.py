@@ -19,6 +19,9 @@ from sandbox.physics.trace import Trace
 
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
+ROUNDING = 1e-12
+"""A last step that is earlier than the time of a check by this share of it is not too early."""
+
 ZERO = 1e-9
 """An expected value below this, in its SI unit, counts as zero: its error is absolute."""
 
@@ -69,7 +72,7 @@ def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
     difference = np.where(np.isnan(difference), np.inf, difference)
     worst = int(np.argmax(difference))
     scale = float(np.abs(expected).max())
-    return float(difference[worst]) / (scale if scale > ZERO else 1.0), worst
+    return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
 
 
 def _grade(check: Check, trace: Trace) -> Result:
@@ -142,4 +145,4 @@ def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEven
             return crossing(t, columns[quantity], value(values), direction)
         case Expression():
             time = at(values)
-            return time if time <= t[-1] else None
+            return time if time <= t[-1] * (1 + ROUNDING) else None

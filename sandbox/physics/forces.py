@@ -38,7 +38,8 @@ class Gravity:
 
     def potential_energy(self, position: Array, mass: Array) -> Array:
         """Return −m g · r."""
-        return -mass * (position @ np.array(self.acceleration))
+        x, y = self.acceleration
+        return -mass * (x * position[..., 0] + y * position[..., 1])
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,26 +3,30 @@
 Elsewhere the velocity at a step is the mean of those half a step before and after. An impact has no
 such mean: what counts is the velocity right after it, from which the body then goes on for half a
 step. So that half step is taken back, with the acceleration of what goes on: gravity and the force
-laws, less what a wall or floor under the body holds up.
+laws, less what the ground under the body holds up.
 """
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.batch import Contacts, Integers
+from sandbox.physics.batch import Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
 """Bodies part if they do so with more than this share of what their pull adds in a step."""
+
+MAX_HEIGHT = 10
+"""How many bodies on top of each other are known to be held up by the ground."""
 
 
 def impacts(
     contacts: Contacts, before: Array, after: Array, pull: Array, mass: Array, dt: float
 ) -> tuple[Integers, Array]:
-    """Return which bodies were hit, and their accelerations from there on.
+    """Return which bodies an impact reached, and their accelerations from there on.
 
-    A pair that meets with no more speed than its pull gives it in a step is not hit but met: a ball
-    that rolls from one segment of a floor to the next. What others than static and kinematic bodies
-    hold up, and friction, is left out: the velocity is then off by half a step of it.
+    An impact goes on to everything that touches what it hit. A pair that meets with no more speed
+    than its pull gives it in a step is not hit but met: a ball that rolls from one segment of a
+    floor to the next. What friction and strings do from there on is left out: a velocity is off by
+    half a step of it.
 
     Parameters
     ----------
@@ -39,17 +43,11 @@ def impacts(
     """
     adds = np.abs(_parting(contacts, pull)) * dt
     struck = contacts.first & (_parting(contacts, before) < -adds)
-    hit = np.unique(contacts.bodies[struck])
-    if not hit.size:
-        return hit, pull[hit]
+    if not struck.any():
+        return np.flatnonzero(struck), pull[:0]
+    hit = np.flatnonzero(_reached(contacts, struck, mass > 0))
     rests = _parting(contacts, after) <= NEGLIGIBLE * adds
-    onwards = pull.copy()
-    for (a, b), direction in zip(contacts.bodies[rests], contacts.direction[rests], strict=True):
-        if mass[b] == 0:
-            _hold_up(onwards[a, :2], -direction)
-        elif mass[a] == 0:
-            _hold_up(onwards[b, :2], direction)
-    return hit, onwards[hit]
+    return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
 
 
 def _parting(contacts: Contacts, rate: Array) -> Array:
@@ -59,6 +57,35 @@ def _parting(contacts: Contacts, rate: Array) -> Array:
     return difference
 
 
-def _hold_up(acceleration: Array, outwards: Array) -> None:
-    """Take from an acceleration what a surface does not let through; (2,), changed in place."""
-    acceleration -= outwards * min(float(acceleration @ outwards), 0.0)
+def _reached(contacts: Contacts, struck: Booleans, moving: Booleans) -> Booleans:
+    """Return which bodies touch, directly or through others that move, what was struck: (n,)."""
+    pairs = contacts.bodies[moving[contacts.bodies].all(axis=1)]
+    reached = np.zeros_like(moving)
+    reached[contacts.bodies[struck]] = True
+    reached &= moving
+    count = 0
+    while (now := int(reached.sum())) > count:
+        count = now
+        reached[pairs[reached[pairs].any(axis=1)]] = True
+    return reached
+
+
+def _held_up(contacts: Contacts, rests: Booleans, pull: Array, fixed: Booleans) -> Array:
+    """Return the accelerations less what presses on the ground, or on what the ground holds up."""
+    body, other = contacts.bodies[rests].ravel(), contacts.bodies[rests][:, ::-1].ravel()
+    outwards = np.stack([-contacts.direction[rests], contacts.direction[rests]], axis=1)
+    outwards = outwards.reshape(-1, 2)
+    acceleration, holds = pull.copy(), fixed.copy()
+    least = -1e-12 * np.abs(pull).max()
+    for _ in range(MAX_HEIGHT):
+        away = np.sum(acceleration[body, :2] * outwards, axis=1)
+        away[fixed[body] | ~holds[other]] = 0.0
+        order = np.argsort(away, kind="stable")
+        _, firsts = np.unique(body[order], return_index=True)
+        pressed = order[firsts]  # of each body the contact that it presses on most
+        pressed = pressed[away[pressed] < least]
+        if not pressed.size:
+            break
+        acceleration[body[pressed], :2] -= away[pressed, None] * outwards[pressed]
+        holds[body[pressed]] = True
+    return acceleration

@@ -89,7 +89,7 @@ class Meter:
     def _vectors_of_system(self) -> Mapping[str, Measurement]:
         """Of all dynamic bodies together: (..., 2)."""
         return {
-            "center": lambda s: self._mass @ s.position / (self._mass.sum() or nan),
+            "center": self._center,
             "momentum": lambda s: self._momentum(s).sum(axis=-2),
         }
 
@@ -102,6 +102,10 @@ class Meter:
             "energy": lambda s: self._energy(s).sum(axis=-1),
             "angular_momentum": self._angular_momentum,
         }
+
+    def _center(self, s: Snapshot) -> Array:
+        """Σ m r / Σ m; not a number where no body is dynamic."""
+        return np.sum(self._mass[:, None] * s.position, axis=-2) / (self._mass.sum() or nan)
 
     def _momentum(self, s: Snapshot) -> Array:
         return self._mass[:, None] * s.velocity

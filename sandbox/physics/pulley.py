@@ -81,7 +81,9 @@ class PulleyString:
         (vax, vay), (vbx, vby) = a.velocity, b.velocity
         (ax, ay), (bx, by) = self._arm_a, self._arm_b
         try:
-            nax, nay, nbx, nby = *_unit(ax, ay), *_unit(bx, by)
+            # an end that nothing moves needs no direction: it may lie on its peg
+            nax, nay = _unit(ax, ay) if self._inverse_a else (0.0, 0.0)
+            nbx, nby = _unit(bx, by) if self._inverse_b else (0.0, 0.0)
             # where the ends will be is linear in the impulse
             ax, ay, bx, by = ax + h * vax, ay + h * vay, bx + h * vbx, by + h * vby
             impulse = self._newton((ax, ay, nax, nay), (bx, by, nbx, nby))
@@ -112,10 +114,12 @@ class PulleyString:
             u, w = bx - impulse * moves_b * nbx, by - impulse * moves_b * nby
             reach_a, reach_b = hypot(x, y), hypot(u, w)
             excess = reach_a + reach_b - self._free_length
-            slope = moves_a * (x * nax + y * nay) / reach_a
-            slope += moves_b * (u * nbx + w * nby) / reach_b
-            if slope <= 0:
-                break
+            if excess <= 0 and impulse <= least:
+                return impulse
+            slope = moves_a and moves_a * (x * nax + y * nay) / reach_a
+            slope += moves_b and moves_b * (u * nbx + w * nby) / reach_b
+            if slope <= 0:  # a pull would only lengthen the path: an end is past its peg
+                raise ZeroDivisionError
             before, impulse = impulse, max(impulse + excess / slope, least)
             if abs(excess) <= close or impulse == before:
                 return impulse

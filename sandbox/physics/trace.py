@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import ceil
 
+import numpy as np
+
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import (
     ApexEvent,
@@ -64,29 +66,39 @@ class Recorder:
         self._world = world
         self._meter = Meter(world, dict.fromkeys(names))
         self._names = list(world.scene.bodies)
-        self._snapshots: list[Snapshot] = []
+        self._fresh: list[Snapshot] = []  # not yet measured
+        self._measured: list[tuple[Array, dict[str, Array]]] = []
+        self._count = 0
         self._contacts: dict[Pair, int] = {}
         self.note()
 
     def __len__(self) -> int:
-        return len(self._snapshots)
+        return self._count
 
     def note(self) -> None:
         """Note the world's last observed state."""
         for a, b in self._world.contacts.bodies:
             pair = frozenset((self._names[a], self._names[b]))
-            self._contacts.setdefault(pair, len(self._snapshots))
-        self._snapshots.append(self._world.snapshot)
+            self._contacts.setdefault(pair, self._count)
+        self._fresh.append(self._world.snapshot)
+        self._count += 1
 
     @property
     def trace(self) -> Trace:
         """Everything noted so far."""
-        stack = Snapshot.stack(self._snapshots)
+        if self._fresh:
+            stack = Snapshot.stack(self._fresh)
+            self._measured.append((stack.t, self._meter(stack)))
+            self._fresh.clear()
+        if len(self._measured) > 1:
+            times, parts = zip(*self._measured, strict=True)
+            joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+            self._measured = [(np.concatenate(times), joined)]
+        t, columns = self._measured[0]
         units = {name: quantity.unit for name, quantity in self._meter.quantities.items()}
         world = self._world
-        columns = self._meter(stack)
         return Trace(
-            world.level, world.values, world.stepping, stack.t, columns, units, self._contacts
+            world.level, world.values, world.stepping, t, columns, units, self._contacts
         )
 
 

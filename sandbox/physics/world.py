@@ -146,8 +146,9 @@ class World:
         position = self._batch.state()[:, :2]
         mass = self.scene.mass[moving]
         force = np.zeros_like(position)
-        for law in self.scene.laws:
-            force[moving] += law.force(position[moving], mass)
+        with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
+            for law in self.scene.laws:
+                force[moving] += law.force(position[moving], mass)
         self._batch.set_force(force)
         self._smooth[moving, :2] = force[moving] / mass[:, None]
         if self.scene.gravity:

@@ -1,0 +1,90 @@
+"""Between metres, y up, and pixels, y down: the only place where y flips."""
+
+from collections.abc import Iterable
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import View
+from sandbox.model.shapes import XY, evaluate
+
+ASPECT = 16 / 9
+"""Width over height of the part of the plane that a level's view promises to show."""
+
+LEAST, MOST = 1e-3, 1e5
+"""Bounds of the scale [px/m]."""
+
+
+class Camera:
+    """What part of the plane a surface shows.
+
+    Attributes
+    ----------
+    center
+        The point in the middle [m].
+    scale
+        px/m.
+    size
+        Of the surface [px].
+    """
+
+    def __init__(self, size: tuple[int, int]) -> None:
+        self.size = size
+        self.center: XY = (0.0, 0.0)
+        self.scale = 50.0
+        self._width = 10.0
+        self._fitted = True
+
+    def fit(self, view: View, values: Values) -> None:
+        """Show what a level asks for."""
+        self.center = evaluate(view.center, values)
+        self._width = view.width(values)
+        self._fitted = True
+        self._fill()
+
+    def _fill(self) -> None:
+        self.scale = min(self.size[0] / self._width, self.size[1] * ASPECT / self._width)
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Keep the centre, and the part that is shown unless a person has chosen it."""
+        self.size = size
+        if self._fitted:
+            self._fill()
+
+    def to_screen(self, point: XY) -> XY:
+        """Return the pixel of a point of the plane."""
+        x = self.size[0] / 2 + (point[0] - self.center[0]) * self.scale
+        y = self.size[1] / 2 - (point[1] - self.center[1]) * self.scale
+        return x, y
+
+    def path(self, points: Iterable[XY]) -> list[XY]:
+        """Return the pixels of many points."""
+        return [self.to_screen(point) for point in points]
+
+    def to_world(self, pixel: XY) -> XY:
+        """Return the point of the plane under a pixel."""
+        x = self.center[0] + (pixel[0] - self.size[0] / 2) / self.scale
+        y = self.center[1] - (pixel[1] - self.size[1] / 2) / self.scale
+        return x, y
+
+    def pan(self, dx: float, dy: float) -> None:
+        """Move the picture by some pixels."""
+        self.center = self.center[0] - dx / self.scale, self.center[1] + dy / self.scale
+        self._fitted = False
+
+    def zoom(self, factor: float, pixel: XY | None = None) -> None:
+        """Change the scale; the point under the pixel, or the centre, stays where it is."""
+        pixel = pixel or (self.size[0] / 2, self.size[1] / 2)
+        before = self.to_world(pixel)
+        self.scale = min(max(self.scale * factor, LEAST), MOST)
+        after = self.to_world(pixel)
+        self.center = (
+            self.center[0] + before[0] - after[0],
+            self.center[1] + before[1] - after[1],
+        )
+        self._fitted = False
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right and top of what is shown [m]."""
+        left, top = self.to_world((0, 0))
+        right, bottom = self.to_world(self.size)
+        return left, bottom, right, top

@@ -1,0 +1,235 @@
+"""What is told in words and numbers about a run: title, parameters, checks, energy."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.grading import Reading
+from sandbox.app.session import Energies
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Values
+from sandbox.model.level import Check, Level, Parameter
+
+GAP = 6  # px
+INDENT = 24  # px
+COLUMNS = (0.4, 0.4, 0.2)
+"""How wide measured, expected and error are."""
+
+TOUCHED = "A hand has touched this run: the formulas no longer describe it."
+_COLORS: dict[str, Color] = {
+    "passed": theme.PASSED,
+    "failed": theme.FAILED,
+    "waiting": theme.WAITING,
+    "not applicable": theme.WAITING,
+}
+
+
+class Card:
+    """A column of text and pictures that grows downwards."""
+
+    def __init__(self, pen: Pen, width: int) -> None:
+        self.pen = pen
+        self.width = width
+        self.y = 0
+        self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
+
+    def text(
+        self, text: str, size: int = 14, color: Color = theme.TEXT, bold: bool = False,
+        indent: int = 0,
+    ) -> None:  # fmt: skip
+        """Add a wrapped paragraph."""
+        for line in self.pen.paragraph(text, self.width - indent, size, color, bold):
+            self.put(line, indent)
+            self.y += line.height
+
+    def put(self, part: pygame.Surface, x: int, y: int = 0) -> None:
+        """Put a picture at the present height, without moving on."""
+        self._parts.append((part, (x, self.y + y)))
+
+    def heading(self, text: str) -> None:
+        """Add a heading under a line."""
+        line = pygame.Surface((self.width, 1))
+        line.fill(theme.EDGE)
+        self.put(line, 0)
+        self.y += 8
+        self.text(text, 14, theme.ACCENT, bold=True)
+        self.y += 4
+
+    def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
+        """Add a row of what was measured, what was expected, and the error."""
+        x = float(INDENT)
+        for (text, color), share in zip(cells, COLUMNS, strict=True):
+            self.put(self.pen.write(text, size, color), round(x))
+            x += share * (self.width - INDENT)
+        self.y += self.pen.height(size)
+
+    def drawn(self, background: Color = theme.PANEL) -> pygame.Surface:
+        """Return the card as it stands."""
+        surface = pygame.Surface((self.width, max(self.y, 1)))
+        surface.fill(background)
+        surface.blits(self._parts)
+        return surface
+
+
+def header(pen: Pen, width: int, level: Level) -> pygame.Surface:
+    """Draw a level's title, summary and reference."""
+    card = Card(pen, width)
+    card.text(level.title, 20, bold=True)
+    card.y += 4
+    if level.summary:
+        card.text(level.summary, 14)
+        card.y += 4
+    if level.reference:
+        card.text(level.reference, 12, theme.DIM)
+    return card.drawn()
+
+
+def heading(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw a heading under a line."""
+    card = Card(pen, width)
+    card.heading(text)
+    return card.drawn()
+
+
+def clock(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw the time."""
+    card = Card(pen, width)
+    card.text(text, 14, bold=True)
+    return card.drawn()
+
+
+def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surface:
+    """Draw the parameters with their values."""
+    card = Card(pen, width)
+    card.heading("Parameters")
+    for name, parameter in level.parameters.items():
+        value = wording.with_unit(wording.setting(values[name]), parameter.unit)
+        right = pen.write(value, 14, theme.TEXT)
+        label = pen.write(
+            pen.shorten(_title(name, parameter), width - right.width - 8), 14, theme.DIM
+        )
+        card.put(label, 0)
+        card.put(right, width - right.width)
+        card.y += label.height + 2
+    return card.drawn()
+
+
+def _title(name: str, parameter: Parameter) -> str:
+    """Return a parameter's label and the name that formulas call it by."""
+    return f"{parameter.label}  {name}" if parameter.label not in ("", name) else name
+
+
+def checks(
+    pen: Pen,
+    width: int,
+    readings: Sequence[Reading],
+    disturbed: bool = False,
+    left_out: int = 0,
+) -> pygame.Surface:
+    """Draw how the checks stand, and how many are left out."""
+    card = Card(pen, width)
+    card.heading("Checks")
+    if disturbed:
+        card.text(TOUCHED, 14, theme.NOTICE)
+        card.text("Restart (R) to check again.", 13, theme.DIM)
+    elif not readings:
+        card.text("This level states no closed form.", 14, theme.DIM)
+    else:
+        card.columns([(name, theme.DIM) for name in ("measured", "expected", "error")], 12)
+        for reading in readings:
+            card.y += GAP
+            _check(card, reading)
+    if left_out:
+        card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
+    card.y += 14
+    return card.drawn()
+
+
+def _check(card: Card, reading: Reading) -> None:
+    result = reading.result
+    check = result.check
+    color = _COLORS[result.verdict]
+    card.put(_badge(result.verdict, color), 0, 2)
+    _check_title(card, check)
+    if result.verdict == "not applicable":
+        source = check.valid_if.source if check.valid_if else ""
+        card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=INDENT)
+    elif reading.measured is None or reading.expected is None or result.error is None:
+        card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
+    else:
+        measured = wording.quantity(reading.measured, result.unit)
+        expected = wording.quantity(reading.expected, result.unit)
+        error = wording.error(result.error)
+        card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
+    if result.verdict == "failed" and result.t is not None:
+        worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
+        card.text(worst, 12, color, indent=INDENT)
+
+
+def _check_title(card: Card, check: Check) -> None:
+    """Write what is checked, and beside it, where there is room, the quantity's name."""
+    lines = card.pen.paragraph(check.label or check.quantity, card.width - INDENT, 14, bold=True)
+    name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)
+    for line in lines:
+        card.put(line, INDENT)
+        card.y += line.height
+    if lines[-1].width + name.width + 12 <= card.width - INDENT:
+        card.put(name, card.width - name.width, -lines[-1].height + 2)
+
+
+def _badge(verdict: str, color: Color) -> pygame.Surface:
+    """Draw a verdict as a sign, for it must not be told by its colour alone."""
+    sign = pygame.Surface((17, 17), pygame.SRCALPHA)
+    if verdict in ("passed", "failed"):
+        pygame.draw.aacircle(sign, color, (8, 8), 8)
+    else:
+        pygame.draw.aacircle(sign, color, (8, 8), 8, 2)
+    ink = theme.STAGE
+    if verdict == "passed":
+        pygame.draw.lines(sign, ink, False, [(4, 8), (7, 11), (12, 5)], 2)
+    elif verdict == "failed":
+        pygame.draw.line(sign, ink, (5, 5), (11, 11), 2)
+        pygame.draw.line(sign, ink, (11, 5), (5, 11), 2)
+    elif verdict == "waiting":
+        pygame.draw.lines(sign, color, False, [(8, 4), (8, 8), (11, 10)], 2)
+    else:
+        pygame.draw.line(sign, color, (5, 8), (11, 8), 2)
+    return sign
+
+
+def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
+    """Draw the energies as bars, and what has become of their sum."""
+    card = Card(pen, width)
+    card.heading("Energy")
+    rows = (
+        ("kinetic", now.kinetic, theme.KINETIC),
+        ("potential", now.potential, theme.POTENTIAL),
+        ("total", now.total, theme.TOTAL),
+    )
+    scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
+    for name, value, color in rows:
+        card.put(pen.write(name, 13, theme.DIM), 0)
+        text = pen.write(wording.quantity(value, "J", 4), 13)
+        card.put(text, width - text.width)
+        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
+        card.y += pen.height(13) + 1
+    drift = now.total - start.total
+    relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
+    text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
+    card.put(pen.write("change", 13, theme.DIM), 0)
+    card.put(text, width - text.width)
+    card.y += text.height
+    return card.drawn()
+
+
+def _bar(width: int, share: float, color: Color) -> pygame.Surface:
+    """Draw a bar from the middle: to the right if positive, to the left if negative."""
+    bar = pygame.Surface((width, 10))
+    bar.fill(theme.RAISED)
+    middle = width // 2
+    length = round(min(abs(share), 1.0) * middle)
+    bar.fill(color, (middle if share >= 0 else middle - length, 0, length, 10))
+    bar.fill(theme.AXIS, (middle, 0, 1, 10))
+    return bar

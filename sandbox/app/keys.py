@@ -1,0 +1,70 @@
+"""Which key does what: one table, for the window and for the help that it shows."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import pygame
+
+Command = Literal[
+    "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
+    "arrows", "trail", "ghosts", "names", "fit", "zoom in", "zoom out", "levels", "panel",
+    "next field", "page down", "page up", "help", "leave",
+]  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """A command, the keys or characters that call for it, and what is said about it."""
+
+    command: Command
+    shown: str
+    text: str
+    keys: tuple[int, ...] = ()
+    characters: str = ""
+
+
+BINDINGS = (
+    Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),
+    Binding("step", "→ or .", "pause and take a single step", (pygame.K_RIGHT,), "."),
+    Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
+    Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
+    Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
+    Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
+    Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
+    Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
+    Binding("arrows", "V", "velocity arrows", (), "vV"),
+    Binding("trail", "T", "trail", (), "tT"),
+    Binding("ghosts", "G", "ghost of the closed form", (), "gG"),
+    Binding("names", "N", "names", (), "nN"),
+    Binding("fit", "F", "fit the view", (), "fF"),
+    Binding("zoom in", "Z", "zoom in", (), "z"),
+    Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
+    Binding("levels", "L", "show or hide the levels", (), "lL"),
+    Binding("panel", "P", "show or hide the panel", (), "pP"),
+    Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
+    Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
+    Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
+    Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
+    Binding("leave", "Esc", "close this, let go of a field, or quit", (pygame.K_ESCAPE,)),
+)
+
+MOUSE = (
+    ("drag a body", "pull it while time runs, put it elsewhere while paused"),
+    ("drag the stage", "move the view; the wheel zooms"),
+    ("Shift and drag", "measure a distance"),
+    ("drop a file", "open a level of your own"),
+)
+
+WHILE_TYPING: frozenset[Command] = frozenset({"next field", "leave"})
+"""What the keys still do while a number is being typed."""
+
+
+def command(event: pygame.event.Event) -> Command | None:
+    """Return what a pressed key calls for."""
+    if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+        return None
+    for binding in BINDINGS:
+        typed = event.unicode and event.unicode in binding.characters
+        if typed or event.key in binding.keys:
+            return binding.command
+    return None

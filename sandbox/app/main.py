@@ -1,0 +1,39 @@
+"""Starting the app."""
+
+import os
+import sys
+from collections.abc import Mapping
+
+import pygame
+
+from sandbox.app.window import Window
+
+FIRST = "kinematics/projectile"
+"""What is played if nobody says what."""
+
+_HEADLESS = {"dummy", "offscreen"}
+
+
+def has_display() -> bool:
+    """Whether a window can be opened on this machine."""
+    somewhere = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    chosen = os.environ.get("SDL_VIDEODRIVER", "")
+    if chosen in _HEADLESS or (sys.platform == "linux" and not somewhere and not chosen):
+        return False  # asking SDL would print why
+    try:
+        pygame.display.init()
+        found = pygame.display.get_driver() not in _HEADLESS
+    except pygame.error:
+        return False
+    pygame.display.quit()
+    return found
+
+
+def run(level: str | None = None, settings: Mapping[str, float] | None = None) -> None:
+    """Open the window, with a level given by its name or path, and stay until it is closed."""
+    window = Window()
+    window.open_level(level or FIRST, settings)
+    try:
+        window.run()
+    finally:
+        pygame.quit()

@@ -1,0 +1,1 @@
+"""What stands around the stage: levels, parameters, read-outs, controls, messages."""

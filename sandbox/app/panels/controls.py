@@ -1,0 +1,109 @@
+"""The bar below: playing, speed, time, and what is shown."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UIManager
+from pygame_gui.core import ObjectID
+from pygame_gui.elements import UIButton
+
+from sandbox.app import theme, wording
+from sandbox.app.keys import BINDINGS, Command
+from sandbox.app.panels.widgets import press
+from sandbox.app.session import Session
+from sandbox.app.stage.stage import Shown
+from sandbox.app.text import Pen
+
+HEIGHT = 34  # px, of a button
+GAP = 6  # px
+MARGIN = 12  # px
+SPEED = 58  # px, for the number between the two buttons
+
+LEFT: tuple[tuple[Command, str, int], ...] = (
+    ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
+)  # fmt: skip
+RIGHT: tuple[tuple[Command, str, int], ...] = (
+    ("arrows", "Arrows", 68), ("trail", "Trail", 54), ("ghosts", "Ghost", 60),
+    ("names", "Names", 64), ("fit", "Fit", 40), ("help", "Help", 52),
+)  # fmt: skip
+
+
+class Controls:
+    """Buttons for the commands that are used all the time, and the clock between them."""
+
+    def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
+        self._manager, self._pen, self._rect = manager, pen, rect
+        self._buttons: dict[Command, UIButton] = {}
+        x = MARGIN
+        for command, text, width in LEFT:
+            x = self._button(command, text, x, width)
+        x += GAP
+        x = self._button("slower", "−", x, 32)
+        self._speed = pygame.Rect(x, 0, SPEED, 0)
+        x = self._button("faster", "+", x + SPEED, 32)
+        right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in RIGHT)
+        self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
+        for command, text, width in RIGHT:
+            right = self._button(command, text, right, width)
+
+    def _button(self, command: Command, text: str, x: int, width: int) -> int:
+        """Make a button, and return where the next one begins."""
+        place = pygame.Rect(x, self._rect.y + (self._rect.height - HEIGHT) // 2, width, HEIGHT)
+        binding = next(binding for binding in BINDINGS if binding.command == command)
+        self._buttons[command] = UIButton(
+            place, text, self._manager, tool_tip_text=f"{binding.text} ({binding.shown})",
+            object_id=ObjectID(class_id="@main") if command == "play" else None,
+        )  # fmt: skip
+        return x + width + GAP
+
+    def process(self, event: pygame.event.Event) -> Command | None:
+        """Return the command whose button was pressed, if one was."""
+        if event.type != UI_BUTTON_PRESSED:
+            return None
+        pressed = (c for c, button in self._buttons.items() if button is event.ui_element)
+        return next(pressed, None)
+
+    def button(self, command: Command) -> UIButton:
+        """Return the button of a command."""
+        return self._buttons[command]
+
+    def update(self, session: Session | None, shown: Shown) -> None:
+        """Let the buttons say what is the case."""
+        playing = session is not None and session.playing
+        text = "Pause" if playing else "Play"
+        if self._buttons["play"].text != text:
+            self._buttons["play"].set_text(text)
+        states: dict[Command, bool] = {
+            "arrows": shown.arrows, "trail": shown.trail,
+            "ghosts": shown.ghosts, "names": shown.names,
+        }  # fmt: skip
+        for command, on in states.items():
+            press(self._buttons[command], on)
+
+    def draw(self, surface: pygame.Surface, session: Session | None) -> None:
+        """Draw the bar's ground, the speed and the clock; the buttons are the manager's."""
+        surface.fill(theme.PANEL, self._rect)
+        surface.fill(theme.EDGE, (*self._rect.topleft, self._rect.width, 1))
+        if session is None:
+            return
+        speed = self._pen.write(f"{session.speed:g}×", 15, bold=True)
+        center = self._speed.centerx - GAP // 2, self._rect.centery
+        surface.blit(speed, speed.get_rect(center=center))
+        self._draw_clock(surface, session)
+
+    def _draw_clock(self, surface: pygame.Surface, session: Session) -> None:
+        area, pen = self._clock, self._pen
+        middle = area.centery
+        now = pen.write(f"t = {wording.seconds(session.t)}", 15, bold=True)
+        surface.blit(now, (area.x, middle - 20))
+        reduced = session.pace.reduced if session.playing else None
+        if reduced is not None:
+            note = pen.write(f"running at {reduced:.2g}×", 13, theme.NOTICE)
+        else:
+            note = pen.write(f"of {wording.seconds(session.duration)}", 13, theme.DIM)
+        if now.width + note.width + 10 <= area.width:
+            surface.blit(note, (area.right - note.width, middle - 18))
+        track = pygame.Rect(area.x, middle + 8, area.width, 5)
+        pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
+        share = min(session.t / session.duration, 1.0)
+        if share > 0:
+            done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
+            pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)

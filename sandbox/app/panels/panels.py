@@ -1,0 +1,67 @@
+"""All that stands around the stage, built for a window of some size."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from pygame_gui import UIManager
+
+from sandbox.app import theme
+from sandbox.app.panels import messages
+from sandbox.app.panels.controls import Controls
+from sandbox.app.panels.layout import Layout, divide
+from sandbox.app.panels.levels import Entry, LevelList
+from sandbox.app.panels.side import SidePanel
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+
+
+class Panels:
+    """The widgets of the window; they are built anew when its size or its level changes.
+
+    Attributes
+    ----------
+    manager
+        pygame_gui's.
+    layout
+        How the window is divided.
+    list, side
+        The two columns; None while they are hidden.
+    controls
+        The bar below.
+    refusal
+        Why the level cannot be opened; None if it can.
+    """
+
+    def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
+        self._pen = pen
+        self._hidden: set[str] = set()
+        self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
+
+    def hide_or_show(self, column: str) -> None:
+        """Hide a column, `levels` or `side`, or show it again, from the next building on."""
+        self._hidden ^= {column}
+
+    def build(
+        self, size: tuple[int, int], entries: Sequence[Entry], path: Path | None,
+        session: Session | None, refused: str,
+    ) -> None:  # fmt: skip
+        """Build everything, for the level of a session or for why there is none."""
+        manager, pen = self.manager, self._pen
+        manager.clear_and_reset()  # type: ignore[no-untyped-call]
+        manager.set_window_resolution(size)
+        with_side = session is not None and "side" not in self._hidden
+        layout = divide(size, levels="levels" not in self._hidden, side=with_side)
+        self.layout: Layout = layout
+        self.list = LevelList(manager, pen, layout.levels, entries) if layout.levels.width else None
+        if self.list is not None:
+            self.list.choose(path)
+        self.side: SidePanel | None = None
+        if session is not None and layout.side.width:
+            self.side = SidePanel(manager, pen, layout.side, session)
+        self.controls = Controls(manager, pen, layout.controls)
+        self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
+
+    @property
+    def typing(self) -> bool:
+        """Whether a number is being typed."""
+        return self.side is not None and self.side.parameters.focused

@@ -1,0 +1,24 @@
+"""Small things that pygame_gui's widgets need from several panels."""
+
+from pygame_gui.elements import UIButton, UIScrollingContainer
+
+
+def press(button: UIButton, on: bool) -> None:
+    """Let a button look switched on or off."""
+    if on and not button.is_selected:
+        button.select()  # type: ignore[no-untyped-call]
+    elif not on and button.is_selected:
+        button.unselect()  # type: ignore[no-untyped-call]
+
+
+def scroll(container: UIScrollingContainer, top: float) -> None:
+    """Show what stands at a height of a container's content at its upper edge [px], or nearly."""
+    bar = container.vert_scroll_bar
+    seen, height = container.rect.height, container.scrollable_container.rect.height
+    if bar is not None and height > seen:
+        bar.set_scroll_from_start_percentage(min(max(top, 0.0), height - seen) / height)
+
+
+def scrolled(container: UIScrollingContainer) -> float:
+    """Return the height of the content that is at the upper edge of a container [px]."""
+    return float(container.rect.y - container.scrollable_container.rect.y)

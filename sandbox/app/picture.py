@@ -1,0 +1,119 @@
+"""A still picture of a level, drawn without a window."""
+
+import os
+from math import ceil
+from pathlib import Path
+from tempfile import NamedTemporaryFile
+
+import pygame
+
+from sandbox.app import cards, theme, wording
+from sandbox.app.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+
+SIZE = (1280, 720)  # px
+TELLING = 0.4
+"""The share of a level's duration at which it is drawn if nobody says when."""
+
+SIDE = 340  # px, the column of words
+MARGIN = 16  # px
+
+
+def render(
+    level: Level, values: Values, at: float | None = None, size: tuple[int, int] = SIZE
+) -> pygame.Surface:
+    """Run a level up to a time and draw it, with its checks.
+
+    Parameters
+    ----------
+    level
+        What to draw.
+    values
+        Its parameters.
+    at
+        When [s]; a telling moment if left out. The last step is the first not before it.
+    size
+        Of the picture [px].
+
+    Raises
+    ------
+    SandboxError
+        If the run has to stop before that time.
+    """
+    pygame.font.init()
+    pen = Pen()
+    session = Session(level, values)
+    _run(session, session.duration * TELLING if at is None else at)
+    picture = pygame.Surface(size)
+    picture.fill(theme.PANEL)
+    stage = Stage(pen, (size[0] - SIDE, size[1]))
+    stage.use(session.world)
+    stage.fit()
+    stage.draw(picture.subsurface((0, 0, size[0] - SIDE, size[1])), session.trail)
+    _write(picture, session, pen)
+    return picture
+
+
+def save_picture(
+    level: Level,
+    values: Values,
+    path: Path,
+    at: float | None = None,
+    size: tuple[int, int] = SIZE,
+) -> None:
+    """Draw a level into a PNG file, whole or not at all; see `render`."""
+    picture = render(level, values, at, size)
+    with NamedTemporaryFile(dir=path.parent, suffix=".png", delete=False) as file:
+        beside = Path(file.name)
+    try:
+        pygame.image.save(picture, beside)
+        beside.chmod(0o666 & ~_umask())
+        beside.replace(path)
+    finally:
+        beside.unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _run(session: Session, at: float) -> None:
+    for _ in range(ceil(at * session.world.stepping.rate * (1 - 1e-12))):
+        session.step()
+        if session.failure is not None:
+            raise session.failure
+
+
+def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
+    """Fill the column of words; the energy stands at its foot."""
+    width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
+    level, y = session.level, MARGIN
+    when = f"t = {wording.seconds(session.t)} of {wording.seconds(session.duration)}"
+    for part in (
+        cards.header(pen, width, level),
+        cards.clock(pen, width, when),
+        cards.settings(pen, width, level, session.values),
+    ):
+        picture.blit(part, (left, y))
+        y += part.height + 8
+    foot = cards.energy(pen, width, session.start_energies, session.energies())
+    end = picture.height - foot.height - MARGIN
+    picture.blit(_checks(session, pen, width, end - y), (left, y))
+    picture.fill(theme.PANEL, (left, end, width, picture.height - end))
+    picture.blit(foot, (left, end))
+
+
+def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
+    """Draw as many checks as there is room for."""
+    readings = session.readings()
+    drawn = cards.checks(pen, width, readings)
+    for count in range(len(readings) - 1, 0, -1):
+        if drawn.height <= room:
+            break
+        drawn = cards.checks(pen, width, readings[:count], left_out=len(readings) - count)
+    return drawn

@@ -1,0 +1,224 @@
+"""A level being played: the world, its record, and how fast it runs. No window is needed.
+
+The time step belongs to the level. A frame only decides how many whole steps are due; what cannot
+be paid for within its budget is dropped and shown as a lower pace, never stretched.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from time import perf_counter
+
+from sandbox.app.grading import Grading, Reading
+from sandbox.app.pace import Pace, faster, slower
+from sandbox.app.trail import Trail
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.loading import choose
+from sandbox.model.shapes import XY
+from sandbox.physics.measure import Meter
+from sandbox.physics.trace import Recorder, count_steps, needed
+from sandbox.physics.world import World, build
+
+BUDGET = 0.009  # s, of a frame for steps
+_ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
+
+
+@dataclass(frozen=True, slots=True)
+class Energies:
+    """Of the whole system [J]."""
+
+    kinetic: float
+    potential: float
+    total: float
+
+
+class Session:
+    """A level that is played.
+
+    Attributes
+    ----------
+    level
+        What is played.
+    world
+        Its present run.
+    end
+        How many steps reach the level's duration.
+    playing, speed
+        Whether time passes by itself, and how fast.
+    failure
+        Why the run had to stop, or could not be built; None if all is well.
+    trail
+        Where the bodies have been.
+    pace
+        Whether the machine keeps up.
+
+    Raises
+    ------
+    SandboxError
+        If the level cannot be run with these values.
+    """
+
+    def __init__(self, level: Level, values: Values | None = None) -> None:
+        self.level = level
+        self.playing = False
+        self.speed = 1.0
+        self._begin(build(level, level.defaults if values is None else values))
+
+    def _begin(self, world: World) -> None:
+        self.world = world
+        self.failure: SandboxError | None = None
+        self.end = count_steps(world)
+        self.trail = Trail(world.snapshot.position)
+        self.pace = Pace()
+        self._recorder = Recorder(world, needed(self.level))
+        self._grading = Grading(self._recorder)
+        self._owed = 0.0  # steps
+        self._meter = Meter(world, _ENERGIES)
+        self._start = self.energies()
+        self._held: tuple[str, XY] | None = None
+        self._pulling = False
+
+    @property
+    def values(self) -> Values:
+        """The parameters of the present run."""
+        return self.world.values
+
+    @property
+    def t(self) -> float:
+        """The time of what is shown [s]."""
+        return float(self.world.snapshot.t)
+
+    @property
+    def duration(self) -> float:
+        """The time at which the run pauses by itself [s]."""
+        return self.end * self.world.dt
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the run stands where its level says that it is complete."""
+        return self.world.steps == self.end
+
+    def restart(self, settings: Mapping[str, float] | None = None) -> None:
+        """Start anew, with some parameters changed.
+
+        Raises
+        ------
+        ValueRangeError
+            If a parameter cannot have that value.
+        """
+        values = choose(self.level, {**self.values, **(settings or {})})
+        try:
+            self._begin(build(self.level, values))
+        except SandboxError as error:
+            self._stop(error)
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        self.playing = not self.playing and self.failure is None
+
+    def step(self) -> None:
+        """Pause, and take a single step."""
+        self.playing = False
+        self._advance()
+
+    def faster(self) -> None:
+        """Take the next higher speed."""
+        self.speed = faster(self.speed)
+
+    def slower(self) -> None:
+        """Take the next lower speed."""
+        self.speed = slower(self.speed)
+
+    def update(self, seconds: float, budget: float = BUDGET) -> None:
+        """Take the steps that are due after some real time, as far as the budget goes [s]."""
+        if not self.playing:
+            return
+        self._owed += seconds * self.speed * self.world.stepping.rate
+        due = int(self._owed)
+        self._owed -= due
+        taken = self._take(due, budget)
+        dropped = due - taken if self.playing else 0
+        self.pace.note(seconds, taken * self.world.dt, dropped)
+
+    def _take(self, due: int, budget: float) -> int:
+        deadline = perf_counter() + budget
+        for taken in range(due):
+            if not self.playing or (taken and perf_counter() > deadline):
+                return taken
+            self._advance()
+        return due
+
+    def _advance(self) -> None:
+        if self.failure is not None:
+            return
+        try:
+            snapshot = self.world.advance()
+        except SandboxError as error:
+            self._stop(error)
+            return
+        self.trail.add(snapshot.position)
+        if self.world.steps <= self.end and not self.world.disturbed:
+            self._recorder.note()
+        if self.at_end:
+            self.playing = False
+
+    def _stop(self, error: SandboxError) -> None:
+        self.failure = error
+        self.playing = False
+
+    def readings(self) -> tuple[Reading, ...]:
+        """Return how the checks stand."""
+        return self._grading.readings(hurried=self.playing)
+
+    def energies(self) -> Energies:
+        """Return the energies of now."""
+        return Energies(*(float(value) for value in self._meter(self.world.snapshot).values()))
+
+    @property
+    def start_energies(self) -> Energies:
+        """The energies with which the run began."""
+        return self._start
+
+    def grab(self, body: str, point: XY) -> None:
+        """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
+        x, y = self._position(body)
+        self._held = body, (point[0] - x, point[1] - y)
+
+    def drag(self, point: XY) -> None:
+        """Pull what is held to a point [m]: while time runs with a force, else put it there."""
+        if self._held is None or self.failure is not None:
+            return
+        body, (dx, dy) = self._held
+        if not self.playing:
+            self._let_loose()
+            self._place(body, (point[0] - dx, point[1] - dy))
+            return
+        if not self._pulling:
+            x, y = self._position(body)
+            self.world.grab(body, (x + dx, y + dy))
+            self._pulling = True
+        self.world.drag(point)
+
+    def release(self) -> None:
+        """Let go."""
+        self._let_loose()
+        self._held = None
+
+    def _let_loose(self) -> None:
+        if self._pulling:
+            self.world.release()
+            self._pulling = False
+
+    def _position(self, body: str) -> XY:
+        row = list(self.level.bodies).index(body)
+        x, y = self.world.snapshot.position[row]
+        return float(x), float(y)
+
+    def _place(self, body: str, point: XY) -> None:
+        try:
+            snapshot = self.world.place({body: point})
+        except SandboxError as error:
+            self._stop(error)
+            return
+        self.trail.restart(snapshot.position)

@@ -1,0 +1,110 @@
+"""Bodies and surfaces."""
+
+from itertools import pairwise
+from math import cos, hypot, sin
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import lines
+from sandbox.app.stage.outline import Outline
+from sandbox.app.theme import Color
+from sandbox.model.shapes import XY
+
+FEW = 200
+"""Up to so many bodies are drawn with smooth rims."""
+
+LEAST = 3.0  # px, the radius at which even the smallest disc is drawn
+HATCH = 9  # px
+
+
+def draw_body(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
+    spoke: bool,
+) -> None:  # fmt: skip
+    """Draw a body that moves; a disc that can turn shows a spoke."""
+    rim = theme.mix(outline.color, theme.TEXT, 0.45)
+    if outline.radius is not None:
+        _disc(surface, camera, outline, position, rim)
+        if spoke:
+            x, y = outline.radius * cos(angle), outline.radius * sin(angle)
+            start, end = camera.path((position, (position[0] + x, position[1] + y)))
+            lines.stroke(surface, rim if outline.hollow else theme.STAGE, start, end, 2)
+        return
+    corners = camera.path(outline.placed(position, angle))
+    if not outline.closed:
+        lines.path(surface, outline.color, corners, max(outline.thickness * camera.scale, 4))
+    else:
+        lines.fill(surface, outline.color, corners, rim)
+
+
+def _disc(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, rim: Color
+) -> None:
+    assert outline.radius is not None
+    center = camera.to_screen(position)
+    radius = max(outline.radius * camera.scale, LEAST)
+    if not lines.near((center,)) or radius > lines.FAR:
+        return
+    width = max(round(radius / 6), 2) if outline.hollow else 0
+    pygame.draw.aacircle(surface, outline.color, center, radius, width)
+    if not outline.hollow and radius > 5:
+        pygame.draw.aacircle(surface, rim, center, radius, 1)
+
+
+def draw_crowd(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
+) -> None:
+    """Draw one of very many bodies, as cheaply as can be."""
+    if outline.radius is not None:
+        center = camera.to_screen(position)
+        if lines.near((center,)):
+            radius = max(outline.radius * camera.scale, 1)
+            pygame.draw.circle(surface, outline.color, center, radius)
+        return
+    corners = camera.path(outline.placed(position, angle))
+    if lines.near(corners) and outline.closed:
+        pygame.draw.polygon(surface, outline.color, corners)
+    elif lines.near(corners):
+        pygame.draw.lines(surface, outline.color, False, corners, 2)
+
+
+def draw_surface(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
+    inside: XY,
+) -> None:  # fmt: skip
+    """Draw a body that never moves; a thin line is hatched on the side away from the action.
+
+    Parameters
+    ----------
+    inside
+        A point of the plane where things happen [m].
+    """
+    corners = camera.path(outline.placed(position, angle))
+    edge = theme.SURFACE_EDGE
+    if outline.closed:
+        lines.fill(surface, outline.color, corners)
+        if outline.radius is None:
+            lines.path(surface, edge, [*corners, corners[0]], 2)
+        return
+    for a, b in pairwise(corners):
+        _hatch(surface, a, b, camera.to_screen(inside))
+    lines.path(surface, edge, corners, max(outline.thickness * camera.scale, 3))
+
+
+def _hatch(surface: pygame.Surface, a: XY, b: XY, inside: XY) -> None:
+    length = hypot(b[0] - a[0], b[1] - a[1])
+    if not length:
+        return
+    ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    if (inside[0] - a[0]) * -uy + (inside[1] - a[1]) * ux > 0:
+        ux, uy, a, b = -ux, -uy, b, a  # so that the normal (-uy, ux) points away
+    reach = surface.width + surface.height
+    first = max(0.0, -((a[0] - surface.width / 2) * ux + (a[1] - surface.height / 2) * uy) - reach)
+    at = first - first % HATCH
+    while at < min(length, first + 2 * reach):
+        x, y = a[0] + ux * at, a[1] + uy * at
+        end = x + (-uy - ux) * HATCH, y + (ux - uy) * HATCH
+        lines.stroke(surface, theme.SURFACE, (x, y), end, 1)
+        at += HATCH

@@ -1,0 +1,110 @@
+"""The grid, the rulers along two edges, and the scale bar."""
+
+from math import ceil, floor
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.text import Pen
+from sandbox.app.wording import MINUS, nice
+
+MINOR = 22  # px, the least distance of two lines
+LABELLED = 75  # px, the least distance of two numbers
+RULER = 20  # px, the width of a ruler
+LONG, SHORT = 8, 4  # px, a ruler's ticks
+BAR = 130  # px, the most that the scale bar may be long
+
+
+def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
+    """Draw the lines of the grid, the axes through the origin brighter."""
+    surface.fill(theme.STAGE)
+    minor, major = _spacing(camera)
+    for spacing, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
+        for x in _marks(camera, spacing, 0):
+            _vertical(surface, camera, x, color)
+        for y in _marks(camera, spacing, 1):
+            _horizontal(surface, camera, y, color)
+    _vertical(surface, camera, 0.0, theme.AXIS)
+    _horizontal(surface, camera, 0.0, theme.AXIS)
+
+
+def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+    """Draw the rulers along the left and the lower edge, in metres."""
+    minor, major = _spacing(camera)
+    width, height = camera.size
+    side = _side(camera, major, pen)
+    shade = theme.mix(theme.STAGE, theme.PANEL, 0.7)
+    surface.fill(shade, (0, height - RULER, width, RULER))
+    surface.fill(shade, (0, 0, side, height))
+    for spacing, tick in ((minor, SHORT), (major, LONG)):
+        for x in _marks(camera, spacing, 0):
+            px = round(camera.to_screen((x, 0))[0])
+            pygame.draw.line(surface, theme.AXIS, (px, height - RULER), (px, height - RULER + tick))
+        for y in _marks(camera, spacing, 1):
+            py = round(camera.to_screen((0, y))[1])
+            pygame.draw.line(surface, theme.AXIS, (side - tick, py), (side, py))
+    _write_marks(surface, camera, pen, major, side)
+    corner = pygame.Rect(0, height - RULER, side, RULER)
+    surface.fill(shade, corner)
+    text = pen.write("m", 11, theme.DIM, bold=True)
+    surface.blit(text, text.get_rect(center=corner.center))
+
+
+def _write_marks(
+    surface: pygame.Surface, camera: Camera, pen: Pen, major: float, side: int
+) -> None:
+    for x in _marks(camera, major, 0):
+        text = pen.write(_mark(x), 11, theme.DIM)
+        px = round(camera.to_screen((x, 0))[0])
+        surface.blit(text, (px + 4, camera.size[1] - RULER + 3))
+    for y in _marks(camera, major, 1):
+        text = pen.write(_mark(y), 11, theme.DIM)
+        py = round(camera.to_screen((0, y))[1])
+        surface.blit(text, (side - LONG - 3 - text.width, py - text.height // 2))
+
+
+def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+    """Draw a rule of a round length in the lower right corner."""
+    metres = nice(BAR / camera.scale)
+    length = round(metres * camera.scale)
+    left, y = camera.size[0] - length - 16, camera.size[1] - RULER - 16
+    for i in range(10):
+        start, end = left + round(i * length / 10), left + round((i + 1) * length / 10)
+        color = theme.TEXT if i % 2 == 0 else theme.AXIS
+        surface.fill(color, (start, y, end - start, 5))
+    text = pen.write(f"{metres:g} m", 12, theme.TEXT)
+    surface.blit(text, (left + (length - text.width) // 2, y - text.height - 1))
+
+
+def _spacing(camera: Camera) -> tuple[float, float]:
+    """Return the distances of the thin and of the numbered lines [m]."""
+    major = nice(LABELLED * 2.5 / camera.scale)
+    minor = next(m for m in (major / 10, major / 5, major / 2, major) if m * camera.scale >= MINOR)
+    return minor, major
+
+
+def _marks(camera: Camera, spacing: float, axis: int) -> list[float]:
+    bounds = camera.bounds
+    low, high = bounds[axis], bounds[axis + 2]
+    return [i * spacing for i in range(ceil(low / spacing), floor(high / spacing) + 1)]
+
+
+def _mark(value: float) -> str:
+    return f"{round(value, 9):g}".replace("-", MINUS)
+
+
+def _side(camera: Camera, major: float, pen: Pen) -> int:
+    """Return how wide the left ruler must be for its numbers."""
+    texts = [pen.write(_mark(y), 11, theme.DIM).width for y in _marks(camera, major, 1)]
+    return max([*texts, 12]) + LONG + 8
+
+
+def _vertical(surface: pygame.Surface, camera: Camera, x: float, color: theme.Color) -> None:
+    px = round(camera.to_screen((x, 0))[0])
+    pygame.draw.line(surface, color, (px, 0), (px, camera.size[1]))
+
+
+def _horizontal(surface: pygame.Surface, camera: Camera, y: float, color: theme.Color) -> None:
+    py = round(camera.to_screen((0, y))[1])
+    pygame.draw.line(surface, color, (0, py), (camera.size[0], py))

@@ -1,0 +1,132 @@
+"""What explains a motion: trails, ghosts, velocity arrows, names."""
+
+from collections.abc import Sequence
+from math import hypot, isfinite
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import lines
+from sandbox.app.stage.outline import Outline
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.app.wording import nice
+from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.shapes import XY
+from sandbox.physics.world import World
+
+LONGEST = 0.14
+"""The longest arrow, as a part of the stage's width."""
+
+PATH_POINTS = 240
+"""Into how many pieces the closed form's path is cut."""
+
+
+def trail_color(outline: Outline) -> Color:
+    """Return the colour of a body's trail."""
+    return theme.mix(theme.STAGE, outline.color, 0.6)
+
+
+def draw_trail(surface: pygame.Surface, camera: Camera, outline: Outline, points: Array) -> None:
+    """Draw a body's path through points: (k, 2) [m]."""
+    pixels = camera.path(points.tolist())
+    color = trail_color(outline)
+    steps = [pixels[0]]
+    for pixel in pixels[1:]:
+        if hypot(pixel[0] - steps[-1][0], pixel[1] - steps[-1][1]) >= 2:
+            steps.append(pixel)
+    steps.append(pixels[-1])
+    lines.path(surface, color, steps, 2)
+
+
+def draw_ghost(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
+) -> None:
+    """Draw where the closed form says that a body is."""
+    corners = camera.path(outline.placed(position, angle))
+    if outline.closed:
+        corners.append(corners[0])
+    lines.dashed(surface, theme.GHOST, corners)
+    if lines.near(corners):
+        x, y = camera.to_screen(position)
+        pygame.draw.aacircle(surface, theme.GHOST, (x, y), 2)
+
+
+def draw_ghost_path(
+    surface: pygame.Surface, camera: Camera, formulas: tuple[Formula, Formula],
+    values: Values, duration: float,
+) -> None:  # fmt: skip
+    """Draw the way that the closed form takes through the level's duration."""
+    t = np.linspace(0.0, duration, PATH_POINTS)
+    where = places(formulas, values, t)
+    if where is None or not np.isfinite(where).all():
+        return
+    color = theme.mix(theme.STAGE, theme.GHOST, 0.35)
+    lines.dashed(surface, color, camera.path(where.tolist()), 3, 6)
+
+
+def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:
+    """Return where the closed form says that a body is [m], None if it has no answer."""
+    where = places(formulas, values, np.array([t]))
+    if where is None:
+        return None
+    x, y = float(where[0, 0]), float(where[0, 1])
+    return (x, y) if isfinite(x) and isfinite(y) else None
+
+
+def places(formulas: tuple[Formula, Formula], values: Values, t: Array) -> Array | None:
+    """Return the closed form's positions at many times: (k, 2) [m]."""
+    try:
+        return np.stack([formula.over(values, t) for formula in formulas], axis=-1)
+    except ExpressionError:
+        return None
+
+
+def draw_arrow(
+    surface: pygame.Surface, camera: Camera, position: XY, velocity: XY, seconds: float
+) -> None:
+    """Draw a velocity: how far the body would come in some seconds."""
+    end = position[0] + velocity[0] * seconds, position[1] + velocity[1] * seconds
+    lines.arrow(surface, theme.ARROW, camera.to_screen(position), camera.to_screen(end))
+
+
+def fastest(world: World, duration: float) -> float:
+    """Return the highest speed that is to be expected [m/s]: that at the start or of a ghost."""
+    velocity = world.snapshot.velocity
+    speeds = [float(np.hypot(velocity[:, 0], velocity[:, 1]).max())]
+    t = np.linspace(0.0, duration, PATH_POINTS)
+    for formulas in world.level.ghosts.values():
+        where = places(formulas, world.values, t)
+        if where is not None and np.isfinite(where).all():
+            steps = np.diff(where, axis=0)
+            # a formula may jump, and a jump is no speed
+            speeds.append(float(np.percentile(np.hypot(steps[:, 0], steps[:, 1]), 95)) / t[1])
+    return max(speeds)
+
+
+def draw_arrow_key(
+    surface: pygame.Surface, camera: Camera, pen: Pen, seconds: float, corner: XY
+) -> None:
+    """Explain the arrows' length, with its lower right end in a corner."""
+    speed = nice(70 / (camera.scale * seconds))
+    length = speed * seconds * camera.scale
+    text = pen.write(f"{speed:g} m/s", 12)
+    start = corner[0] - length
+    lines.arrow(surface, theme.ARROW, (start, corner[1]), corner)
+    surface.blit(text, (corner[0] - max(length, text.width), corner[1] - text.height - 3))
+
+
+def draw_name(
+    surface: pygame.Surface, camera: Camera, pen: Pen, outline: Outline, position: XY, angle: float
+) -> None:
+    """Write a body's name to its upper right."""
+    corners = camera.path(outline.placed(position, angle))
+    x, y = _upper_right(corners)
+    if lines.near(((x, y),)):
+        surface.blit(pen.outlined(outline.name), (x + 4, y - 16))
+
+
+def _upper_right(corners: Sequence[XY]) -> XY:
+    return max(corners, key=lambda corner: corner[0] - corner[1])

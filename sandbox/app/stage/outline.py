@@ -1,0 +1,128 @@
+"""The shapes of a level's bodies as they are drawn and picked, for chosen parameters."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import cos, hypot, pi, sin
+
+from sandbox.app import theme
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import XY, Disc, Hoop, Polyline, Segment
+from sandbox.physics.build import local_points
+
+CORNERS_OF_A_CIRCLE = 48
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """A body's shape, relative to it.
+
+    Attributes
+    ----------
+    row
+        Of the body in a snapshot's arrays.
+    moves
+        Whether it is dynamic or kinematic.
+    heavy
+        Whether it is dynamic, so that a hand can move it.
+    radius
+        Of a disc or hoop [m]; None for shapes with corners.
+    points
+        The corners [m]; those of a polygon around a circle.
+    closed
+        Whether the last corner is joined to the first.
+    hollow
+        Whether only the rim is drawn.
+    thickness
+        Of a line [m].
+    """
+
+    name: str
+    row: int
+    moves: bool
+    heavy: bool
+    color: Color
+    radius: float | None
+    points: tuple[XY, ...]
+    closed: bool
+    hollow: bool
+    thickness: float
+
+    def placed(self, position: XY, angle: float) -> list[XY]:
+        """Return the corners in the plane [m]."""
+        c, s = cos(angle), sin(angle)
+        px, py = position
+        return [(px + c * x - s * y, py + s * x + c * y) for x, y in self.points]
+
+    def covers(self, offset: XY, angle: float, margin: float) -> bool:
+        """Whether a point, relative to the body's position, is on the body or that close [m]."""
+        c, s = cos(angle), sin(angle)
+        x, y = c * offset[0] + s * offset[1], c * offset[1] - s * offset[0]
+        if self.radius is not None:
+            return hypot(x, y) <= self.radius + margin
+        near = margin + self.thickness / 2
+        return (self.closed and self._inside(x, y)) or self._distance(x, y) <= near
+
+    def _edges(self) -> list[tuple[XY, XY]]:
+        ends = (*self.points[1:], self.points[0]) if self.closed else self.points[1:]
+        return list(zip(self.points, ends, strict=False))
+
+    def _inside(self, x: float, y: float) -> bool:
+        """Whether a ray to the right crosses the edges an odd number of times."""
+        crossings = sum(
+            (ay > y) != (by > y) and x < (bx - ax) * (y - ay) / (by - ay) + ax
+            for (ax, ay), (bx, by) in self._edges()
+        )
+        return crossings % 2 == 1
+
+    def _distance(self, x: float, y: float) -> float:
+        distances = []
+        for (ax, ay), (bx, by) in self._edges():
+            dx, dy = bx - ax, by - ay
+            share = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
+            share = min(max(share, 0.0), 1.0)
+            distances.append(hypot(x - ax - share * dx, y - ay - share * dy))
+        return min(distances)
+
+
+def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
+    """Return the outline of every body of a level."""
+    found: dict[str, Outline] = {}
+    moving = 0
+    for row, (name, spec) in enumerate(level.bodies.items()):
+        moves = spec.type != "static"
+        found[name] = _outline(name, row, spec, values, _color(spec, moving))
+        moving += moves
+    return found
+
+
+def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> Outline:
+    shape = spec.shape
+    radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
+    line = isinstance(shape, Segment | Polyline)
+    return Outline(
+        name=name,
+        row=row,
+        moves=spec.type != "static",
+        heavy=spec.type == "dynamic",
+        color=color,
+        radius=radius,
+        points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
+        closed=not line,
+        hollow=isinstance(shape, Hoop),
+        thickness=shape.thickness(values) if isinstance(shape, Segment | Polyline) else 0.0,
+    )
+
+
+def _color(spec: Body, number: int) -> Color:
+    if spec.color is not None:
+        return theme.parse(spec.color)
+    if spec.type == "static":
+        return theme.SURFACE
+    return theme.BODIES[number % len(theme.BODIES)]
+
+
+def _circle(radius: float) -> list[XY]:
+    turns = (2 * pi * i / CORNERS_OF_A_CIRCLE for i in range(CORNERS_OF_A_CIRCLE))
+    return [(radius * cos(turn), radius * sin(turn)) for turn in turns]

@@ -1,0 +1,200 @@
+"""The picture of a world, on any surface."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import bodies, grid, lines, marks, strings
+from sandbox.app.stage.outline import Outline, outlines
+from sandbox.app.text import Pen
+from sandbox.app.trail import Trail
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import World
+
+NAMED = 12
+"""Up to so many moving bodies carry their name, an arrow and a trail."""
+
+
+@dataclass
+class Shown:
+    """What a person wants to see."""
+
+    arrows: bool = True
+    trail: bool = True
+    ghosts: bool = True
+    names: bool = True
+
+
+class Stage:
+    """Draws a world. What does not change from frame to frame is drawn once and kept.
+
+    Attributes
+    ----------
+    camera
+        What part of the plane is shown.
+    shown
+        Which explanations are drawn.
+    """
+
+    def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
+        self.camera = Camera(size)
+        self.shown = Shown()
+        self._pen = pen
+        self._base = pygame.Surface(size)
+        self._canvas = pygame.Surface(size)
+        self._base_key: object = None
+        self._trail_key: object = None
+        self._trail_drawn = 0
+        self._fastest = 0.0
+
+    def use(self, world: World) -> None:
+        """Show another world."""
+        self._world = world
+        self._outlines = outlines(world.level, world.values)
+        self._moving = [o for o in self._outlines.values() if o.moves]
+        self._few = len(self._moving) <= NAMED
+        self._duration = count_steps(world) * world.dt
+        self._fastest = marks.fastest(world, self._duration)
+        self._base_key = None
+
+    def fit(self) -> None:
+        """Show the part of the plane that the level asks for."""
+        self.camera.fit(self._world.level.view, self._world.values)
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Draw on surfaces of another size from now on."""
+        if size != self.camera.size:
+            self.camera.resize(size)
+            self._base, self._canvas = pygame.Surface(size), pygame.Surface(size)
+            self._base_key = None
+
+    def draw(self, surface: pygame.Surface, trail: Trail | None = None) -> None:
+        """Draw the world as it is now on a surface of the stage's size."""
+        self._draw_base()
+        self._draw_trail(trail if self.shown.trail and self._few else None)
+        surface.blit(self._canvas, (0, 0))
+        self._draw_joints(surface)
+        self._draw_bodies(surface)
+        if self.shown.ghosts:
+            self._draw_ghosts(surface)
+        if self.shown.arrows:
+            self._draw_arrows(surface)
+        if self.shown.names and self._few:
+            for outline in self._moving:
+                position, angle = self._state(outline)
+                marks.draw_name(surface, self.camera, self._pen, outline, position, angle)
+
+    def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
+        """Return the body that a hand would take hold of at a pixel."""
+        x, y = self.camera.to_world(pixel)
+        reach = margin / self.camera.scale
+        for outline in reversed(self._moving):
+            (px, py), angle = self._state(outline)
+            if outline.heavy and outline.covers((x - px, y - py), angle, reach):
+                return outline.name
+        return None
+
+    def _state(self, outline: Outline) -> tuple[XY, float]:
+        snapshot = self._world.snapshot
+        x, y = snapshot.position[outline.row].tolist()
+        return (x, y), float(snapshot.angle[outline.row])
+
+    def _draw_base(self) -> None:
+        camera = self.camera
+        key = (camera.center, camera.scale, camera.size, self.shown.ghosts)
+        if key == self._base_key:
+            return
+        self._base_key, self._trail_key = key, None
+        grid.draw_grid(self._base, camera)
+        inside = self._middle()
+        for outline in self._outlines.values():
+            if not outline.moves:
+                bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
+        self._draw_centers()
+        if self.shown.ghosts:
+            for formulas in self._world.level.ghosts.values():
+                marks.draw_ghost_path(
+                    self._base, camera, formulas, self._world.values, self._duration
+                )
+        grid.draw_rulers(self._base, camera, self._pen)
+        grid.draw_scale_bar(self._base, camera, self._pen)
+
+    def _middle(self) -> XY:
+        """Return a point where things happen [m]."""
+        if not self._moving:
+            return self.camera.center
+        rows = [outline.row for outline in self._moving]
+        x, y = self._world.snapshot.position[rows].mean(axis=0).tolist()
+        return x, y
+
+    def _draw_centers(self) -> None:
+        """Mark the centres of attraction."""
+        for attraction in self._world.level.effects.attraction or ():
+            x, y = self.camera.to_screen(evaluate(attraction.center, self._world.values))
+            for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
+                lines.stroke(self._base, theme.STAGE, a, b, 2)
+
+    def _draw_trail(self, trail: Trail | None) -> None:
+        """Bring the trail on the canvas up to date, from the base if it must be."""
+        key = trail and (id(trail), trail.version)
+        count = len(trail) if trail else 0
+        if key != self._trail_key or count < self._trail_drawn or key is None:
+            self._canvas.blit(self._base, (0, 0))
+            self._trail_key, self._trail_drawn = key, 0
+        if trail is None or count == self._trail_drawn:
+            return
+        first = max(self._trail_drawn - 1, 0)
+        for outline in self._moving:
+            points = trail.points[first:, outline.row]
+            marks.draw_trail(self._canvas, self.camera, outline, points)
+        self._trail_drawn = count
+
+    def _draw_joints(self, surface: pygame.Surface) -> None:
+        world = self._world
+        for row, joint in enumerate(world.level.joints.values()):
+            a, b = (self._state(self._outlines[end])[0] for end in joint.ends)
+            slack = world.snapshot.tension[row] == 0
+            strings.draw_string(surface, self.camera, joint, world.values, (a, b), slack)
+
+    def _draw_bodies(self, surface: pygame.Surface) -> None:
+        many = len(self._moving) > bodies.FEW
+        turns = self._world.level.effects.rotation is not None
+        for outline in self._moving:
+            position, angle = self._state(outline)
+            if many:
+                bodies.draw_crowd(surface, self.camera, outline, position, angle)
+            else:
+                bodies.draw_body(surface, self.camera, outline, position, angle, turns)
+
+    def _draw_ghosts(self, surface: pygame.Surface) -> None:
+        world = self._world
+        t = float(world.snapshot.t)
+        if t > self._duration * (1 + 1e-9):
+            return
+        for name, formulas in world.level.ghosts.items():
+            where = marks.place(formulas, world.values, t)
+            if where is not None:
+                outline = self._outlines[name]
+                angle = self._state(outline)[1]
+                marks.draw_ghost(surface, self.camera, outline, where, angle)
+
+    def _draw_arrows(self, surface: pygame.Surface) -> None:
+        if not self._few or not self._moving:
+            return
+        snapshot = self._world.snapshot
+        speed = float(np.hypot(snapshot.velocity[:, 0], snapshot.velocity[:, 1]).max())
+        self._fastest = max(self._fastest, speed)
+        if not self._fastest:
+            return
+        longest = marks.LONGEST * self.camera.size[0]
+        seconds = longest / (self.camera.scale * self._fastest)
+        for outline in self._moving:
+            vx, vy = snapshot.velocity[outline.row].tolist()
+            position = self._state(outline)[0]
+            marks.draw_arrow(surface, self.camera, position, (vx, vy), seconds)
+        corner = self.camera.size[0] - 16.0, self.camera.size[1] - 66.0
+        marks.draw_arrow_key(surface, self.camera, self._pen, seconds, corner)

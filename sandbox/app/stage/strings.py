@@ -1,0 +1,98 @@
+"""Strings over pegs, drawn as if each peg were a little wheel on the inside of the bend."""
+
+from collections.abc import Sequence
+from math import acos, atan2, cos, hypot, pi, sin, tan
+from typing import NamedTuple
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import lines
+from sandbox.model.expressions import Values
+from sandbox.model.level import Pulley
+from sandbox.model.shapes import XY, evaluate
+
+WHEEL = 13.0  # px, the largest radius
+SHARE = 0.35
+"""How much of the shorter side of a bend the wheel may take up."""
+
+
+class Bend(NamedTuple):
+    """A string's way around a peg: the wheel, and the points of the arc [px]."""
+
+    center: XY
+    radius: float
+    arc: list[XY]
+
+
+def draw_string(
+    surface: pygame.Surface,
+    camera: Camera,
+    joint: Pulley,
+    values: Values,
+    ends: tuple[XY, XY],
+    slack: bool,
+) -> None:
+    """Draw a string between two points of the plane; a slack one is dashed."""
+    pegs = [evaluate(peg, values) for peg in joint.over]
+    corners = camera.path((ends[0], *pegs, ends[1]))
+    if not lines.near(corners):
+        return
+    bends = [_bend(*corners[i - 1 : i + 2]) for i in range(1, len(corners) - 1)]
+    way = [corners[0]]
+    for peg, bend in zip(corners[1:-1], bends, strict=True):
+        way += bend.arc if bend else [peg]
+    way.append(corners[-1])
+    for bend in bends:
+        if bend:
+            _wheel(surface, bend)
+    if slack:
+        lines.dashed(surface, theme.STRING, way, 4, 4)
+    else:
+        lines.path(surface, theme.STRING, way, 2)
+    _eyes(surface, corners)
+
+
+def _eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
+    """Mark where the string is tied."""
+    for x, y in (corners[0], corners[-1]):
+        pygame.draw.aacircle(surface, theme.STAGE, (x, y), 4)
+        pygame.draw.aacircle(surface, theme.STRING, (x, y), 2.5)
+
+
+def _wheel(surface: pygame.Surface, bend: Bend) -> None:
+    pygame.draw.aacircle(surface, theme.RAISED, bend.center, bend.radius)
+    pygame.draw.aacircle(surface, theme.SURFACE_EDGE, bend.center, bend.radius, 2)
+    pygame.draw.aacircle(surface, theme.SURFACE_EDGE, bend.center, 2.5)
+
+
+def _bend(before: XY, peg: XY, after: XY) -> Bend | None:
+    """Return the wheel that the string runs around, None where it runs straight on."""
+    to_before, to_after = _unit(peg, before), _unit(peg, after)
+    if to_before is None or to_after is None:
+        return None
+    half = acos(max(-1.0, min(1.0, to_before[0] * to_after[0] + to_before[1] * to_after[1]))) / 2
+    if not 0.02 < half < pi / 2 - 0.02:
+        return None
+    shorter = min(hypot(peg[0] - p[0], peg[1] - p[1]) for p in (before, after))
+    radius = min(WHEEL, SHARE * shorter * tan(half))
+    away = radius / sin(half)
+    middle = to_before[0] + to_after[0], to_before[1] + to_after[1]
+    size = hypot(*middle)
+    center = peg[0] + middle[0] / size * away, peg[1] + middle[1] / size * away
+    return Bend(center, radius, _arc(center, radius, peg, to_before, to_after, radius / tan(half)))
+
+
+def _arc(center: XY, radius: float, peg: XY, one: XY, other: XY, reach: float) -> list[XY]:
+    """Return the points of the arc between the two tangents, on the side of the peg."""
+    first = atan2(peg[1] + one[1] * reach - center[1], peg[0] + one[0] * reach - center[0])
+    last = atan2(peg[1] + other[1] * reach - center[1], peg[0] + other[0] * reach - center[0])
+    turn = (last - first + pi) % (2 * pi) - pi
+    steps = [first + turn * i / 8 for i in range(9)]
+    return [(center[0] + radius * cos(a), center[1] + radius * sin(a)) for a in steps]
+
+
+def _unit(a: XY, b: XY) -> XY | None:
+    size = hypot(b[0] - a[0], b[1] - a[1])
+    return ((b[0] - a[0]) / size, (b[1] - a[1]) / size) if size else None

@@ -1,0 +1,118 @@
+"""Text on surfaces: Noto Sans, as it comes with pygame_gui, with what was drawn kept for reuse."""
+
+from functools import lru_cache
+from importlib.resources import files
+from itertools import groupby
+
+import pygame
+
+from sandbox.app.theme import STAGE, TEXT, Color
+
+NO_LETTER = "\U0010ffff"
+
+
+class Pen:
+    """Writes text. Make one a window, after `pygame.font.init()`."""
+
+    def __init__(self) -> None:
+        self.font = lru_cache(maxsize=32)(_font)
+        self._lacking = lru_cache(maxsize=500)(self._lacks)
+        self.spare = lru_cache(maxsize=8)(_spare)
+        self.write = lru_cache(maxsize=600)(self._write)
+        self.outlined = lru_cache(maxsize=200)(self._outlined)
+
+    def _write(
+        self, text: str, size: int = 14, color: Color = TEXT, bold: bool = False
+    ) -> pygame.Surface:
+        """Return a line of text on a transparent surface."""
+        font = self.font(size, bold)
+        if text.isascii():
+            return font.render(text, True, color)
+        runs = groupby(text, key=self._lacking)
+        parts = [
+            (self.spare(size) if lacking else font).render("".join(letters), True, color)
+            for lacking, letters in runs
+        ]
+        width = sum(part.width for part in parts)
+        line = pygame.Surface((width, font.get_height()), pygame.SRCALPHA)
+        x = 0
+        for part in parts:
+            line.blit(part, (x, (line.height - part.height) // 2))
+            x += part.width
+        return line
+
+    def _lacks(self, letter: str) -> bool:
+        """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
+        font = self.font(16, False)
+        shown, box = (font.render(text, True, TEXT) for text in (letter, NO_LETTER))
+        return shown.size == box.size and shown.get_buffer().raw == box.get_buffer().raw
+
+    def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
+        """Return a line of text with a dark rim, legible on anything."""
+        light, dark = self.write(text, size), self.write(text, size, STAGE)
+        line = pygame.Surface((light.width + 2, light.height + 2), pygame.SRCALPHA)
+        for place in ((0, 0), (2, 0), (0, 2), (2, 2), (1, 0), (0, 1), (2, 1), (1, 2)):
+            line.blit(dark, place)
+        line.blit(light, (1, 1))
+        return line
+
+    def height(self, size: int = 14, bold: bool = False) -> int:
+        """Return the height of a line [px]."""
+        return self.font(size, bold).get_linesize()
+
+    def wrap(self, text: str, width: int, size: int = 14, bold: bool = False) -> list[str]:
+        """Break text into lines that are not wider than a width [px]."""
+        font = self.font(size, bold)
+        lines: list[str] = []
+        for paragraph in text.splitlines():
+            line = ""
+            for word in paragraph.split(" "):
+                longer = f"{line} {word}" if line else word
+                if font.size(longer)[0] <= width:
+                    line = longer
+                    continue
+                lines += [line] if line else []
+                *whole, line = self._pieces(word, width, font)
+                lines += whole
+            lines.append(line)
+        return lines
+
+    def paragraph(
+        self,
+        text: str,
+        width: int,
+        size: int = 14,
+        color: Color = TEXT,
+        bold: bool = False,
+    ) -> list[pygame.Surface]:
+        """Return the lines of a wrapped text."""
+        return [self.write(line, size, color, bold) for line in self.wrap(text, width, size, bold)]
+
+    def shorten(self, text: str, width: int, size: int = 14) -> str:
+        """Return as much of a text as fits on a line [px], with … where something was left out."""
+        font = self.font(size, False)
+        if font.size(text)[0] <= width:
+            return text
+        while text and font.size(f"{text}…")[0] > width:
+            text = text[:-1]
+        return f"{text.rstrip()}…"
+
+    @staticmethod
+    def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
+        """Cut a word that is wider than a line."""
+        pieces = [""]
+        for letter in word:
+            if pieces[-1] and font.size(pieces[-1] + letter)[0] > width:
+                pieces.append("")
+            pieces[-1] += letter
+        return pieces
+
+
+def _font(size: int, bold: bool) -> pygame.font.Font:
+    name = "NotoSans-Bold.ttf" if bold else "NotoSans-Regular.ttf"
+    return pygame.font.Font(str(files("pygame_gui") / "data" / name), size)
+
+
+def _spare(size: int) -> pygame.font.Font:
+    """Return the font for what Noto Sans has not: roots, arrows and other signs."""
+    return pygame.font.Font(str(files("pygame_gui") / "data" / "FiraCode-Regular.ttf"), size)

@@ -1,0 +1,55 @@
+"""Colours, after Okabe and Ito's palette, which no common colour blindness confuses."""
+
+from importlib.resources import files
+from pathlib import Path
+
+Color = tuple[int, int, int]
+
+STAGE: Color = (13, 18, 26)
+PANEL: Color = (22, 29, 40)
+RAISED: Color = (32, 42, 57)
+EDGE: Color = (44, 57, 76)
+GRID: Color = (24, 33, 46)
+GRID_STRONG: Color = (37, 50, 69)
+AXIS: Color = (70, 89, 117)
+TEXT: Color = (232, 238, 246)
+DIM: Color = (145, 160, 181)
+ACCENT: Color = (86, 180, 233)
+STRING: Color = (226, 220, 205)
+SURFACE: Color = (58, 71, 91)
+SURFACE_EDGE: Color = (128, 146, 172)
+GHOST: Color = (240, 228, 66)
+ARROW: Color = (64, 224, 170)
+
+KINETIC: Color = (230, 159, 0)
+POTENTIAL: Color = (86, 180, 233)
+TOTAL: Color = (214, 222, 233)
+
+PASSED: Color = (45, 200, 150)
+FAILED: Color = (255, 112, 67)
+WAITING: Color = (145, 160, 181)
+NOTICE: Color = (240, 200, 90)
+
+BODIES: tuple[Color, ...] = (
+    (86, 180, 233),
+    (230, 159, 0),
+    (204, 121, 167),
+    (0, 178, 130),
+    (213, 110, 50),
+    (170, 150, 235),
+)
+
+JSON = Path(str(files("sandbox.app") / "theme.json"))
+"""The look of the widgets."""
+
+
+def mix(a: Color, b: Color, share: float) -> Color:
+    """Return a colour on the way from one to another."""
+    red, green, blue = (round(p + (q - p) * share) for p, q in zip(a, b, strict=True))
+    return red, green, blue
+
+
+def parse(text: str) -> Color:
+    """Return the colour of a level's "#rrggbb"."""
+    red, green, blue = bytes.fromhex(text[1:])
+    return red, green, blue

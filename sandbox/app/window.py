@@ -1,0 +1,320 @@
+"""The window: events in, frames out."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from time import perf_counter
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.hand import Hand
+from sandbox.app.keys import WHILE_TYPING, Command, command
+from sandbox.app.panels import levels, messages
+from sandbox.app.panels.panels import Panels
+from sandbox.app.panels.parameters import Change
+from sandbox.app.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import choose, load
+
+SIZE = (1280, 800)  # px
+RATE = 60  # frames a second
+QUIET_RATE = 20  # frames a second while nothing happens
+QUIET = 1.0  # s without an event, after which nothing happens
+LONGEST_FRAME = 0.1  # s; what is missed beyond is not made up for
+NOTE = 5.0  # s, how long a passing note is shown
+
+
+class Window:
+    """The desktop app. `run` it, or drive it `frame` by `frame`.
+
+    Attributes
+    ----------
+    surface
+        What is shown.
+    session
+        The level that is played; None if it cannot be opened.
+    stage
+        The picture of it, and its camera.
+    panels
+        What stands around it.
+    hand
+        What the mouse does on it.
+    open
+        Whether the window is still wanted.
+    """
+
+    def __init__(self, size: tuple[int, int] = SIZE) -> None:
+        pygame.display.init()
+        pygame.font.init()
+        pygame.display.set_caption("Mechanics sandbox")
+        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.open = True
+        self.session: Session | None = None
+        self._pen = Pen()
+        self.stage = Stage(self._pen, size)
+        self.hand = Hand(self.stage)
+        self.panels = Panels(self._pen, size)
+        self._entries = levels.entries()
+        self._path: Path | None = None
+        self._settings: Mapping[str, float] = {}
+        self._refused = ""
+        self._note = ("", 0.0)
+        self._help = False
+        self._quiet = 0.0  # s since the last event
+        self._commands = self._make_commands()
+        self._lay_out()
+
+    def _make_commands(self) -> Mapping[Command, Callable[[], None]]:
+        stage, shown = self.stage, self.stage.shown
+        return {
+            "play": lambda: self._with_session(Session.toggle),
+            "step": lambda: self._with_session(Session.step),
+            "restart": self._restart,
+            "faster": lambda: self._with_session(Session.faster),
+            "slower": lambda: self._with_session(Session.slower),
+            "next level": lambda: self._neighbour(1),
+            "previous level": lambda: self._neighbour(-1),
+            "page down": lambda: self._turn(0.5),
+            "page up": lambda: self._turn(-0.5),
+            "reload": self._reload,
+            "arrows": lambda: setattr(shown, "arrows", not shown.arrows),
+            "trail": lambda: setattr(shown, "trail", not shown.trail),
+            "ghosts": lambda: setattr(shown, "ghosts", not shown.ghosts),
+            "names": lambda: setattr(shown, "names", not shown.names),
+            "fit": lambda: self._with_session(lambda _: stage.fit()),
+            "zoom in": lambda: stage.camera.zoom(1.25),
+            "zoom out": lambda: stage.camera.zoom(0.8),
+            "levels": lambda: self._toggle_column("levels"),
+            "panel": lambda: self._toggle_column("side"),
+            "next field": self._next_field,
+            "help": self._toggle_help,
+            "leave": self._leave,
+        }
+
+    def open_level(self, level: str, settings: Mapping[str, float] | None = None) -> None:
+        """Open a level by its name or path; if it cannot be, say why."""
+        try:
+            path = catalog.find(level).resolve()
+        except SandboxError as error:
+            self._refuse(None, str(error))
+            return
+        self._open(path, settings or {})
+
+    def _open(self, path: Path, settings: Mapping[str, float]) -> None:
+        if path not in [entry.path for entry in self._entries]:
+            self._entries.insert(0, levels.entry(path, "opened"))
+        self._path, self._settings = path, settings
+        try:
+            level = load(path)
+            session = Session(level, choose(level, settings))
+        except SandboxError as error:
+            self._refuse(path, str(error))
+            return
+        if self.session is not None:
+            session.speed = self.session.speed
+        self.session, self._refused = session, ""
+        self._world = session.world
+        self.stage.use(session.world)
+        self.stage.fit()
+        pygame.display.set_caption(f"{level.title} – Mechanics sandbox")
+        self._lay_out()
+
+    def _refuse(self, path: Path | None, text: str) -> None:
+        self._path, self._refused, self.session = path, text, None
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Build everything around the stage for the window as large as it is now."""
+        size = self.surface.size
+        self.panels.build(size, self._entries, self._path, self.session, self._refused)
+        self.stage.resize(self.panels.layout.stage.size)
+
+    def run(self) -> None:
+        """Show frames until the window is closed."""
+        clock, before = pygame.time.Clock(), perf_counter()
+        while self.open:
+            clock.tick(RATE if self._busy else QUIET_RATE)
+            now = perf_counter()
+            self.frame(min(now - before, LONGEST_FRAME))
+            before = now
+            pygame.display.flip()
+
+    @property
+    def _busy(self) -> bool:
+        playing = self.session is not None and self.session.playing
+        return playing or self._quiet < QUIET
+
+    def frame(self, seconds: float) -> None:
+        """Handle what has happened, let time pass, and draw."""
+        events = pygame.event.get()
+        self._quiet = 0.0 if events else self._quiet + seconds
+        for event in events:
+            self._handle(event)
+        self.panels.manager.update(seconds)
+        self._note = self._note[0], self._note[1] - seconds
+        if self.session is not None:
+            self._leave_fields()
+            self.session.update(seconds)
+            self._follow(self.session)
+        if self.panels.side is not None:
+            self.panels.side.update(seconds)
+        self.panels.controls.update(self.session, self.stage.shown)
+        self._draw()
+
+    def _follow(self, session: Session) -> None:
+        """Show the session's world, if it has been built anew."""
+        if session.world is not self._world:
+            self._world = session.world
+            self.stage.use(session.world)
+
+    def _handle(self, event: pygame.event.Event) -> None:
+        if event.type == pygame.QUIT:
+            self.open = False
+        elif event.type == pygame.VIDEORESIZE:
+            self.surface = pygame.display.get_surface() or self.surface
+            self._lay_out()
+        elif event.type == pygame.DROPFILE:
+            self.open_level(event.file)
+        elif self._change(event):
+            return
+        elif event.type == pygame.KEYDOWN:
+            self._key(event)
+        elif not self.panels.manager.process_events(event):
+            self._click(event)
+
+    def _key(self, event: pygame.event.Event) -> None:
+        chosen = command(event)
+        if chosen and (not self.panels.typing or chosen in WHILE_TYPING):
+            self._commands[chosen]()
+        else:
+            self.panels.manager.process_events(event)
+
+    def _click(self, event: pygame.event.Event) -> None:
+        """Give an event to the list, to the controls, or to the stage."""
+        if self.panels.list is not None and (path := self.panels.list.process(event)):
+            self._open(path, {})
+        elif chosen := self.panels.controls.process(event):
+            self._commands[chosen]()
+        elif self.session is not None:
+            mouse = pygame.mouse.get_pos()
+            if event.type == pygame.MOUSEWHEEL and self.panels.layout.stage.collidepoint(mouse):
+                self.hand.wheel(event.precise_y, mouse, self.panels.layout.stage)
+            elif event.type in _MOUSE:
+                self.hand.process(event, self.panels.layout.stage, self.session)
+
+    def _change(self, event: pygame.event.Event) -> bool:
+        side = self.panels.side
+        change = side.parameters.process(event) if side is not None else None
+        if change is not None:
+            self._set(change)
+        return change is not None
+
+    def _leave_fields(self) -> None:
+        """Take what was typed into a field that has been left."""
+        side = self.panels.side
+        if side is not None and (change := side.parameters.left()):
+            self._set(change)
+
+    def _set(self, change: Change) -> None:
+        """Change a parameter, which starts the run anew; a value that cannot be is told."""
+        assert self.session is not None
+        assert self.panels.side is not None
+        if change.value is None:
+            self._tell(f"'{change.typed}' is not a number")
+        elif change.value != self.session.values[change.name]:
+            try:
+                self.session.restart({change.name: change.value})
+            except SandboxError as error:
+                self._tell(str(error))
+        self.panels.side.parameters.show(self.session.values)
+        self.panels.side.parameters.revert()
+
+    def _tell(self, text: str) -> None:
+        self._note = text, NOTE
+
+    def _with_session(self, act: Callable[[Session], None]) -> None:
+        if self.session is not None:
+            act(self.session)
+
+    def _restart(self) -> None:
+        if self.session is None:
+            self._reload()
+        else:
+            self.session.restart()
+
+    def _reload(self) -> None:
+        if self._path is not None:
+            self._open(self._path, self._settings)
+
+    def _neighbour(self, direction: int) -> None:
+        paths = [entry.path for entry in self._entries]
+        if not paths:
+            return
+        here = paths.index(self._path) if self._path in paths else -min(direction, 0)
+        self._open(paths[(here + direction) % len(paths)], {})
+
+    def _toggle_column(self, name: str) -> None:
+        self.panels.hide_or_show(name)
+        self._lay_out()
+
+    def _next_field(self) -> None:
+        if self.panels.side is not None:
+            backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
+            self.panels.side.focus(-1 if backwards else 1)
+
+    def _turn(self, pages: float) -> None:
+        if self.panels.side is not None:
+            self.panels.side.turn(pages)
+
+    def _toggle_help(self) -> None:
+        self._help = not self._help
+
+    def _leave(self) -> None:
+        """Close the help, let go of a field, put the tape away; else quit."""
+        if self._help:
+            self._help = False
+        elif self.panels.side is not None and self.panels.typing:
+            self.panels.side.parameters.revert()
+            self.panels.manager.set_focus_set(None)
+        elif self.hand.tape is not None:
+            self.hand.tape = None
+        else:
+            self.open = False
+
+    def _draw(self) -> None:
+        layout, surface = self.panels.layout, self.surface
+        area = layout.stage.clip(surface.get_rect())
+        if self.session is not None and area:
+            view = surface.subsurface(area)
+            self.stage.draw(view, self.session.trail)
+            if self.hand.tape is not None:
+                self.hand.tape.draw(view, self.stage.camera, self._pen)
+            self._draw_banner(self.session)
+        else:
+            surface.fill(theme.STAGE, layout.stage)
+        for column in (layout.levels, layout.side):
+            surface.fill(theme.PANEL, column)
+        self.panels.controls.draw(surface, self.session)
+        self.panels.manager.draw_ui(surface)
+        for x in (layout.stage.left, layout.stage.right - 1):
+            surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
+        if self._help:
+            messages.draw_help(surface, self._pen, layout.stage)
+
+    def _draw_banner(self, session: Session) -> None:
+        text, color = "", theme.NOTICE
+        if session.failure is not None:
+            text, color = f"{session.failure} – R restarts", theme.FAILED
+        elif self._note[1] > 0:
+            text = self._note[0]
+        elif session.at_end and not session.playing:
+            when = wording.seconds(session.duration)
+            text, color = f"Run complete at {when} – R restarts, Space goes on", theme.ACCENT
+        if text:
+            messages.draw_banner(self.surface, self._pen, self.panels.layout.stage, text, color)
+
+
+_MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)

@@ -1,0 +1,158 @@
+"""The commands, their arguments and their help."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+app = typer.Typer(
+    name="sandbox",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+LevelArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="LEVEL",
+        help="A name that 'list' shows, such as newton/atwood, or the path of a level's file.",
+        show_default=False,
+    ),
+]
+SetOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="NAME=VALUE",
+        help="Give a parameter of the level another value, in the parameter's own unit:"
+        " --set m2=3. Can be repeated.",
+        show_default=False,
+    ),
+]
+
+
+@app.callback(invoke_without_command=True)
+def start(context: typer.Context) -> None:
+    """Play with the textbook's mechanics, and see how closely it is kept.
+
+    Without a command, the sandbox opens its window.
+
+    Exit status: 0 if all is well, 1 if a check or a level failed, 2 for wrong usage.
+    """
+    if context.invoked_subcommand is None:
+        from sandbox.cli.playing import open_sandbox
+
+        raise typer.Exit(open_sandbox())
+
+
+@app.command()
+def play(level: LevelArgument, set_: SetOption = None) -> None:
+    """Open a level in the window."""
+    from sandbox.cli.playing import play
+
+    play(level, set_ or [])
+
+
+@app.command("list")
+def list_() -> None:
+    """List the levels: their names, titles, effects and summaries.
+
+    Into a file or another program, each level is one line with tabs between the four.
+    """
+    from sandbox.cli.listing import show_levels
+
+    show_levels()
+
+
+@app.command()
+def check(
+    levels: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
+        ),
+    ],
+) -> None:
+    """Check whether levels are well formed.
+
+    Every mistake is shown with its file, line and column, the path inside the level, the rule that
+    it breaks, and where possible what was probably meant. Nothing is run.
+    """
+    from sandbox.cli.checking import check
+
+    raise typer.Exit(check(levels))
+
+
+@app.command()
+def simulate(
+    level: LevelArgument,
+    output: Annotated[
+        Path,
+        typer.Option(metavar="FILE.csv", help="The table that is written.", show_default=False),
+    ],
+    set_: SetOption = None,
+    duration: Annotated[
+        float | None,
+        typer.Option(metavar="S", help="How long, in seconds; as the level says if left out."),
+    ] = None,
+    rate: Annotated[
+        float | None,
+        typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
+    ] = None,
+    record: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="QUANTITY",
+            help="What to write a column of, such as ball.position.x or system.energy; 'all' is"
+            " everything. Can be repeated. If left out: what the level's checks need, and the"
+            " position and velocity of every body that moves freely.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Run a level and write it as a CSV file.
+
+    No window is opened. The comments at the top of the file say all that is needed to run it
+    again. What the level's checks found is printed, and the exit status is 1 if one failed.
+    """
+    from sandbox.cli.simulating import simulate
+
+    raise typer.Exit(simulate(level, output, set_ or [], duration, rate, record or []))
+
+
+@app.command()
+def render(
+    level: LevelArgument,
+    output: Annotated[
+        Path,
+        typer.Option(metavar="FILE.png", help="The picture that is written.", show_default=False),
+    ],
+    set_: SetOption = None,
+    at: Annotated[
+        float | None,
+        typer.Option(metavar="S", help="The time that is shown, in seconds.", show_default=False),
+    ] = None,
+) -> None:
+    """Draw a level as a PNG picture, without a window."""
+    from sandbox.cli.rendering import render
+
+    render(level, output, set_ or [], at)
+
+
+@app.command()
+def tour(
+    output: Annotated[
+        Path,
+        typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
+    ],
+) -> None:
+    """Run, check and draw every level, without a window.
+
+    The folder receives a picture of each level, and an index.html that shows them all with what
+    their checks found. The exit status is 1 if any level or check failed.
+    """
+    from sandbox.cli.touring import tour
+
+    raise typer.Exit(tour(output))

@@ -1,0 +1,33 @@
+"""From the shell and back: every error becomes a message and an exit status."""
+
+import io
+import sys
+
+import typer
+
+from sandbox.cli.commands import app
+from sandbox.model.errors import SandboxError
+
+FAILED, MISUSED = 1, 2
+
+
+def main() -> None:
+    """Run the command line and leave the process with its exit status.
+
+    0 all well, 1 a check or level failed, 2 wrong usage.
+    """
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")  # not every terminal can spell m/s²
+    try:
+        app()
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        sys.exit(MISUSED if _is_misuse(error) else FAILED)
+
+
+def _is_misuse(error: SandboxError) -> bool:
+    """Whether it is about what was typed, not about a level."""
+    from sandbox.cli.usage import MISUSES
+
+    return isinstance(error, MISUSES)

@@ -1,0 +1,35 @@
+"""`render`: a level as a picture."""
+
+import os
+from collections.abc import Sequence
+from math import isfinite
+from pathlib import Path
+
+import typer
+
+from sandbox.cli import usage
+from sandbox.model.loading import choose
+
+
+def go_headless() -> None:
+    """Let pygame draw without a display, without sound, and without greeting anybody."""
+    os.environ["SDL_VIDEODRIVER"] = "dummy"
+    os.environ["SDL_AUDIODRIVER"] = "dummy"
+    os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
+
+
+def render(argument: str, output: Path, pairs: Sequence[str], at: float | None) -> None:
+    """Draw a level as it is at a time."""
+    settings = usage.settings(pairs)
+    if output.suffix.lower() != ".png":
+        raise usage.UsageError(f"--output {output}: the picture is a PNG; its name must end so")
+    usage.output_file(output)
+    if at is not None and not (isfinite(at) and at >= 0):
+        raise usage.UsageError(f"--at {at:g}: must be a finite time, at least 0")
+    source, level = usage.open_level(argument)
+    values = choose(level, settings)
+    go_headless()
+    from sandbox.app.picture import save_picture
+
+    save_picture(level, values, output, at=at)
+    typer.echo(f"{output}: {source}")

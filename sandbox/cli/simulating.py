@@ -1,0 +1,101 @@
+"""`simulate`: a run as a CSV file."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+from pydantic import ValidationError
+from rich.console import Console
+
+from sandbox.cli import usage, verdicts
+from sandbox.model import wording
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import choose
+from sandbox.model.quantities import quantities, quantity
+from sandbox.physics import trace as traces
+from sandbox.physics.checks import grade
+from sandbox.physics.export import write_csv
+from sandbox.physics.trace import Trace, needed
+
+
+def simulate(
+    argument: str,
+    output: Path,
+    pairs: Sequence[str],
+    duration: float | None,
+    rate: float | None,
+    record: Sequence[str],
+) -> int:
+    """Run a level, write it, say what its checks found, and return the exit status."""
+    settings = usage.settings(pairs)
+    usage.output_file(output)
+    if duration is not None:
+        usage.positive(duration, "--duration")
+    source, level = usage.open_level(argument)
+    values = choose(level, settings)
+    names = chosen(level, record)
+    stepping = stepping_at(level, rate)
+    with Console(stderr=True).status(f"Simulating {source} ..."):
+        recorded = dict.fromkeys([*names, *needed(level)])
+        trace = traces.simulate(level, values, duration, recorded, stepping)
+    write_csv(output, trace, source, names)
+    steps = f"{len(trace.t) - 1} steps at {trace.stepping.rate:g} Hz to t = {trace.t[-1]:.6g} s"
+    typer.echo(f"{output}: {source}, {steps}, {len(names) + 1} columns")
+    return report(trace)
+
+
+def chosen(level: Level, record: Sequence[str]) -> list[str]:
+    """Return the names of the quantities to write.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity.
+    """
+    if "all" in record:
+        names = [quantity.name for quantity in quantities(level)]
+    elif record:
+        names = [quantity(name, level).name for name in record]
+    else:
+        names = [*needed(level), *_motion(level)]
+    return [name for name in dict.fromkeys(names) if name != "t"]
+
+
+def _motion(level: Level) -> list[str]:
+    """Return where the dynamic bodies are and how they move."""
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    vectors = [f"{name}.{vector}" for name in dynamic for vector in ("position", "velocity")]
+    return [f"{vector}.{component}" for vector in vectors for component in ("x", "y")]
+
+
+def stepping_at(level: Level, rate: float | None) -> Stepping:
+    """Return the level's stepping with another rate [Hz]."""
+    if rate is None:
+        return level.stepping
+    usage.positive(rate, "--rate")
+    try:
+        return Stepping.model_validate({**level.stepping.model_dump(), "rate": rate})
+    except ValidationError as error:
+        rule = wording.rule(error.errors()[0], ("rate",))
+        raise usage.UsageError(f"--rate {rate:g}: {rule} steps a second") from error
+
+
+def report(trace: Trace) -> int:
+    """Say what the checks found in a run, and return the exit status.
+
+    The checks are made for the level's own duration: what goes beyond it is not graded, and a run
+    that ends before is graded as far as it goes.
+    """
+    if not trace.level.checks:
+        typer.echo("the level states no checks")
+        return 0
+    duration = trace.level.duration(trace.values)
+    complete = bool(trace.t[-1] >= duration * (1 - 1e-12))
+    results = grade(trace.until(duration))
+    for line in verdicts.lines(results, complete=complete):
+        typer.echo(line)
+    if not complete:
+        typer.echo(
+            f"the run is shorter than the level's {duration:.6g} s: graded as far as it goes"
+        )
+    return int(any(verdicts.failed(result, complete=complete) for result in results))

@@ -1,0 +1,67 @@
+"""`tour`: every level run, checked and drawn."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+from rich.text import Text
+
+from sandbox.cli import usage, verdicts
+from sandbox.cli.rendering import go_headless
+from sandbox.model import catalog
+from sandbox.model.files import write_atomically
+
+if TYPE_CHECKING:
+    from sandbox.cli.visits import Visit
+
+INDEX = "index.html"
+
+
+def tour(folder: Path) -> int:
+    """Visit every level, leave pictures and a page in a folder, and return the exit status."""
+    usage.output_folder(folder)
+    go_headless()
+    from sandbox.cli.gallery import page
+    from sandbox.cli.visits import visit
+
+    progress = Console(stderr=True)
+    with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
+        visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
+    write_atomically(folder / INDEX, page(visits))
+    Console(highlight=False).print(_table(visits))
+    for visited in visits:
+        _explain(visited)
+    bad = sum(not visited.passed for visited in visits)
+    typer.echo(f"{usage.levels(len(visits))}, {bad or 'none'} failed; see {folder / INDEX}")
+    return int(bad > 0)
+
+
+def _table(visits: "list[Visit]") -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column("level", no_wrap=True)
+    for title in ("checks", "error / bound", "seconds"):
+        table.add_column(title, justify="right", no_wrap=True)
+    table.add_column("verdict")
+    for visited in visits:
+        worst = verdicts.worst(visited.results)
+        table.add_row(
+            visited.name,
+            str(len(visited.results)),
+            "-" if worst is None else f"{worst:.2g}",
+            f"{visited.seconds:.2f}",
+            Text("passed", "green") if visited.passed else Text("failed", "bold red"),
+        )
+    return table
+
+
+def _explain(visited: "Visit") -> None:
+    """Say in what way a level failed."""
+    if visited.error:
+        typer.echo(f"{visited.name}: {visited.error}", err=True)
+    if visited.failures:
+        typer.echo(f"{visited.name}:", err=True)
+        for line in verdicts.lines(visited.failures, complete=True):
+            typer.echo(f"  {line}", err=True)

@@ -1,0 +1,60 @@
+"""What a level's checks found, as lines of text."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from sandbox.model.expressions import Expression
+from sandbox.physics.checks import Result
+
+_GAP = "  "
+_HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
+
+
+def failed(result: Result, *, complete: bool) -> bool:
+    """Whether a check failed; in a complete run its moment must have come, too."""
+    return result.verdict == "failed" or (complete and result.verdict == "waiting")
+
+
+def lines(results: Sequence[Result], *, complete: bool) -> Iterator[str]:
+    """Yield a header and one line a check, in columns."""
+    rows = [_HEADER, *(_row(result, complete=complete) for result in results)]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        yield _GAP.join(cells).rstrip()
+
+
+def worst(results: Iterable[Result]) -> float | None:
+    """Return the largest error as a share of its tolerance; None if nothing was measured."""
+    shares = [r.error / r.check.tolerance for r in results if r.error is not None]
+    return max(shares, default=None)
+
+
+def _row(result: Result, *, complete: bool) -> tuple[str, ...]:
+    check = result.check
+    return (
+        check.quantity,
+        _value(result.measured, result.unit),
+        _value(result.expected, result.unit),
+        "-" if result.error is None else f"{result.error:.2g}",
+        f"{check.tolerance:g}",
+        verdict(result, complete=complete) + _occasion(result),
+    )
+
+
+def verdict(result: Result, *, complete: bool) -> str:
+    """Return the verdict in words."""
+    if result.verdict == "waiting":
+        return "failed: never came" if complete else "not reached"
+    return result.verdict
+
+
+def _value(value: float | None, unit: str) -> str:
+    return "-" if value is None else f"{value:.7g} {unit}"
+
+
+def _occasion(result: Result) -> str:
+    """Return what tells checks of the same quantity apart."""
+    at = result.check.at
+    when = "" if at is None else "at a time" if isinstance(at, Expression) else f"at {at.event}"
+    about = ", ".join(part for part in (result.check.label, when) if part)
+    return f" ({about})" if about else ""

@@ -1,0 +1,72 @@
+"""A level run, checked and drawn."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+
+from sandbox.app.picture import save_picture
+from sandbox.cli import verdicts
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.loading import load
+from sandbox.physics.checks import Result, grade
+from sandbox.physics.trace import simulate
+
+
+@dataclass(slots=True)
+class Visit:
+    """What was found of a level.
+
+    Attributes
+    ----------
+    name
+        What was visited.
+    level
+        None if it could not be read.
+    results
+        Of its checks.
+    seconds
+        How long the run took, drawing not included [s].
+    picture
+        The name of its file; None if it could not be drawn.
+    error
+        Why the level could not be read, run or drawn; empty if it could.
+    """
+
+    name: str
+    level: Level | None = None
+    results: tuple[Result, ...] = ()
+    seconds: float = 0.0
+    picture: str | None = None
+    error: str = ""
+
+    @property
+    def failures(self) -> tuple[Result, ...]:
+        """The checks that failed."""
+        return tuple(r for r in self.results if verdicts.failed(r, complete=True))
+
+    @property
+    def passed(self) -> bool:
+        """Whether all is well."""
+        return not (self.error or self.failures)
+
+
+def visit(name: str, folder: Path) -> Visit:
+    """Run a level as it is, grade it, and leave a picture of it in a folder."""
+    found = Visit(name)
+    try:
+        _fill(found, folder)
+    except SandboxError as error:
+        found.error = str(error)
+    return found
+
+
+def _fill(found: Visit, folder: Path) -> None:
+    found.level = level = load(catalog.find(found.name))
+    start = perf_counter()
+    found.results = grade(simulate(level))
+    found.seconds = perf_counter() - start
+    picture = f"{found.name.replace('/', '-')}.png"
+    save_picture(level, level.defaults, folder / picture)
+    found.picture = picture

@@ -1,0 +1,36 @@
+"""Starting the app."""
+
+import subprocess
+import sys
+
+import pytest
+
+from sandbox.app import main
+
+
+@pytest.mark.parametrize("driver", ["dummy", "offscreen"])
+def test_a_driver_without_a_screen_is_no_display(
+    driver: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", driver)
+
+    assert not main.has_display()
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems always have a display server")
+def test_without_a_display_nothing_is_printed() -> None:
+    code = "from sandbox.app.main import has_display; raise SystemExit(has_display())"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, env={}
+    )
+
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
+    code = (
+        "import sys, sandbox, sandbox.app, sandbox.physics.trace, sandbox.model.catalog;"
+        "raise SystemExit('pygame' in sys.modules)"
+    )
+
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -1,0 +1,243 @@
+"""A level being played, without a window."""
+
+import numpy as np
+import pytest
+
+from sandbox.app.pace import SPEEDS, Pace
+from sandbox.app.session import Session
+from sandbox.model.errors import ValueRangeError
+from sandbox.model.loading import parse
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import build
+from tests.app import scenes
+
+FRAME = 1 / 60  # s
+
+
+def play(session: Session, frame: float = FRAME) -> None:
+    session.toggle()
+    while session.playing:
+        session.update(frame, budget=10.0)
+
+
+def state(session: Session) -> bytes:
+    snapshot = session.world.snapshot
+    arrays = (snapshot.position, snapshot.velocity, snapshot.angle, snapshot.acceleration)
+    return b"".join(array.tobytes() for array in arrays)
+
+
+@pytest.mark.parametrize("speed", [0.1, 1.0, 8.0])
+def test_the_speed_of_playing_does_not_change_a_single_bit(speed: float) -> None:
+    level = scenes.level()
+    session = Session(level)
+    session.speed = speed
+    headless = build(level)
+
+    play(session, frame=0.0173)
+    headless.advance(count_steps(headless))
+
+    assert session.world.steps == headless.steps == 60
+    assert np.array_equal(session.world.snapshot.position, headless.snapshot.position)
+    assert np.array_equal(session.world.snapshot.velocity, headless.snapshot.velocity)
+
+
+def test_stepping_by_hand_ends_in_the_same_state_as_playing() -> None:
+    played, stepped = Session(scenes.level()), Session(scenes.level())
+
+    play(played)
+    for _ in range(60):
+        stepped.step()
+
+    assert state(played) == state(stepped)
+
+
+def test_a_frame_takes_whole_steps_and_owes_the_rest() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    for _ in range(5):
+        session.update(0.0125)  # 0.75 steps each
+
+    assert session.world.steps == 3
+
+
+def test_what_the_budget_cannot_pay_is_dropped_and_told() -> None:
+    session = Session(scenes.level(duration=100))
+    session.toggle()
+
+    session.update(1.0, budget=0.0)
+
+    assert session.world.steps == 1
+    assert session.pace.reduced == pytest.approx(1 / 60)
+
+
+def test_a_pace_forgets_what_is_more_than_half_a_second_ago() -> None:
+    pace = Pace()
+
+    pace.note(0.1, 0.05, dropped=3)
+    for _ in range(6):
+        pace.note(0.1, 0.1, dropped=0)
+
+    assert pace.reduced is None
+
+
+def test_a_run_pauses_by_itself_when_it_is_complete_and_goes_on_when_asked() -> None:
+    session = Session(scenes.level())
+
+    play(session)
+    assert session.at_end
+    assert session.t == pytest.approx(1.0)
+    session.toggle()
+    session.update(0.1)
+
+    assert session.playing
+    assert session.world.steps == 66
+
+
+def test_the_checks_judge_the_duration_only() -> None:
+    session = Session(scenes.level())
+    play(session)
+    at_the_end = session.readings()
+
+    for _ in range(30):
+        session.step()
+
+    assert session.readings() == at_the_end
+
+
+def test_a_reading_of_every_step_shows_the_present_and_the_worst_error() -> None:
+    session = Session(scenes.level())
+    for _ in range(15):
+        session.step()
+
+    height, half_way = session.readings()
+
+    assert height.measured == pytest.approx(5 - 10 * 0.25**2 / 2)
+    assert height.expected == pytest.approx(height.measured, rel=1e-12)
+    assert height.result.verdict == "passed"
+    assert half_way.result.verdict == "waiting"
+    assert half_way.measured is None
+
+
+def test_a_change_of_a_parameter_starts_the_run_anew() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+    session.update(0.5)
+
+    session.restart({"g": 20})
+
+    assert session.t == 0
+    assert session.playing
+    assert session.values["g"] == 20
+    assert session.values["mass"] == 1
+
+
+def test_a_value_out_of_range_is_refused_and_changes_nothing() -> None:
+    session = Session(scenes.level())
+    world = session.world
+
+    with pytest.raises(ValueRangeError):
+        session.restart({"g": 21})
+
+    assert session.world is world
+
+
+def test_a_body_is_pulled_while_time_runs() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    session.grab("ball", (0, 5))
+    for _ in range(30):
+        session.drag((2, 5))
+        session.update(FRAME)
+
+    x, y = session.world.snapshot.position[0]
+    assert x > 1
+    assert y > 4
+    assert session.world.disturbed
+
+
+def test_a_body_is_put_elsewhere_while_time_stands() -> None:
+    session = Session(scenes.level())
+
+    session.grab("ball", (0.2, 5.1))
+    session.drag((2.2, 3.1))
+    session.release()
+
+    assert session.world.snapshot.position[0] == pytest.approx([2.0, 3.0])
+    assert session.t == 0
+    assert session.world.disturbed
+
+
+def test_to_hold_a_body_without_moving_disturbs_nothing() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    session.grab("ball", (0, 5))
+    session.update(0.1)
+    session.release()
+
+    assert not session.world.disturbed
+
+
+def test_a_body_that_is_held_when_time_stops_is_put_from_then_on() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+    session.grab("ball", (0, 5))
+    session.drag((1, 5))
+    session.update(0.1)
+
+    session.toggle()
+    session.drag((3, 3))
+
+    assert session.world.snapshot.position[0] == pytest.approx([3, 3], abs=0.2)
+
+
+def test_a_string_that_cannot_be_kept_stops_the_run_and_leaves_the_last_good_state() -> None:
+    session = Session(parse(scenes.runaway()))
+
+    play(session)
+
+    assert session.failure is not None
+    assert "string" in str(session.failure)
+    assert np.isfinite(session.world.snapshot.position).all()
+    session.toggle()
+    assert not session.playing
+    session.restart()
+    assert session.failure is None
+
+
+def test_the_energies_of_a_fall_are_exchanged() -> None:
+    session = Session(scenes.level())
+    play(session)
+
+    start, now = session.start_energies, session.energies()
+
+    assert start.kinetic == 0
+    assert now.kinetic == pytest.approx(50)
+    assert now.total == pytest.approx(start.total)
+
+
+def test_the_speeds_go_from_a_tenth_to_eight_and_no_further() -> None:
+    session = Session(scenes.level())
+
+    for _ in range(20):
+        session.slower()
+    assert session.speed == 0.1
+    for _ in range(20):
+        session.faster()
+
+    assert session.speed == SPEEDS[-1] == 8
+
+
+def test_a_full_trail_is_thinned_and_keeps_its_beginning() -> None:
+    session = Session(scenes.level(duration=1000))
+    for _ in range(4500):
+        session.step()
+
+    assert len(session.trail) <= 4000
+    assert session.trail.version == 1
+    assert session.trail.points[0, 0] == pytest.approx([0, 5])
+    assert session.trail.points[-1, 0] == pytest.approx(
+        session.world.snapshot.position[0], rel=1e-3
+    )

@@ -1,0 +1,188 @@
+"""The picture of a world, on a bare surface."""
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme
+from sandbox.app.session import Session
+from sandbox.app.stage.outline import outlines
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.shapes import XY
+from tests.app import scenes
+
+SIZE = (640, 480)
+
+
+def draw(session: Session, stage: Stage) -> pygame.Surface:
+    surface = pygame.Surface(SIZE)
+    stage.draw(surface, session.trail)
+    return surface
+
+
+def count(surface: pygame.Surface, color: Color) -> int:
+    return int((pygame.surfarray.array3d(surface) == color).all(axis=2).sum())
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session(scenes.level())
+
+
+@pytest.fixture
+def stage(pen: Pen, session: Session) -> Stage:
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+    return stage
+
+
+def test_the_ghost_is_drawn_where_the_closed_form_says(pen: Pen) -> None:
+    session = Session(scenes.level(ghosts={"ball": ["4 + t", 1]}, checks=[]))
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+    x, y = stage.camera.to_screen((4, 1))
+    around = pygame.Rect(0, 0, 50, 50)
+    around.center = round(x), round(y)
+
+    with_ghost = draw(session, stage).subsurface(around).copy()
+    stage.shown.ghosts = False
+    without = draw(session, stage).subsurface(around)
+
+    assert count(with_ghost, theme.GHOST) > 10
+    assert count(without, theme.GHOST) == 0
+
+
+def test_a_ghost_ends_with_the_duration_of_its_formula(session: Session, stage: Stage) -> None:
+    for _ in range(61):
+        session.step()
+
+    assert count(draw(session, stage), theme.GHOST) == 0
+
+
+def test_the_trail_is_left_behind_and_can_be_hidden(session: Session, stage: Stage) -> None:
+    draw(session, stage)
+    for _ in range(60):
+        session.step()
+    stage.shown.ghosts = stage.shown.arrows = False
+    x, y = stage.camera.to_screen((0, 4))
+
+    shown = draw(session, stage).get_at((round(x), round(y)))
+    stage.shown.trail = False
+    hidden = draw(session, stage).get_at((round(x), round(y)))
+
+    assert shown[0] > hidden[0] + 50
+
+
+def test_a_trail_drawn_bit_by_bit_is_the_trail_drawn_at_once(
+    pen: Pen, session: Session, stage: Stage
+) -> None:
+    for _ in range(40):
+        session.step()
+        bit_by_bit = draw(session, stage)
+    other = Stage(pen, SIZE)
+    other.use(session.world)
+    other.fit()
+    at_once = draw(session, other)
+
+    a, b = (pygame.surfarray.array3d(s).astype(int) for s in (bit_by_bit, at_once))
+    assert (np.abs(a - b).max(axis=2) > 60).sum() < 60
+
+
+def test_the_arrow_points_where_the_ball_goes(session: Session, stage: Stage) -> None:
+    for _ in range(60):
+        session.step()
+    surface = draw(session, stage)
+    x, y = stage.camera.to_screen((0, 0))
+
+    below = surface.subsurface((round(x) - 10, round(y) + 20, 20, 60))
+    above = surface.subsurface((round(x) - 10, round(y) - 90, 20, 60))
+
+    assert count(below, theme.ARROW) > 50
+    assert count(above, theme.ARROW) == 0
+
+
+def test_only_what_a_hand_can_move_is_picked(pen: Pen) -> None:
+    session = Session(
+        scenes.level(
+            effects={"gravity": {"acceleration": [0, "-g"]}, "contact": {}},
+            bodies={
+                "ball": {
+                    "shape": {"type": "box", "width": 1, "height": 1},
+                    "mass": "mass",
+                    "position": [0, 5],
+                    "angle": "45*deg",
+                },
+                "floor": {
+                    "type": "static",
+                    "shape": {"type": "segment", "start": [-9, -1], "end": [9, -1]},
+                },
+            },
+        )
+    )
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+
+    def pick(point: XY) -> str | None:
+        return stage.body_at(stage.camera.to_screen(point), margin=0)
+
+    assert pick((0, 5.65)) == "ball"
+    assert pick((0.45, 5.45)) is None  # a corner of the box as it would be if it were not turned
+    assert pick((0, -1)) is None
+
+
+@pytest.mark.parametrize(
+    "shape",
+    [
+        {"type": "disc", "radius": 1},
+        {"type": "hoop", "radius": 1},
+        {"type": "box", "width": 1, "height": 2},
+        {"type": "polygon", "vertices": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]},
+        {"type": "segment", "start": [-1, 0], "end": [1, 0.5], "thickness": 0.1},
+        {"type": "polyline", "points": [[-1, 0], [0, 1], [1, 0]]},
+    ],
+)
+@pytest.mark.parametrize("kind", ["dynamic", "static"])
+def test_every_shape_is_drawn(pen: Pen, shape: dict[str, object], kind: str) -> None:
+    body = {"shape": shape, "color": scenes.BALL, "type": kind, "position": [4, 4]}
+    if kind == "dynamic":
+        body["mass"] = "mass"
+    bodies = {"ball": {"shape": {"type": "disc", "radius": 0.1}, "mass": "mass"}, "other": body}
+    session = Session(scenes.level(bodies=bodies, ghosts={}, checks=[]))
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+    empty = pygame.Surface(SIZE)
+    empty.fill(theme.STAGE)
+
+    drawn = draw(session, stage)
+
+    around = pygame.Rect(0, 0, 90, 90)
+    around.center = tuple(round(c) for c in stage.camera.to_screen((4, 4)))
+    colors = {theme.SURFACE_EDGE, (255, 0, 0)}
+    assert sum(count(drawn.subsurface(around), color) for color in colors) > 40
+
+
+def test_bodies_far_outside_or_enormous_are_no_trouble(pen: Pen, session: Session) -> None:
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+    for _ in range(60):
+        session.step()
+
+    for factor in (1e4, 1e-9):
+        stage.camera.zoom(factor)
+        assert draw(session, stage).get_size() == SIZE
+
+
+def test_bodies_are_told_apart_by_colour() -> None:
+    disc = {"shape": {"type": "disc", "radius": 0.1}, "mass": "mass"}
+    level = scenes.level(bodies={"a": disc, "b": disc}, ghosts={}, checks=[])
+
+    found = outlines(level, level.defaults)
+
+    assert found["a"].color != found["b"].color

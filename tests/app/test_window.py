@@ -1,0 +1,445 @@
+"""The window, driven by the events that a person causes."""
+
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme
+from sandbox.model import catalog
+from sandbox.model.errors import LevelError
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import build
+from tests.app import scenes
+from tests.app.person import Person
+
+RED = (255, 0, 0)
+
+
+@pytest.fixture
+def player(person: Person, tmp_path: Path) -> Person:
+    """Somebody in front of a ball that is about to fall."""
+    person.open(tmp_path, scenes.falling())
+    person.window.stage.shown.names = person.window.stage.shown.arrows = False
+    return person
+
+
+def ball(player: Person) -> tuple[float, float]:
+    x, y = player.session.world.snapshot.position[0]
+    return float(x), float(y)
+
+
+def beside(player: Person) -> tuple[float, float]:
+    """Return a pixel on the ball, clear of the mark in its middle."""
+    x, y = player.on_screen(ball(player))
+    return x + 9, y + 5
+
+
+def test_a_body_is_seen_where_the_camera_says_it_is(player: Person) -> None:
+    player.wait()
+
+    assert player.color_at(beside(player)) == RED
+
+
+def test_a_falling_ball_goes_down_on_the_screen(player: Person) -> None:
+    def red_rows() -> float:
+        pixels = pygame.surfarray.array3d(player.window.surface)
+        return float(np.nonzero((pixels == RED).all(axis=2))[1].mean())
+
+    player.wait()
+    before = red_rows()
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.7)
+
+    assert red_rows() > before + 50
+
+
+def test_play_and_pause_by_button(player: Person) -> None:
+    play = player.window.panels.controls.button("play")
+
+    player.click(play.rect)
+    player.wait(0.2)
+    assert player.session.playing
+    assert play.text == "Pause"
+    player.click(play.rect)
+    steps = player.session.world.steps
+    player.wait(0.2)
+
+    assert steps > 5
+    assert player.session.world.steps == steps
+
+
+@pytest.mark.parametrize("key", ["-", "", "+"])
+def test_in_a_window_the_run_ends_in_the_same_bits_as_headless(player: Person, key: str) -> None:
+    for _ in range(3 if key else 0):
+        player.press(pygame.key.key_code(key), key)
+    assert player.session.speed == {"-": 0.1, "": 1, "+": 8}[key]
+    player.press(pygame.K_SPACE, " ")
+    for _ in range(1000):
+        player.wait()
+        if not player.session.playing:
+            break
+
+    headless = build(player.session.level)
+    headless.advance(count_steps(headless))
+    assert player.session.at_end
+    assert np.array_equal(player.session.world.snapshot.position, headless.snapshot.position)
+
+
+def test_a_single_step_by_key_and_by_button(player: Person) -> None:
+    player.press(pygame.K_RIGHT)
+    player.press(pygame.K_PERIOD, ".")
+    player.click(player.window.panels.controls.button("step").rect)
+
+    assert player.session.world.steps == 3
+
+
+def test_restart_by_key_and_by_button(player: Person) -> None:
+    player.press(pygame.K_RIGHT)
+    player.press(pygame.K_r, "r")
+    assert player.session.world.steps == 0
+
+    player.press(pygame.K_RIGHT)
+    player.click(player.window.panels.controls.button("restart").rect)
+    assert player.session.world.steps == 0
+
+
+def test_the_speed_is_changed_by_keys_and_buttons(player: Person) -> None:
+    player.press(pygame.K_PLUS, "+")
+    player.press(pygame.K_RIGHTBRACKET, "]")
+    player.click(player.window.panels.controls.button("slower").rect)
+
+    assert player.session.speed == 2
+
+
+def test_a_level_is_opened_by_a_click_in_the_list(player: Person) -> None:
+    assert player.window.panels.list is not None
+    path = catalog.find("kinematics/free-fall")
+
+    player.click(player.window.panels.list.button(path).rect)
+
+    assert player.session.level.title == "Free fall"
+
+
+def test_every_level_can_be_walked_through_by_keyboard(player: Person) -> None:
+    seen = set()
+    for _ in range(len(catalog.names()) + 1):
+        player.press(pygame.K_DOWN)
+        seen.add(player.session.level.title)
+
+    assert len(seen) == len(catalog.names()) + 1
+    last = player.session.level.title
+    player.press(pygame.K_UP)
+    assert player.session.level.title != last
+
+
+def test_the_panel_of_a_low_window_is_scrolled_by_keyboard(player: Person) -> None:
+    player.window.surface = pygame.display.set_mode((1024, 400), pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(1024, 400), w=1024, h=400))
+    player.wait(0.1)
+    assert player.window.panels.side is not None
+    field = player.window.panels.side.parameters.row("g").field
+    before = field.rect.y
+
+    player.press(pygame.K_PAGEDOWN)
+    player.wait(0.1)
+    assert field.rect.y < before - 50
+    player.press(pygame.K_PAGEUP)
+    player.wait(0.1)
+
+    assert field.rect.y == before
+
+
+def test_a_slider_changes_a_parameter_and_starts_anew(player: Person) -> None:
+    assert player.window.panels.side is not None
+    row = player.window.panels.side.parameters.row("g")
+    knob = row.slider.sliding_button
+    assert knob is not None
+    start = knob.rect.center
+    player.press(pygame.K_RIGHT)
+
+    player.drag(start, (start[0] + 60, start[1]))
+
+    assert player.session.world.steps == 0
+    assert 12 < player.session.values["g"] < 18
+    assert float(row.field.get_text()) == player.session.values["g"]
+
+
+def test_a_number_is_typed_into_a_field(player: Person) -> None:
+    assert player.window.panels.side is not None
+    field = player.window.panels.side.parameters.row("g").field
+
+    player.press(pygame.K_TAB)
+    assert field.is_focused
+    player.type("3.5")
+    player.press(pygame.K_RETURN, "\r")
+
+    assert player.session.values["g"] == 3.5
+    assert not player.session.playing
+
+
+def test_a_field_that_is_left_keeps_what_was_typed(player: Person) -> None:
+    player.press(pygame.K_TAB)
+    player.type("7")
+    player.press(pygame.K_TAB)
+
+    assert player.session.values["g"] == 7
+
+
+def test_arrows_change_the_number_in_a_field(player: Person) -> None:
+    title = player.session.level.title
+    player.press(pygame.K_TAB)
+    player.press(pygame.K_UP)
+    player.press(pygame.K_UP, mod=pygame.KMOD_LSHIFT)
+
+    assert player.session.values["g"] == pytest.approx(10 + 11 * 0.2)
+    assert player.session.level.title == title
+
+
+@pytest.mark.parametrize("typed", ["99", "-", "1e999"])
+def test_an_impossible_value_is_told_and_taken_back(player: Person, typed: str) -> None:
+    assert player.window.panels.side is not None
+    field = player.window.panels.side.parameters.row("g").field
+    player.press(pygame.K_TAB)
+    player.type(typed)
+    before = player.window.surface.copy()
+
+    player.press(pygame.K_RETURN, "\r")
+    player.wait()
+
+    assert player.session.values["g"] == 10
+    assert field.get_text() == "10"
+    banner = player.window.panels.layout.stage.centerx, 20
+    assert player.window.surface.get_at(banner) != before.get_at(banner)
+
+
+def test_keys_that_are_typed_into_a_field_are_no_commands(player: Person) -> None:
+    player.press(pygame.K_TAB)
+    player.press(pygame.K_PERIOD, ".")
+
+    assert player.session.world.steps == 0
+
+
+def test_escape_leaves_a_field_before_it_closes_the_window(player: Person) -> None:
+    player.press(pygame.K_TAB)
+    player.type("3")
+
+    player.press(pygame.K_ESCAPE)
+    assert player.window.open
+    assert player.session.values["g"] == 10
+    player.press(pygame.K_ESCAPE)
+
+    assert not player.window.open
+
+
+def test_a_body_is_dragged_while_time_stands(player: Person) -> None:
+    player.drag(player.on_screen((0, 5)), player.on_screen((3, 2)))
+
+    assert ball(player) == pytest.approx((3, 2), abs=0.05)
+    assert player.color_at(beside(player)) == RED
+    assert player.session.world.disturbed
+
+
+def test_the_energy_is_that_of_where_a_body_was_put(player: Person) -> None:
+    def panel() -> bytes:
+        side = player.window.surface.subsurface(player.window.panels.layout.side)
+        return pygame.image.tobytes(side, "RGB")
+
+    player.drag(player.on_screen((0, 5)), player.on_screen((0, 4)))
+    player.wait()
+    higher = panel()
+    player.drag(player.on_screen((0, 4)), player.on_screen((0, 2)))
+    player.wait()
+
+    assert panel() != higher
+
+
+def test_a_body_is_dragged_while_time_runs(player: Person) -> None:
+    player.press(pygame.K_SPACE, " ")
+
+    player.drag(player.on_screen((0, 5)), player.on_screen((2, 5)), let_go=False)
+    player.wait(0.3)
+    assert ball(player) == pytest.approx((2, 5), abs=0.5)
+    player.button(False, player.on_screen((2, 5)))
+    player.wait(0.3)
+
+    assert ball(player)[1] < 4.8
+
+
+def test_a_click_on_a_body_disturbs_nothing(player: Person) -> None:
+    player.press(pygame.K_SPACE, " ")
+    player.click(player.on_screen((0, 5)))
+
+    assert not player.session.world.disturbed
+
+
+@pytest.mark.parametrize("which", [1, 2, 3])
+def test_the_view_is_moved_by_dragging_the_stage(player: Person, which: int) -> None:
+    x, y = player.on_screen((4, 0))
+
+    player.drag((x, y), (x + 40, y + 20), which)
+
+    assert player.on_screen((4, 0)) == pytest.approx((x + 40, y + 20), abs=1)
+    player.press(pygame.K_f, "f")
+    assert player.on_screen((4, 0)) == pytest.approx((x, y))
+
+
+def test_the_wheel_zooms_about_the_mouse(player: Person) -> None:
+    before = player.window.stage.camera.scale
+    place = player.on_screen((2, 1))
+    player.move(place)
+
+    pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=1, precise_x=0.0, precise_y=1.0))
+    player.wait()
+
+    assert player.window.stage.camera.scale > before
+    assert player.on_screen((2, 1)) == pytest.approx(place, abs=1)
+
+
+def test_the_tape_measures_in_metres(player: Person, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pygame.key, "get_mods", lambda: pygame.KMOD_LSHIFT)
+
+    player.drag(player.on_screen((-3, 0)), player.on_screen((1, 3)))
+
+    assert player.window.hand.tape is not None
+    assert player.window.hand.tape.text.startswith(("5.0", "4.9"))
+
+
+@pytest.mark.parametrize("size", [(1024, 640), (1280, 800), (2560, 1440)])
+def test_a_window_of_another_size_is_filled_without_overlap(
+    player: Person, size: tuple[int, int]
+) -> None:
+    player.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
+    player.wait(0.1)
+
+    parts = player.window.panels.layout
+    rects = [parts.levels, parts.stage, parts.side, parts.controls]
+    assert sum(rect.width * rect.height for rect in rects) == size[0] * size[1]
+    assert all(len(rect.collidelistall(rects)) == 1 for rect in rects)
+    assert parts.stage.width >= size[0] * 0.45
+    assert player.color_at(beside(player)) == RED
+
+
+def test_a_tiny_window_is_no_trouble(player: Person) -> None:
+    player.window.surface = pygame.display.set_mode((120, 90), pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(120, 90), w=120, h=90))
+    player.wait(0.1)
+
+    assert player.window.open
+
+
+def test_the_buttons_of_a_small_window_do_not_overlap(player: Person) -> None:
+    player.window.surface = pygame.display.set_mode((1024, 640), pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(1024, 640), w=1024, h=640))
+    player.wait()
+    controls = player.window.panels.controls
+
+    rects = [controls.button(name).rect for name in ("play", "step", "restart", "slower", "faster")]
+    rects += [controls.button(name).rect for name in ("arrows", "trail", "ghosts", "fit", "help")]
+
+    assert all(len(rect.collidelistall(rects)) == 1 for rect in rects)
+    assert all(rect.right <= 1024 and rect.bottom <= 640 for rect in rects)
+
+
+def test_columns_are_hidden_to_make_room_for_the_stage(player: Person) -> None:
+    player.press(pygame.K_l, "l")
+    player.press(pygame.K_p, "p")
+
+    assert player.window.panels.layout.stage.width == 1280
+    player.wait()
+    player.press(pygame.K_l, "l")
+    assert player.window.panels.list is not None
+
+
+def test_the_help_lists_every_key_until_it_is_closed(player: Person) -> None:
+    before = player.window.surface.copy()
+    player.press(pygame.K_F1)
+    shown = player.window.surface.copy()
+
+    player.press(pygame.K_ESCAPE)
+
+    middle = player.window.panels.layout.stage.center
+    assert shown.get_at((middle[0] - 150, middle[1])) != before.get_at((middle[0] - 150, middle[1]))
+    assert player.window.open
+
+
+def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, scenes.falling(effects={"gravty": {"acceleration": [0, "-g"]}}))
+
+    assert person.window.session is None
+    assert person.window.panels.refusal is not None
+    assert "gravty" in person.window.panels.refusal.html_text
+    assert "gravity" in person.window.panels.refusal.html_text
+    person.press(pygame.K_SPACE, " ")
+    (tmp_path / "level.json").write_text(scenes.falling(), encoding="utf-8")
+    person.press(pygame.K_F5)
+    assert person.session.level.title == "A falling ball"
+    assert person.window.panels.refusal is None
+
+
+def test_a_level_that_does_not_exist_is_told_and_another_can_be_chosen(person: Person) -> None:
+    person.window.open_level("kinematics/free-fal")
+    person.wait()
+
+    assert person.window.panels.refusal is not None
+    assert "free-fall" in person.window.panels.refusal.html_text
+    person.press(pygame.K_DOWN)
+    assert person.window.session is not None
+
+
+def test_a_setting_out_of_range_is_told(person: Person) -> None:
+    person.window.open_level("kinematics/free-fall", {"no such": 1.0})
+
+    assert person.window.session is None
+    assert person.window.panels.refusal is not None
+
+
+def test_a_level_is_opened_by_dropping_its_file(person: Person, tmp_path: Path) -> None:
+    path = tmp_path / "mine.json"
+    path.write_text(scenes.falling(), encoding="utf-8")
+
+    pygame.event.post(pygame.Event(pygame.DROPFILE, file=str(path)))
+    person.wait()
+
+    assert person.session.level.title == "A falling ball"
+
+
+def test_a_run_that_had_to_stop_says_why_and_restarts(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, scenes.runaway())
+    person.press(pygame.K_SPACE, " ")
+    person.wait(3)
+
+    assert person.session.failure is not None
+    stage = person.window.panels.layout.stage
+    column = [person.color_at((x, 40)) for x in range(stage.left, stage.right)]
+    assert theme.FAILED in column
+    person.press(pygame.K_r, "r")
+    assert person.session.failure is None
+
+
+def test_the_end_of_a_run_is_announced(player: Person) -> None:
+    player.press(pygame.K_SPACE, " ")
+    player.wait(1.2)
+
+    stage = player.window.panels.layout.stage
+    row = [player.color_at((x, 36)) for x in range(stage.left, stage.right)]
+    assert theme.ACCENT in row
+
+
+def test_the_sound_system_is_never_started(player: Person) -> None:
+    assert pygame.mixer.get_init() is None
+    assert player.window.open
+
+
+def test_every_level_opens_in_the_window(person: Person) -> None:
+    for name in catalog.names():
+        try:
+            person.window.open_level(name)
+        except LevelError as error:
+            pytest.fail(str(error))
+        person.press(pygame.K_RIGHT)
+        assert person.session.world.steps == 1, name
