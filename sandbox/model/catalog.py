@@ -7,6 +7,10 @@ from sandbox.model.errors import brief
 from sandbox.model.suggest import meant, suggestion
 
 
+CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange")
+"""The folders in the order of the document; others follow by name."""
+
+
 def root() -> Path:
     """Return the folder of the levels: inside an installed package, beside it in a checkout."""
     package = Path(__file__).resolve().parents[1]
@@ -15,8 +19,15 @@ def root() -> Path:
 
 
 def names() -> list[str]:
-    """Return the names of all levels, sorted, such as `newton/atwood`."""
-    return sorted(f"{path.parent.name}/{path.stem}" for path in root().glob("*/*.json"))
+    """Return the names of all levels, such as `newton/atwood`, chapter by chapter."""
+    found = [(path.parent.name, path.stem) for path in root().glob("*/*.json")]
+    return [f"{chapter}/{level}" for chapter, level in sorted(found, key=_order)]
+
+
+def _order(name: tuple[str, str]) -> tuple[int, str, str]:
+    chapter, level = name
+    known = CHAPTERS.index(chapter) if chapter in CHAPTERS else len(CHAPTERS)
+    return known, chapter, level
 
 
 def find(level: str) -> Path:

@@ -97,9 +97,7 @@ class Recorder:
         t, columns = self._measured[0]
         units = {name: quantity.unit for name, quantity in self._meter.quantities.items()}
         world = self._world
-        return Trace(
-            world.level, world.values, world.stepping, t, columns, units, self._contacts
-        )
+        return Trace(world.level, world.values, world.stepping, t, columns, units, self._contacts)
 
 
 def simulate(

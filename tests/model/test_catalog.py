@@ -25,9 +25,9 @@ def shelf(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return levels
 
 
-def test_levels_are_one_folder_deep_and_sorted(shelf: Path) -> None:
+def test_levels_are_one_folder_deep_and_in_the_documents_order(shelf: Path) -> None:
     assert shelf.is_dir()
-    assert catalog.names() == ["energy/incline", "newton/atwood", "newton/incline"]
+    assert catalog.names() == ["newton/atwood", "newton/incline", "energy/incline"]
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_a_file_comes_before_a_level_of_the_same_name() -> None:
     [
         ("newton/atwod", "did you mean 'newton/atwood'?"),
         ("atwod", "did you mean 'atwood'?"),
-        ("incline", "several levels: energy/incline, newton/incline"),
+        ("incline", "several levels: newton/incline, energy/incline"),
         ("atwod.json", "there is no such file; did you mean 'atwood'?"),
         ("zzz", "is neither a level nor a file; known: atwood, incline"),
         ("level.schema", "neither"),

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from validation import formulas
 from validation.case import Case, Parameters
+from validation.formulas import newton
 
 LEVELS: tuple[tuple[str, Parameters], ...] = (
     ("newton/atwood", {}),
@@ -24,7 +24,7 @@ def cases() -> Iterator[Case]:
             level=level,
             parameters=parameters,
             quantity="left.position.y",
-            expected=lambda p, t: formulas.atwood_acceleration(p["m1"], p["m2"], p["g"]) * t**2 / 2,
+            expected=lambda p, t: newton.atwood_acceleration(p["m1"], p["m2"], p["g"]) * t**2 / 2,
             tolerance=1e-12,
             because="the string is straight: one Newton step solves it, to rounding",
             naive_misses=1e-3 if moves else None,
@@ -34,7 +34,7 @@ def cases() -> Iterator[Case]:
             level=level,
             parameters=parameters,
             quantity="string.tension",
-            expected=lambda p, _: formulas.atwood_tension(p["m1"], p["m2"], p["g"]),
+            expected=lambda p, _: newton.atwood_tension(p["m1"], p["m2"], p["g"]),
             tolerance=1e-12 if not parameters.get("g") else 1e-11,
             because="the length is known to 1e-15 m; twice differenced that is 4e-12 m/s² of g",
         )

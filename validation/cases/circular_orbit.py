@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from validation import formulas
 from validation.case import Case, Choices
+from validation.formulas import energy
 
 PARAMETERS: Choices = ({}, {"r": 1.5, "mu": 12.0}, {"r": 4.0, "mu": 1.0})
 
@@ -26,7 +26,7 @@ def cases() -> Iterator[Case]:
             level="energy/circular-orbit",
             parameters=parameters,
             quantity="planet.speed",
-            expected=lambda p, _: formulas.circular_orbit_speed(p["mu"], p["r"]),
+            expected=lambda p, _: energy.circular_orbit_speed(p["mu"], p["r"]),
             tolerance=1e-4,
             because="as for the distance",
             naive_misses=1e-4,
@@ -36,7 +36,7 @@ def cases() -> Iterator[Case]:
             level="energy/circular-orbit",
             parameters=parameters,
             quantity="planet.energy",
-            expected=lambda p, _: formulas.circular_orbit_energy(p["mu"], p["r"]),
+            expected=lambda p, _: energy.circular_orbit_energy(p["mu"], p["r"]),
             tolerance=1e-8,
             because="fourth order in ω dt = 7.9e-3 on a circle, as velocities at the step are",
         )

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import ContactEvent
-from validation import formulas
 from validation.case import Case, Parameters
+from validation.formulas import energy, momentum
 
 AFTER = ContactEvent(event="contact", bodies=("first", "second"))
 
@@ -33,7 +33,7 @@ def cases() -> Iterator[Case]:
 def _collision(name: str, parameters: Parameters, restitution: float | None) -> Iterator[Case]:
     def after(p: Values) -> tuple[float, float]:
         e = p["e"] if restitution is None else restitution
-        return formulas.collision_velocities(p["m1"], p["m2"], p["v1"], p["v2"], e)
+        return momentum.collision_velocities(p["m1"], p["m2"], p["v1"], p["v2"], e)
 
     level, title = f"momentum/{name}", f"collision, {name.replace('-', ' ')}"
     for i, body in enumerate(("first", "second")):
@@ -62,7 +62,7 @@ def _collision(name: str, parameters: Parameters, restitution: float | None) -> 
         parameters=parameters,
         quantity="system.kinetic_energy",
         at=AFTER,
-        expected=lambda p, _: formulas.kinetic_energy(
+        expected=lambda p, _: energy.kinetic_energy(
             *zip((p["m1"], p["m2"]), after(p), strict=True)
         ),
         tolerance=1e-12,

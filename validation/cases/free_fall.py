@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from validation import formulas
 from validation.case import Case, Choices
+from validation.formulas import kinematics
 
 PARAMETERS: Choices = ({}, {"height": 50.0, "g": 25.0}, {"height": 1.0, "g": 1.0, "mass": 100.0})
 
@@ -16,7 +16,7 @@ def cases() -> Iterator[Case]:
             level="kinematics/free-fall",
             parameters=parameters,
             quantity="ball.position.y",
-            expected=lambda p, t: formulas.free_fall_height(p["height"], p["g"], t),
+            expected=lambda p, t: kinematics.free_fall_height(p["height"], p["g"], t),
             tolerance=1e-12,
             because="leapfrog is exact for constant acceleration; some hundred roundings of 1e-16",
             naive_misses=1e-3,  # g t dt / 2, at the end 0.165 m of 20 m
@@ -26,7 +26,7 @@ def cases() -> Iterator[Case]:
             level="kinematics/free-fall",
             parameters=parameters,
             quantity="ball.velocity.y",
-            expected=lambda p, t: formulas.free_fall_velocity(p["g"], t),
+            expected=lambda p, t: kinematics.free_fall_velocity(p["g"], t),
             tolerance=1e-12,
             because="a sum of equal kicks; pymunk's own is as good",
         )

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from math import radians
 
 from sandbox.model.level import ContactEvent
-from validation import formulas
 from validation.case import Case, Choices
+from validation.formulas import energy, momentum
 
 AFTER = ContactEvent(event="contact", bodies=("first", "second"))
 PARAMETERS: Choices = (
@@ -27,7 +27,7 @@ def cases() -> Iterator[Case]:
                     parameters=parameters,
                     quantity=f"{body}.velocity.{component}",
                     at=AFTER,
-                    expected=lambda p, _, i=i, j=j: formulas.glancing_velocities(  # type: ignore[misc]
+                    expected=lambda p, _, i=i, j=j: momentum.glancing_velocities(  # type: ignore[misc]
                         p["speed"], radians(p["angle"])
                     )[i][j],
                     tolerance=1e-12,
@@ -39,7 +39,7 @@ def cases() -> Iterator[Case]:
             level="momentum/glancing",
             parameters=parameters,
             quantity="system.kinetic_energy",
-            expected=lambda p, _: formulas.kinetic_energy((p["mass"], p["speed"])),
+            expected=lambda p, _: energy.kinetic_energy((p["mass"], p["speed"])),
             tolerance=1e-12,
             because="one contact between two bodies: the solver's first sweep is exact",
         )

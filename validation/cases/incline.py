@@ -4,8 +4,9 @@ from collections.abc import Iterator
 from math import radians
 
 from sandbox.model.expressions import Values
-from validation import formulas
 from validation.case import Case, Choices, Expected, Parameters
+from validation.formulas import newton
+from validation.formulas.arrays import Array
 
 SLIDES: Choices = ({}, {"angle": 75.0}, {"angle": 5.0, "g": 25.0, "mass": 100.0})
 RUBS: Choices = ({}, {"angle": 75.0, "mu": 1.0}, {"angle": 20.0, "mu": 0.1, "mass": 100.0})
@@ -24,7 +25,7 @@ def cases() -> Iterator[Case]:
             level="newton/incline",
             parameters=parameters,
             quantity="block.contact.normal",
-            expected=lambda p, _: formulas.incline_normal_force(
+            expected=lambda p, _: newton.incline_normal_force(
                 p["mass"], radians(p["angle"]), p["g"]
             ),
             tolerance=1e-10,
@@ -63,7 +64,7 @@ def _sliding(name: str, level: str, parameters: Parameters) -> Iterator[Case]:
         level=level,
         parameters=parameters,
         quantity="block.acceleration",
-        expected=lambda p, _: formulas.incline_acceleration(
+        expected=lambda p, _: newton.incline_acceleration(
             radians(p["angle"]), p["g"], p.get("mu", 0.0)
         ),
         tolerance=1e-10,
@@ -78,7 +79,7 @@ def _friction(name: str, level: str, parameters: Parameters) -> Case:
         level=level,
         parameters=parameters,
         quantity="block.contact.friction",
-        expected=lambda p, _: formulas.incline_friction(
+        expected=lambda p, _: newton.incline_friction(
             p["mass"], radians(p["angle"]), p["g"], p["mu"]
         ),
         tolerance=1e-10,
@@ -89,9 +90,9 @@ def _friction(name: str, level: str, parameters: Parameters) -> Case:
 def _x(start: float) -> Expected:
     """Return the closed form of the block's place across, for where it starts on the ramp [m]."""
 
-    def x(p: Values, t: formulas.Array) -> formulas.Array:
+    def x(p: Values, t: Array) -> Array:
         angle = radians(p["angle"])
-        way = formulas.incline_acceleration(angle, p["g"], p.get("mu", 0.0)) * t**2 / 2
-        return formulas.incline_point(start - way, HALF_HEIGHT, angle)
+        way = newton.incline_acceleration(angle, p["g"], p.get("mu", 0.0)) * t**2 / 2
+        return newton.incline_point(start - way, HALF_HEIGHT, angle)
 
     return x

@@ -4,8 +4,8 @@ from collections.abc import Iterator
 from math import radians
 
 from sandbox.model.level import ApexEvent, LandingEvent
-from validation import formulas
 from validation.case import Case, Choices, Parameters
+from validation.formulas import energy, kinematics
 
 APEX = ApexEvent(event="apex", body="ball")
 LANDING = LandingEvent(event="landing", body="ball")
@@ -41,7 +41,7 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
         level=level,
         parameters=parameters,
         quantity="ball.position.x",
-        expected=lambda p, t: formulas.projectile_distance(p["speed"], radians(p["angle"]), t),
+        expected=lambda p, t: kinematics.projectile_distance(p["speed"], radians(p["angle"]), t),
         tolerance=1e-12,
         because="a sum of equal drifts; pymunk's own is as good",
     )
@@ -50,7 +50,7 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
         level=level,
         parameters=parameters,
         quantity="ball.position.y",
-        expected=lambda p, t: formulas.projectile_height(
+        expected=lambda p, t: kinematics.projectile_height(
             p["speed"], radians(p["angle"]), p["g"], t
         ),
         tolerance=1e-12,
@@ -63,7 +63,7 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
         parameters=parameters,
         quantity="ball.position.y",
         at=APEX,
-        expected=lambda p, _: formulas.projectile_apex(p["speed"], radians(p["angle"]), p["g"]),
+        expected=lambda p, _: kinematics.projectile_apex(p["speed"], radians(p["angle"]), p["g"]),
         tolerance=1e-12,
         because=EXACT,
         naive_misses=5e-4,
@@ -74,7 +74,7 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
         parameters=parameters,
         quantity="ball.position.x",
         at=LANDING,
-        expected=lambda p, _: formulas.projectile_range(p["speed"], radians(p["angle"]), p["g"]),
+        expected=lambda p, _: kinematics.projectile_range(p["speed"], radians(p["angle"]), p["g"]),
         tolerance=1e-12,
         because=EXACT,
         naive_misses=None if parameters.get("angle") == 90 else 2e-4,
@@ -85,7 +85,7 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
         parameters=parameters,
         quantity="t",
         at=LANDING,
-        expected=lambda p, _: formulas.flight_time(p["speed"], radians(p["angle"]), p["g"]),
+        expected=lambda p, _: kinematics.flight_time(p["speed"], radians(p["angle"]), p["g"]),
         tolerance=1e-12,
         because=EXACT,
         naive_misses=2e-4,
@@ -100,10 +100,10 @@ def _from_height(parameters: Parameters) -> Iterator[Case]:
         parameters=parameters,
         quantity="ball.position.x",
         at=LANDING,
-        expected=lambda p, _: formulas.projectile_distance(
+        expected=lambda p, _: kinematics.projectile_distance(
             p["speed"],
             radians(p["angle"]),
-            formulas.flight_time(p["speed"], radians(p["angle"]), p["g"], p["height"]),
+            kinematics.flight_time(p["speed"], radians(p["angle"]), p["g"], p["height"]),
         ),
         tolerance=1e-12,
         because=EXACT,
@@ -115,7 +115,7 @@ def _from_height(parameters: Parameters) -> Iterator[Case]:
         parameters=parameters,
         quantity="ball.speed",
         at=LANDING,
-        expected=lambda p, _: formulas.landing_speed(p["speed"], p["g"], p["height"]),
+        expected=lambda p, _: energy.landing_speed(p["speed"], p["g"], p["height"]),
         tolerance=1e-6,
         because="the speed is no polynomial of time: the cubic between steps is off by O(dt⁴)",
     )

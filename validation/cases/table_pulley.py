@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from validation import formulas
 from validation.case import Case, Choices, Parameters
+from validation.formulas import newton
 
 SMOOTH: Choices = ({}, {"m1": 10.0, "m2": 0.1}, {"m1": 0.1, "m2": 10.0})
 ROUGH: Choices = ({}, {"m1": 10.0, "m2": 10.0, "mu": 0.9}, {"m1": 0.5, "m2": 5.0, "mu": 0.1})
@@ -46,7 +46,7 @@ def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
         quantity="block.position.x",
         expected=lambda p, t: (
             START
-            + formulas.table_pulley_acceleration(p["m1"], p["m2"], p["g"], p.get("mu", 0.0))
+            + newton.table_pulley_acceleration(p["m1"], p["m2"], p["g"], p.get("mu", 0.0))
             * t**2
             / 2
         ),
@@ -59,7 +59,7 @@ def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
         level=level,
         parameters=parameters,
         quantity="string.tension",
-        expected=lambda p, _: formulas.table_pulley_tension(
+        expected=lambda p, _: newton.table_pulley_tension(
             p["m1"], p["m2"], p["g"], p.get("mu", 0.0)
         ),
         tolerance=1e-10,

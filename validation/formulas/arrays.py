@@ -1,0 +1,6 @@
+"""What formulas over time return."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]

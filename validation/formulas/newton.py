@@ -1,0 +1,68 @@
+"""Forces and what they do: the chapter, section 4."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from validation.formulas.arrays import Array
+
+
+def atwood_acceleration(m1: float, m2: float, g: float) -> float:
+    """Return the upward acceleration of the first mass [m/s²]: (m2 − m1) g / (m1 + m2).
+
+    The chapter, section 4, the Atwood machine; light string, light and frictionless pulley.
+    """
+    return (m2 - m1) / (m1 + m2) * g
+
+
+def atwood_tension(m1: float, m2: float, g: float) -> float:
+    """Return the tension of an Atwood machine's string [N]: 2 m1 m2 g / (m1 + m2).
+
+    From T − m1 g = m1 a, with a as the chapter has it.
+    """
+    return m1 * (g + atwood_acceleration(m1, m2, g))
+
+
+def incline_acceleration(angle: float, g: float, mu: float = 0.0) -> float:
+    """Return the acceleration down an incline [m/s²]: g (sin θ − μ cos θ), 0 where friction holds.
+
+    The chapter, section 4, block on an incline, with Coulomb friction −μ m g cos θ added while the
+    block slides down; one coefficient for rest and motion.
+    """
+    return max(g * float(np.sin(angle) - mu * np.cos(angle)), 0.0)
+
+
+def incline_normal_force(mass: float, angle: float, g: float) -> float:
+    """Return the force of an incline on a block [N]: m g cos θ.
+
+    The chapter, section 4.
+    """
+    return mass * g * float(np.cos(angle))
+
+
+def incline_friction(mass: float, angle: float, g: float, mu: float) -> float:
+    """Return the friction on a block on an incline [N]: what is needed, at most μ N.
+
+    Coulomb's law: m g sin θ while it holds, μ m g cos θ while it slides.
+    """
+    return min(mass * g * float(np.sin(angle)), mu * incline_normal_force(mass, angle, g))
+
+
+def incline_point(along: ArrayLike, above: float, angle: float) -> Array:
+    """Return x of a point along an incline from its foot and above its face [m].
+
+    A rotation of (along, above) by the angle: s cos θ − h sin θ.
+    """
+    return np.asarray(along, dtype=float) * np.cos(angle) - above * np.sin(angle)
+
+
+def table_pulley_acceleration(m1: float, m2: float, g: float, mu: float = 0.0) -> float:
+    """Return the acceleration of a block drawn over a table by a weight [m/s²].
+
+    m2 g − T = m2 a and T − μ m1 g = m1 a give (m2 − μ m1) g / (m1 + m2); 0 where friction holds.
+    """
+    return max((m2 - mu * m1) / (m1 + m2) * g, 0.0)
+
+
+def table_pulley_tension(m1: float, m2: float, g: float, mu: float = 0.0) -> float:
+    """Return the tension between a block on a table and its weight [N]: m2 (g − a)."""
+    return m2 * (g - table_pulley_acceleration(m1, m2, g, mu))
