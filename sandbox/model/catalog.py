@@ -6,7 +6,6 @@ from sandbox.model.document import refuse
 from sandbox.model.errors import brief
 from sandbox.model.suggest import meant, suggestion
 
-
 CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange")
 """The folders in the order of the document; others follow by name."""
 

@@ -77,7 +77,9 @@ class Batch:
         get_space_bodies(space, BodyFields.BODY_ID, buffer)
         ids = np.frombuffer(buffer.int_buf(), dtype=np.uintp).tolist()
         rows = {body_id: row for row, body_id in enumerate(ids)}
-        self._index = {body.id: i for i, body in enumerate(bodies)}
+        known = np.array([body.id for body in bodies], dtype=np.uintp)
+        self._order = np.argsort(known)
+        self._ids = known[self._order]
         self._rows = np.array([rows[body.id] for body in bodies], dtype=np.intp)
         self._state, self._state_buffer = _table(len(ids), 6)
         self._velocity, self._velocity_buffer = _table(len(ids), 3)
@@ -115,15 +117,14 @@ class Batch:
             return NO_CONTACTS
         floats = np.frombuffer(self._contacts.float_buf()).reshape(-1, 4)
         live = integers[:, 3] > 0  # pymunk remembers pairs for some steps after they part
-        indices = [self._index[i] for i in integers[live, :2].ravel().tolist()]
-        bodies = np.array(indices, dtype=np.intp).reshape(-1, 2)
+        bodies = self._order[np.searchsorted(self._ids, integers[live, :2])]
         impulse, direction = floats[live, :2], floats[live, 2:]
         normal = np.abs(np.sum(impulse * direction, axis=1))
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
         # pymunk's order depends on where its objects lie in memory, and sums on the order
-        order = np.lexsort((friction, normal, bodies[:, 1], bodies[:, 0]))
+        o = np.lexsort((friction, normal, bodies[:, 1], bodies[:, 0]))
         first = integers[live, 2] > 0
-        return Contacts(*(a[order] for a in (bodies, first, direction, normal, friction)))
+        return Contacts(bodies[o], first[o], direction[o], normal[o], friction[o])
 
 
 def _table(rows: int, columns: int) -> tuple[Array, Buffer]:

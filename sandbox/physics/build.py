@@ -11,9 +11,8 @@ from math import inf
 
 import numpy as np
 import pymunk
-from pymunk.autogeometry import convex_decomposition
 
-from sandbox.model.expressions import Array, Values
+from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level, Pulley, Stepping
 from sandbox.model.shapes import (
     XY,
@@ -27,6 +26,7 @@ from sandbox.model.shapes import (
     evaluate,
     points_of,
 )
+from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.forces import Force, Gravity, force_laws, gravity
 from sandbox.physics.pulley import PulleyString
 
@@ -216,7 +216,7 @@ def _outline(
         case Box():
             return [_convex(body, points, hair, kind)]
         case Polygon():
-            return [_convex(body, part, hair, kind) for part in _convex_parts(points)]
+            return [_convex(body, part, hair, kind) for part in convex_parts(points)]
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
             return _line(body, points, thickness(values) / 2 + hair)
 
@@ -229,17 +229,11 @@ def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymu
     a = np.array(points)
     edge = np.roll(a, -1, axis=0) - a
     outwards = np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
-    outwards *= np.sign(_twice_area(a))
+    outwards *= np.sign(twice_area(a))
     before = np.roll(outwards, 1, axis=0)
     corner = (before + outwards) / (1 + np.sum(before * outwards, axis=1))[:, None]
     core = [(float(x), float(y)) for x, y in a - inset * corner]
     return pymunk.Poly(body, core, radius=inset + hair)
-
-
-def _twice_area(a: Array) -> float:
-    """Return twice the area of a polygon, positive if its corners go round counter-clockwise."""
-    b = np.roll(a, -1, axis=0)
-    return float(np.sum(a[:, 0] * b[:, 1] - b[:, 0] * a[:, 1]))
 
 
 def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:
@@ -250,19 +244,6 @@ def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Sha
         line.set_neighbors(points[max(i - 1, 0)], points[min(i + 2, len(points) - 1)])
         lines.append(line)
     return lines
-
-
-def _convex_parts(points: list[XY]) -> list[list[XY]]:
-    """Cut a polygon into convex ones; pymunk would silently fill its hollows instead."""
-    a = np.array(points)
-    edge = np.roll(a, -1, axis=0) - a
-    following = np.roll(edge, -1, axis=0)
-    turn = edge[:, 0] * following[:, 1] - edge[:, 1] * following[:, 0]
-    if np.all(turn >= 0) or np.all(turn <= 0):
-        return [points]
-    around = points if _twice_area(a) > 0 else points[::-1]
-    parts = convex_decomposition([*around, around[0]], 0)
-    return [[(float(x), float(y)) for x, y in part] for part in parts]
 
 
 def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:

@@ -68,7 +68,8 @@ def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
     Where nothing is expected but zeros, the error is absolute. A difference that is not a number
     is an infinite error.
     """
-    difference = np.abs(measured - expected)
+    with np.errstate(invalid="ignore"):
+        difference = np.abs(measured - expected)
     difference = np.where(np.isnan(difference), np.inf, difference)
     worst = int(np.argmax(difference))
     scale = float(np.abs(expected).max())

@@ -78,14 +78,14 @@ def _held_up(contacts: Contacts, rests: Booleans, pull: Array, fixed: Booleans) 
     acceleration, holds = pull.copy(), fixed.copy()
     least = -1e-12 * np.abs(pull).max()
     for _ in range(MAX_HEIGHT):
-        away = np.sum(acceleration[body, :2] * outwards, axis=1)
+        away = np.einsum("ij,ij->i", acceleration[body, :2], outwards)
         away[fixed[body] | ~holds[other]] = 0.0
-        order = np.argsort(away, kind="stable")
-        _, firsts = np.unique(body[order], return_index=True)
-        pressed = order[firsts]  # of each body the contact that it presses on most
-        pressed = pressed[away[pressed] < least]
+        most = np.zeros(len(pull))
+        np.minimum.at(most, body, away)
+        pressed = np.flatnonzero((away < least) & (away == most[body]))
         if not pressed.size:
             break
+        pressed = pressed[np.unique(body[pressed], return_index=True)[1]]  # one contact a body
         acceleration[body[pressed], :2] -= away[pressed, None] * outwards[pressed]
         holds[body[pressed]] = True
     return acceleration

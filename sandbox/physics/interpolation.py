@@ -50,16 +50,22 @@ def crossing(
 
 
 class _Cubic:
-    """Newton's backward differences from one sample: s = 0 there, −1 at the one before."""
+    """Newton's backward differences: s = 0 at the interval's end, −1 at the sample before.
+
+    Where there are not two samples before the interval, it takes those behind.
+    """
 
     def __init__(self, samples: Array, end: int) -> None:
-        difference = samples[max(end - 3, 0) : end + 1]
+        last = max(end, min(3, len(samples) - 1))
+        self._ahead = last - end
+        difference = samples[max(last - 3, 0) : last + 1]
         self._terms: list[float] = []
         while len(difference):
             self._terms.append(float(difference[-1]))
             difference = np.diff(difference)
 
     def __call__(self, s: float) -> float:
+        s -= self._ahead
         value, weight = 0.0, 1.0
         for order, term in enumerate(self._terms):
             value += weight * term

@@ -17,6 +17,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.batch import NO_CONTACTS, Batch, Contacts
 from sandbox.physics.build import Scene, make_scene
+from sandbox.physics.coupled import solvers
 from sandbox.physics.errors import JointFailure, SimulationError
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
@@ -78,6 +79,9 @@ class World:
         self._batch = Batch(self._space, self._bodies)
         self._smooth = np.zeros((len(self._bodies), 3))  # acceleration by gravity and laws
         self._dynamic = self.scene.mass > 0
+        self._untouched = np.zeros(len(self._bodies))
+        self._untouched.setflags(write=False)
+        self._seen = -1, self._smooth  # the step last observed, and the velocities half a step on
         if self.scene.gravity:
             self._smooth[self._dynamic, :2] = self.scene.gravity.acceleration
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
@@ -123,7 +127,7 @@ class World:
         """
         for _ in range(steps - 1):
             self.step()
-        before = self._batch.velocity()
+        before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
         with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is told by name
             self.snapshot = self._observe(before)
@@ -134,7 +138,7 @@ class World:
         before = [string.warm_start for string in strings] if self.level.effects.contact else []
         if self.scene.laws and not self._early:
             before.insert(0, self._apply_laws)
-        after = [string.solve for string in strings]
+        after = solvers(strings)
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
             return None
@@ -157,14 +161,18 @@ class World:
     def _start(self) -> Snapshot:
         """Observe the initial state; for leapfrog, also give the first half kick."""
         start = self._batch.velocity()
+        self._seen = -1, start
         if not self._leapfrog:
             self._time_strings(self.dt)
-            return self._snapshot(start, np.full_like(start, np.nan), NO_CONTACTS, np.nan)
+            nowhere = np.full_like(start, np.nan)
+            return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
         kick = self.dt / 2
         with self._held():
             after = self._settle(start, kick)
             self.contacts = self._read_contacts()
-            snapshot = self._snapshot(start, (after - start) / kick, self.contacts, kick)
+            acceleration = (after - start) / kick
+            state = self._batch.state()
+            snapshot = self._snapshot(state, start, acceleration, self.contacts, kick)
             if self.level.effects.contact:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
@@ -210,7 +218,9 @@ class World:
             string.time(kick, self.dt)
 
     def _observe(self, before: Array) -> Snapshot:
-        after = self._batch.velocity()
+        state = self._batch.state()
+        after = state[:, 3:]
+        self._seen = self.steps, after
         contacts = self._read_contacts()
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
@@ -221,7 +231,7 @@ class World:
                 )
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
-        snapshot = self._snapshot(velocity, acceleration, contacts, self.dt)
+        snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
         self._check_finite(snapshot)
         self.contacts = contacts
         return snapshot
@@ -230,15 +240,13 @@ class World:
         return self._batch.contacts() if self.level.effects.contact else NO_CONTACTS
 
     def _snapshot(
-        self, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
+        self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
     ) -> Snapshot:
-        state = self._batch.state()
-        count = len(self._bodies)
-        normal, friction = np.zeros(count), np.zeros(count)
+        normal: Array = self._untouched
+        friction: Array = self._untouched
         if len(contacts.bodies):
-            for column in (0, 1):
-                np.add.at(normal, contacts.bodies[:, column], contacts.normal / kick)
-                np.add.at(friction, contacts.bodies[:, column], contacts.friction / kick)
+            normal = _sums(contacts, contacts.normal / kick, len(normal))
+            friction = _sums(contacts, contacts.friction / kick, len(friction))
         return Snapshot(
             t=np.array(self.t),
             position=state[:, :2],
@@ -253,9 +261,9 @@ class World:
         )
 
     def _check_finite(self, snapshot: Snapshot) -> None:
-        rows = np.column_stack((snapshot.position, snapshot.velocity, snapshot.angle))
-        bad = ~np.isfinite(rows).all(axis=1)
-        if bad.any():
+        rows = np.concatenate((snapshot.position, snapshot.velocity), axis=1)
+        if not np.isfinite(rows).all():
+            bad = ~np.isfinite(rows).all(axis=1)
             name = list(self.scene.bodies)[int(np.argmax(bad))]
             raise SimulationError(name, self.t, f"the body '{name}' is no longer anywhere finite")
 
@@ -302,6 +310,12 @@ class World:
         self.disturbed = True
         self.snapshot = self._start()
         return self.snapshot
+
+
+def _sums(contacts: Contacts, values: Array, count: int) -> Array:
+    """Add up for each body the values of its contacts."""
+    sums = np.bincount(contacts.bodies.T.ravel(), np.tile(values, 2), count)
+    return sums.astype(np.float64, copy=False)
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

@@ -1,7 +1,7 @@
 """Scenes of a few lines, for tests: dictionaries as they stand in a level's file."""
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import cos, sin
 from typing import Any
 
@@ -32,7 +32,9 @@ def disc(position: Pair = (0, 0), *, radius: float = 0.5, mass: float = 1, **res
     return {"shape": shape, "mass": mass, "position": list(position), **rest}
 
 
-def box(position: Pair = (0, 0), *, size: Pair = (0.5, 0.5), mass: float = 1, **rest: object) -> Spec:
+def box(
+    position: Pair = (0, 0), *, size: Pair = (0.5, 0.5), mass: float = 1, **rest: object
+) -> Spec:
     shape = {"type": "box", "width": size[0], "height": size[1]}
     return {"shape": shape, "mass": mass, "position": list(position), **rest}
 
@@ -60,8 +62,8 @@ def atwood(left: float, right: float, **rest: object) -> Level:
 
 
 def incline(angle: float, friction: float | None = None, **rest: object) -> Level:
-    """A block of 2 kg at the middle of a slope that rises to the right; its centre at the origin."""
-    rub = {} if friction is None else {"friction": friction}
+    """A block of 2 kg at the middle of a slope that rises to the right; its centre is at [0, 0]."""
+    rub: Spec = {} if friction is None else {"friction": friction}
     slope = fixed(
         {"type": "segment", "start": [-200, 0], "end": [200, 0]},
         (0.25 * sin(angle), -0.25 * cos(angle)),
@@ -74,7 +76,7 @@ def incline(angle: float, friction: float | None = None, **rest: object) -> Leve
 
 def table(friction: float | None = None, *, block: float = 1, weight: float = 0.5) -> Level:
     """A block on a table, and a weight that pulls it over the edge by a string."""
-    rub = {} if friction is None else {"friction": friction}
+    rub: Spec = {} if friction is None else {"friction": friction}
     top = fixed({"type": "segment", "start": [-50, 0], "end": [50, 0]}, (0, -0.25))
     return level(
         {
@@ -122,6 +124,3 @@ def worst(measured: Array, expected: Array | float) -> float:
     """Return the largest difference, relative to the largest expected value if that is not zero."""
     scale = float(np.abs(expected).max())
     return float(np.abs(measured - expected).max()) / (scale or 1.0)
-
-
-Law = Callable[[Array], Array]

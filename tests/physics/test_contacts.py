@@ -1,6 +1,7 @@
 """Contact: slopes, collisions, bounces, stacks."""
 
-from math import atan, cos, degrees, pi, radians, sin
+from collections.abc import Callable
+from math import atan, cos, radians, sin
 
 import numpy as np
 import pytest
@@ -105,7 +106,9 @@ def test_a_stack_of_equal_boxes_stands_still(rate: int) -> None:
     assert worst(end.normal[4], G) <= 1e-9
 
 
-def collide(m1: float, m2: float, e: float, v1: float, v2: float, scheme: str = "leapfrog") -> Level:
+def collide(
+    m1: float, m2: float, e: float, v1: float, v2: float, scheme: str = "leapfrog"
+) -> Level:
     """Two discs on a line that meet after about half a second."""
     rest = {"restitution": e}
     return level(
@@ -131,7 +134,7 @@ def test_a_collision_on_a_line_ends_with_the_velocities_of_the_textbook(
     center, approach = (m1 * v1 + m2 * v2) / (m1 + m2), v1 - v2
     expected = center + e * approach * np.array([-m2, m1]) / (m1 + m2)
 
-    assert worst(end.velocity[:, 0], expected) <= 1e-12 * approach / np.abs(expected).max()  # 3e-16
+    assert np.abs(end.velocity[:, 0] - expected).max() <= 1e-12 * approach  # 2e-16
     assert worst(end.velocity[:, 1], 0.0) == 0
 
 
@@ -145,14 +148,16 @@ def test_an_impact_that_is_looked_at_changes_the_speed_at_once() -> None:
     assert (flight.acceleration == 0).all()
 
 
+MAKES: list[Callable[..., Spec]] = [disc, box]
+
+
 @st.composite
 def crowds(draw: st.DrawFn) -> dict[str, Spec]:
     """Discs and boxes in a ring, thrown at each other."""
     bodies = {}
     for i in range(draw(st.integers(2, 6))):
-        angle, make = 2.1 * i, draw(st.sampled_from([disc, lambda p, **kw: box(p, **kw)]))
-        speed = draw(st.floats(0.5, 5))
-        bodies[f"body{i}"] = make(
+        angle, speed = 2.1 * i, draw(st.floats(0.5, 5))
+        bodies[f"body{i}"] = draw(st.sampled_from(MAKES))(
             ((1.5 + 0.4 * i) * cos(angle), (1.5 + 0.4 * i) * sin(angle)),
             mass=draw(MASSES),
             velocity=[-speed * cos(angle), -speed * sin(angle)],
@@ -238,7 +243,7 @@ def test_a_hoop_rolls_slower_than_a_disc(shape: str, share: float) -> None:
 
 @pytest.mark.parametrize("angle", [0, 20])
 def test_no_ball_trips_where_the_segments_of_a_floor_join(angle: int) -> None:
-    """At a join a ball meets its next segment, which is no impact: nothing shows in its velocity."""
+    """At a join a ball meets its next segment. That is no impact: its velocity shows nothing."""
     tilt = radians(angle)
     points = [[0.7 * x * cos(tilt), 0.7 * x * sin(tilt)] for x in range(-20, 21)]
     foot = (0.5 * sin(tilt), -0.5 * cos(tilt))
@@ -291,6 +296,26 @@ def test_a_dropped_block_lies_still_from_its_landing_on() -> None:
     assert np.abs(fall.velocity[landed:, 0]).max() <= 1e-12
 
 
+def test_a_block_dropped_on_a_block_lies_still_from_its_landing_on() -> None:
+    """The ground holds the upper block up through the lower one."""
+    bodies = {"upper": box((0, 2)), "lower": box((0, 0.25)), "floor": floor()}
+    fall = run(build(level(bodies, {**GRAVITY, "contact": {}})), 120)
+    landed = int(np.argmax(fall.normal[:, 0] > 0))
+
+    assert np.abs(fall.velocity[landed]).max() <= 0.1 * G / 60  # 0.03: the solver's; it was half
+    assert np.abs(fall.velocity[landed + 10 :]).max() <= 1e-6  # 1e-9
+
+
+def test_an_impact_passes_through_a_row_of_blocks_at_once() -> None:
+    """It sticks to all the others: a quarter of the speed, as far as 10 sweeps of the solver go."""
+    row = {f"block{i}": box((0.5 * i, 0)) for i in range(3)}
+    scene = level({"shot": box((-1.2, 0), velocity=[4, 0]), **row}, {"contact": {}})
+    flight = run(build(scene), 60)
+
+    assert worst(flight.velocity[..., 0].sum(axis=1), 4) <= 1e-12
+    assert worst(flight.velocity[-1, :, 0], 1) <= 0.01  # 2e-3
+
+
 def test_bodies_that_start_deep_inside_each_other_part_gently() -> None:
     """Position correction moves without speed: nothing leaves with more energy than it came."""
     bodies = {f"box{i}": box((0.1 * i, 0.4 + 0.75 * i), size=(1, 1)) for i in range(4)}
@@ -302,9 +327,8 @@ def test_bodies_that_start_deep_inside_each_other_part_gently() -> None:
     assert np.ptp(energy[300:]) < 0.05
 
 
-@pytest.mark.parametrize("make", [disc, box])
-def test_bodies_in_one_place_come_to_rest_somewhere_finite(make: object) -> None:
-    assert callable(make)
+@pytest.mark.parametrize("make", MAKES)
+def test_bodies_in_one_place_come_to_rest_somewhere_finite(make: Callable[..., Spec]) -> None:
     bodies = {name: make((0, 1)) for name in "abc"}
     effects = {**GRAVITY, "contact": {}, "rotation": {}}
     end = build(level({**bodies, "floor": floor()}, effects)).advance(600)
@@ -328,12 +352,17 @@ def test_a_pairs_own_coefficient_wins_over_the_product() -> None:
         ),
     }
     pair = {"bodies": ["slope", "block"], "coefficient": 0}
-    effects = {**GRAVITY, "contact": {}, "friction": {"pairs": [pair]}, "restitution": {"pairs": [pair]}}
+    effects = {
+        **GRAVITY,
+        "contact": {},
+        "friction": {"pairs": [pair]},
+        "restitution": {"pairs": [pair]},
+    }
     world = build(level(bodies, effects))
     end = world.advance(60)
 
     assert np.hypot(*end.velocity[0]) == pytest.approx(G * sin(angle), rel=1e-10)
-    assert degrees(angle) < 45 <= degrees(pi / 4)  # with friction of 1 it would have been held
+    # with the friction of 1 that the bodies have themselves it would have been held
 
 
 def test_a_kinematic_platform_lifts_at_its_own_speed() -> None:
@@ -343,7 +372,10 @@ def test_a_kinematic_platform_lifts_at_its_own_speed() -> None:
         "position": [0, -0.1],
         "velocity": [0, 0.5],
     }
-    scene = level({"platform": platform, "load": box((0, 0.25), velocity=[0, 0.5])}, {**GRAVITY, "contact": {}})
+    scene = level(
+        {"platform": platform, "load": box((0, 0.25), velocity=[0, 0.5])},
+        {**GRAVITY, "contact": {}},
+    )
     lift = run(build(scene), 120)
 
     assert worst(lift.position[:, 1, 1] - 0.25, 0.5 * lift.t) <= 1e-12

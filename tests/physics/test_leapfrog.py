@@ -1,5 +1,6 @@
 """Free flight and orbits: exact where accelerations are constant, second order elsewhere."""
 
+from itertools import pairwise
 from math import log2, pi, sqrt
 
 import numpy as np
@@ -98,7 +99,7 @@ def test_an_eccentric_orbit_closes_with_the_order_of_its_scheme(scheme: str, ord
         world = build(orbit(sqrt(mu * 1.5), rate, scheme, mu))
         errors.append(float(np.hypot(*(world.advance(rate).position[0] - [1, 0]))))
 
-    for coarse, fine in zip(errors, errors[1:], strict=False):
+    for coarse, fine in pairwise(errors):
         assert log2(coarse / fine) == pytest.approx(order, abs=0.2)  # 2.00 and 0.9
 
 

@@ -20,7 +20,7 @@ def cases() -> Iterator[Case]:
     for level, parameters in LEVELS:
         moves = level != "newton/atwood-equal-masses"
         yield Case(
-            name="Atwood: way at every step",
+            name="Atwood: displacement at every step",
             level=level,
             parameters=parameters,
             quantity="left.position.y",

@@ -50,7 +50,7 @@ def cases() -> Iterator[Case]:
 
 def _sliding(name: str, level: str, parameters: Parameters) -> Iterator[Case]:
     yield Case(
-        name=f"{name}: way at every step",
+        name=f"{name}: displacement at every step",
         level=level,
         parameters=parameters,
         quantity="block.position.x",

@@ -40,7 +40,7 @@ def cases() -> Iterator[Case]:
 
 def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
     yield Case(
-        name="table and pulley: way at every step",
+        name="table and pulley: displacement at every step",
         level=level,
         parameters=parameters,
         quantity="block.position.x",
@@ -63,5 +63,5 @@ def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
             p["m1"], p["m2"], p["g"], p.get("mu", 0.0)
         ),
         tolerance=1e-10,
-        because="as for the way; the length's rounding is differenced twice",
+        because="as for the displacement; the length's rounding is differenced twice",
     )
