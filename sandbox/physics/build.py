@@ -58,6 +58,8 @@ class Scene:
         (n,), of dynamic bodies; 0 for others. The moment is 0, too, where nothing rotates.
     strings
         The joints that pymunk has not, in the level's order.
+    named_pairs
+        How many pairs have coefficients of their own, each a callback a contact.
     gravity, laws
         What acts on the bodies: gravity is pymunk's own, the laws need a hook.
     """
@@ -67,6 +69,7 @@ class Scene:
     mass: np.ndarray
     moment: np.ndarray
     strings: dict[str, PulleyString]
+    named_pairs: int
     gravity: Gravity | None
     laws: tuple[Force, ...]
 
@@ -81,13 +84,14 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
+    named_pairs = 0
     if level.effects.contact:
         hair = 0.0 if as_it_comes else HAIR
         if not as_it_comes:
             _skip_ids(space, level)
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
-        _pairs(space, level, values)
+        named_pairs = _pairs(space, level, values)
         if not as_it_comes:
             _settle(space, level, values, 1 / stepping.rate)
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
@@ -99,6 +103,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         mass=np.where(dynamic, mass, 0.0),
         moment=np.where(np.isfinite(moment) & dynamic, moment, 0.0),
         strings={name: _string(name, spec, bodies, values) for name, spec in level.joints.items()},
+        named_pairs=named_pairs,
         gravity=field,
         laws=force_laws(level.effects, values),
     )
@@ -258,8 +263,8 @@ def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> Non
     space.collision_slop = contact.slop(values)
 
 
-def _pairs(space: pymunk.Space, level: Level, values: Values) -> None:
-    """Give the pairs that the level names their own coefficients."""
+def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:
+    """Give the pairs that the level names their own coefficients, and return how many there are."""
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     coefficients: dict[tuple[str, str], dict[str, float]] = {}
     for attribute in ("friction", "restitution"):
@@ -269,6 +274,7 @@ def _pairs(space: pymunk.Space, level: Level, values: Values) -> None:
             coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
     for (a, b), chosen in coefficients.items():
         space.on_collision(kinds[a], kinds[b], pre_solve=_setter(chosen))
+    return len(coefficients)
 
 
 def _setter(

@@ -9,6 +9,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from typing import NoReturn
 
 import numpy as np
 import pymunk
@@ -73,6 +74,7 @@ class World:
         self.dt = 1 / stepping.rate
         self.steps = 0
         self.disturbed = False
+        self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
         self._bodies = list(self.scene.bodies.values())
@@ -98,8 +100,8 @@ class World:
 
     @property
     def hooks(self) -> int:
-        """How many Python callbacks a step makes."""
-        return self._hook.count if self._hook else 0
+        """How many Python callbacks a step makes, with one contact in each of the named pairs."""
+        return (self._hook.count if self._hook else 0) + self.scene.named_pairs
 
     def step(self) -> None:
         """Take one step without looking at it: nothing but pymunk's own step is paid for.
@@ -125,6 +127,8 @@ class World:
             If a joint cannot be kept, or a body is nowhere any more. The last good state stays in
             `snapshot`.
         """
+        if self._ended:
+            raise self._ended
         for _ in range(steps - 1):
             self.step()
         before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
@@ -261,17 +265,21 @@ class World:
         )
 
     def _check_finite(self, snapshot: Snapshot) -> None:
-        rows = np.concatenate((snapshot.position, snapshot.velocity), axis=1)
+        turning = np.stack((snapshot.angle, snapshot.angular_velocity), axis=1)
+        rows = np.concatenate((snapshot.position, snapshot.velocity, turning), axis=1)
         if not np.isfinite(rows).all():
             bad = ~np.isfinite(rows).all(axis=1)
             name = list(self.scene.bodies)[int(np.argmax(bad))]
-            raise SimulationError(name, self.t, f"the body '{name}' is no longer anywhere finite")
+            reason = f"the body '{name}' is no longer anywhere finite"
+            self._ended = SimulationError(name, self.t, reason)
+            raise self._ended
 
-    def _fail(self, error: Exception) -> None:
-        """Raise what a hook has kept, and go on raising it: such a world has ended."""
+    def _fail(self, error: Exception) -> NoReturn:
+        """Raise what a hook has kept; such a world has ended."""
+        self._ended = error
         if isinstance(error, JointFailure):
-            raise SimulationError(error.joint, self.t, str(error)) from error
-        raise error
+            self._ended = SimulationError(error.joint, self.t, str(error))
+        raise self._ended from error
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring."""

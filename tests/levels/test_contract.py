@@ -135,9 +135,10 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     """No shape without contact, no callback without a force law or a string."""
     world = build(level)
     strings, laws = len(level.joints), len(level.effects.attraction or ())
+    pairs = len(level.effects.friction.pairs) if level.effects.friction else 0
 
     assert bool(world.scene.space.shapes) == (level.effects.contact is not None)
-    assert bool(world.hooks) == bool(strings or laws)
+    assert bool(world.hooks) == bool(strings or laws or pairs)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:

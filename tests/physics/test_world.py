@@ -124,6 +124,13 @@ def test_python_runs_in_a_step_only_for_force_laws_and_strings(scene: Level, hoo
     assert len(world.scene.space.constraints) == (1 if hooks else 0)
 
 
+def test_a_pair_with_a_coefficient_of_its_own_is_counted_as_a_callback() -> None:
+    pair = {"pairs": [{"bodies": ["box", "floor"], "coefficient": 0.3}]}
+    effects = {**GRAVITY, "contact": {}, "friction": pair}
+
+    assert build(level({"box": box((0, 0.25)), "floor": floor()}, effects)).hooks == 1
+
+
 def test_what_goes_wrong_inside_a_step_comes_out_of_it(capfd: pytest.CaptureFixture[str]) -> None:
     """pymunk alone would print it and carry on."""
 
@@ -151,6 +158,8 @@ def test_a_body_that_is_nowhere_any_more_stops_the_run(contact: bool) -> None:
 
     assert caught.value.subject == "planet"
     assert caught.value.time == 1 / 60
+    with pytest.raises(SimulationError, match=r"t = 0\.0166667 s"):  # and it stays there
+        world.advance()
     assert world.snapshot.t == 0
     assert np.isfinite(world.snapshot.position).all()
 
