@@ -12,21 +12,25 @@ from rich.progress import track
 from rich.table import Table
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import write_atomically
-from validation.case import Outcome, run
+from sandbox.model.files import check_writable, write_atomically
+from validation.case import Case, Outcome, run
 from validation.cases import all_cases
 from validation.environment import environment
 
 app = typer.Typer(
-    help="Hold the sandbox against the textbook.",
+    name="validation",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 
 JsonFile = Annotated[
-    Path | None, typer.Option("--json", help="Also write the outcome to this file.")
+    Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
 ]
+
+HEADINGS = ("measured", "expected", "error", "bound", "naive error", "step", "naive")
 
 
 @app.callback()
@@ -40,47 +44,60 @@ def run_cases(json_file: JsonFile = None) -> None:
 
     Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
     """
-    cases = list(all_cases())
-    progress = Console(stderr=True)
-    outcomes = list(
-        track(
-            run(cases),
-            "Running cases",
-            total=len(cases),
-            console=progress,
-            transient=True,
-            disable=not progress.is_terminal,
-        )
-    )
-    _show(outcomes)
-    if json_file:
-        _write(json_file, outcomes)
-    if not all(outcome.passed for outcome in outcomes):
+    try:
+        if json_file:
+            check_writable(json_file)
+        cases = list(all_cases())
+        outcomes = _run(cases)
+        Console(width=_width()).print(_table(cases, outcomes))
+        if json_file:
+            write_atomically(json_file, _json(outcomes))
+            typer.echo(f"Written to {json_file}.")
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+    failed = [_named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
+    for name in failed:
+        typer.echo(f"failed: {name}", err=True)
+    typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
+    if failed:
         raise typer.Exit(1)
 
 
-def _show(outcomes: list[Outcome]) -> None:
-    console = Console()
-    if not console.is_terminal:
-        console.width = 150  # a pipe or a log has room for whole names
+def _run(cases: list[Case]) -> list[Outcome]:
+    """Run the cases, with progress on a terminal."""
+    console = Console(stderr=True)
+    progress = track(
+        run(cases),
+        "Running cases",
+        total=len(cases),
+        console=console,
+        transient=True,
+        disable=not console.is_terminal,
+    )
+    return list(progress)
+
+
+def _width() -> int | None:
+    """Return the width of a terminal; a pipe or a log has room for whole names."""
+    return None if Console().is_terminal else 160
+
+
+def _named(case: Case) -> str:
+    """Return a case's name with what was chosen for it."""
+    chosen = ", ".join(f"{name}={value:g}" for name, value in case.parameters.items())
+    return f"{case.name} ({chosen})" if chosen else case.name
+
+
+def _table(cases: list[Case], outcomes: list[Outcome]) -> Table:
     table = Table(title="Closed forms against runs", header_style="bold", row_styles=("", "dim"))
-    for heading in (
-        "case",
-        "measured",
-        "expected",
-        "error",
-        "bound",
-        "naive error",
-        "step",
-        "naive",
-    ):
-        table.add_column(
-            heading, justify="left" if heading == "case" else "right", no_wrap=heading != "case"
-        )
+    table.add_column("case")
+    for heading in HEADINGS:
+        table.add_column(heading, justify="right", no_wrap=True)
     table.add_column("")
-    for outcome in outcomes:
+    for case, outcome in zip(cases, outcomes, strict=True):
         table.add_row(
-            outcome.name,
+            _named(case),
             f"{outcome.measured:.7g} {outcome.unit}",
             f"{outcome.expected:.7g}",
             f"{outcome.error:.1e}",
@@ -90,16 +107,11 @@ def _show(outcomes: list[Outcome]) -> None:
             f"{outcome.naive_step_seconds * 1e6:.1f} µs",
             "[green]✓[/]" if outcome.passed else "[red]✗[/]",
         )
-    console.print(table)
-    failed = [outcome for outcome in outcomes if not outcome.passed]
-    for outcome in failed:
-        values = ", ".join(f"{name}={value:g}" for name, value in outcome.parameters.items())
-        console.print(f"[red]failed:[/] {outcome.name} ({outcome.level}; {values})")
-    console.print(f"{len(outcomes) - len(failed)} of {len(outcomes)} cases hold.")
+    return table
 
 
-def _write(path: Path, outcomes: list[Outcome]) -> None:
-    """Write the outcome as JSON, which has no infinity and no NaN: such figures are null."""
+def _json(outcomes: list[Outcome]) -> str:
+    """Return the outcome as JSON, which has no infinity and no NaN: such figures are null."""
     cases = [
         {
             name: None if isinstance(value, float) and not math.isfinite(value) else value
@@ -108,8 +120,4 @@ def _write(path: Path, outcomes: list[Outcome]) -> None:
         for outcome in outcomes
     ]
     content = {"environment": environment(), "cases": cases}
-    try:
-        write_atomically(path, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
-    except SandboxError as error:
-        Console(stderr=True).print(str(error), style="red", markup=False, highlight=False)
-        raise typer.Exit(2) from None
+    return json.dumps(content, indent=2, ensure_ascii=False) + "\n"

@@ -159,8 +159,8 @@ def _check(card: Card, reading: Reading) -> None:
     elif reading.measured is None or reading.expected is None or result.error is None:
         card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
     else:
-        measured = wording.quantity(reading.measured, result.unit)
         expected = wording.quantity(reading.expected, result.unit)
+        measured = wording.measured(reading.measured, reading.expected, result.unit)
         error = wording.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
     if result.verdict == "failed" and result.t is not None:

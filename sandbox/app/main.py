@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from collections.abc import Mapping
 
 import pygame
@@ -31,6 +32,8 @@ def has_display() -> bool:
 
 def run(level: str | None = None, settings: Mapping[str, float] | None = None) -> None:
     """Open the window, with a level given by its name or path, and stay until it is closed."""
+    # a tool tip that does not fit is cut off; that is nothing to tell a terminal
+    warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
     window.open_level(level or FIRST, settings)
     try:

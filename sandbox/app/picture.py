@@ -1,9 +1,8 @@
 """A still picture of a level, drawn without a window."""
 
-import os
+from io import BytesIO
 from math import ceil
 from pathlib import Path
-from tempfile import NamedTemporaryFile
 
 import pygame
 
@@ -12,6 +11,7 @@ from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
+from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 
 SIZE = (1280, 720)  # px
@@ -64,22 +64,16 @@ def save_picture(
     at: float | None = None,
     size: tuple[int, int] = SIZE,
 ) -> None:
-    """Draw a level into a PNG file, whole or not at all; see `render`."""
-    picture = render(level, values, at, size)
-    with NamedTemporaryFile(dir=path.parent, suffix=".png", delete=False) as file:
-        beside = Path(file.name)
-    try:
-        pygame.image.save(picture, beside)
-        beside.chmod(0o666 & ~_umask())
-        beside.replace(path)
-    finally:
-        beside.unlink(missing_ok=True)
+    """Draw a level into a PNG file, whole or not at all; see `render`.
 
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+    Raises
+    ------
+    SandboxError
+        If the run has to stop before that time, or the file cannot be written.
+    """
+    png = BytesIO()
+    pygame.image.save(render(level, values, at, size), png, "x.png")
+    write_atomically(path, png.getvalue())
 
 
 def _run(session: Session, at: float) -> None:

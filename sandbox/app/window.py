@@ -116,6 +116,7 @@ class Window:
         if self.session is not None:
             session.speed = self.session.speed
         self.session, self._refused = session, ""
+        self._tell("")
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
@@ -227,6 +228,7 @@ class Window:
         elif change.value != self.session.values[change.name]:
             try:
                 self.session.restart({change.name: change.value})
+                self._tell("")
             except SandboxError as error:
                 self._tell(str(error))
         self.panels.side.parameters.show(self.session.values)
@@ -308,7 +310,7 @@ class Window:
         text, color = "", theme.NOTICE
         if session.failure is not None:
             text, color = f"{session.failure} – R restarts", theme.FAILED
-        elif self._note[1] > 0:
+        elif self._note[0] and self._note[1] > 0:
             text = self._note[0]
         elif session.at_end and not session.playing:
             when = wording.seconds(session.duration)

@@ -1,6 +1,6 @@
 """How numbers and moments are put for a person to read."""
 
-from math import degrees, floor, isfinite, log10
+from math import degrees, floor, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
 
@@ -37,6 +37,11 @@ def quantity(value: float, unit: str, digits: int = 5) -> str:
     if unit.startswith("rad"):
         return f"{number(degrees(value), digits)}{unit.replace('rad', '°')}"
     return f"{number(value, digits)} {unit}".rstrip()
+
+
+def measured(value: float, expected: float, unit: str) -> str:
+    """Write what was measured; what differs by rounding alone is not rounded another way."""
+    return quantity(expected if isclose(value, expected, rel_tol=1e-9) else value, unit)
 
 
 def with_unit(text: str, unit: str) -> str:

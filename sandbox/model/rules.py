@@ -7,13 +7,13 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 
 from collections.abc import Callable, Collection, Iterator
 from functools import partial
-from itertools import islice, pairwise, product
+from itertools import chain, islice, pairwise, product
 from math import hypot
 from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.model.consistency import inconsistencies
+from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
 from sandbox.model.level import Body, Joint, Level
@@ -25,6 +25,10 @@ __all__ = ["Fault", "broken", "corners", "expressions", "faults"]
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
+
+
+MAX_STEPS = 10_000_000
+"""How long a run may be: some minutes of computing."""
 
 
 class Condition(NamedTuple):
@@ -39,9 +43,13 @@ class Condition(NamedTuple):
 
 def faults(level: Level) -> list[Fault]:
     """Return everything that is wrong with a level, as far as it makes sense to look."""
-    stages = (inconsistencies, _values, _late)
-    listed = (list(islice(stage(level), MAX_MISTAKES + 1)) for stage in stages)
-    return next(filter(None, listed), [])
+    if next(dangling(level), None):
+        return _most(inconsistencies(level))
+    return _most(chain(inconsistencies(level), _values(level))) or _most(_late(level))
+
+
+def _most(found: Iterator[Fault]) -> list[Fault]:
+    return list(islice(found, MAX_MISTAKES + 1))
 
 
 def broken(level: Level, values: Values) -> Iterator[Fault]:
@@ -89,6 +97,7 @@ def _conditions(level: Level) -> Iterator[Condition]:
     for path, expression in expressions(level):
         if expression.names and not isinstance(expression, Formula):
             yield Condition(path, expression.names, partial(_value_fault, expression))
+    yield Condition(("duration",), level.duration.names, partial(_too_long, level))
     for name, body in level.bodies.items():
         wrong = partial(_shape_fault, body.shape)
         yield Condition(("bodies", name, "shape"), names_in(body.shape), wrong)
@@ -105,6 +114,14 @@ def _value_fault(expression: Expression, values: Values) -> str | None:
     except ExpressionError as error:
         return str(error)
     return None
+
+
+def _too_long(level: Level, values: Values) -> str | None:
+    try:
+        steps = level.duration(values) * level.stepping.rate
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    return f"that takes {steps:.1g} steps; {MAX_STEPS:,} are allowed" if steps > MAX_STEPS else None
 
 
 def _shape_fault(shape: Shape, values: Values) -> str | None:

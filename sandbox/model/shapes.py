@@ -25,6 +25,13 @@ def evaluate(point: Point, values: Values) -> XY:
     return point[0](values), point[1](values)
 
 
+THINNEST = 1e-7
+"""m, the width that a polygon must have to collide."""
+
+SLIMMEST = 1e-5
+"""The same as a share of its length."""
+
+
 class Disc(Model):
     """A uniform disc: I = m r² / 2."""
 
@@ -118,7 +125,12 @@ def _polygon_fault(starts: Array, ends: Array) -> str | None:
         return f"the polygon crosses itself: the edge from point {i} meets that from point {j}"
     area = np.sum(_turn(starts[0], starts, ends)) / 2
     extent = np.max(np.ptp(starts, axis=0))
-    return "the polygon has no area" if abs(area) <= 1e-12 * extent**2 else None
+    if abs(area) <= 1e-12 * extent**2:
+        return "the polygon has no area"
+    width = 2 * abs(area) / extent
+    if width < max(THINNEST, SLIMMEST * extent):
+        return f"the polygon is too thin: {width:.1g} m over a length of {extent:.3g} m"
+    return None
 
 
 def _crossings(starts: Array, ends: Array) -> NDArray[np.int64]:

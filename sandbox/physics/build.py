@@ -39,6 +39,9 @@ INSET = 1e-8
 little: between boxes that are as wide as each other, and stand in line but for the last digit,
 pymunk now and then finds a sideways normal and throws them apart."""
 
+SHARPEST = 1e-8
+"""One plus the cosine between the normals of a corner's sides, below which it is not inset."""
+
 GOLDEN = 0.6180339887498949
 """Its multiples, less their whole part, stay clear of each other."""
 
@@ -227,7 +230,10 @@ def _outline(
 
 
 def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymunk.Shape:
-    """Make a convex polygon that stands proud by a hair, as a smaller one with a radius."""
+    """Make a convex polygon that stands proud by a hair, as a smaller one with a radius.
+
+    A part of a cut polygon may be too thin for that; then it has the hair alone.
+    """
     if not hair:
         return pymunk.Poly(body, points)
     inset = INSET * (1 + kind * GOLDEN % 1)
@@ -236,9 +242,11 @@ def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymu
     outwards = np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
     outwards *= np.sign(twice_area(a))
     before = np.roll(outwards, 1, axis=0)
-    corner = (before + outwards) / (1 + np.sum(before * outwards, axis=1))[:, None]
-    core = [(float(x), float(y)) for x, y in a - inset * corner]
-    return pymunk.Poly(body, core, radius=inset + hair)
+    blunt = 1 + np.sum(before * outwards, axis=1)
+    if blunt.min() < SHARPEST:
+        return pymunk.Poly(body, points, radius=hair)
+    core = a - inset * (before + outwards) / blunt[:, None]
+    return pymunk.Poly(body, [(float(x), float(y)) for x, y in core], radius=inset + hair)
 
 
 def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:

@@ -1,4 +1,4 @@
-"""The one place where Python runs inside a step.
+"""Python inside a step: force laws before the kick, strings after the solver.
 
 pymunk drifts the positions, finds the contacts, kicks the velocities and lets the solver have its
 way. Forces belong between drift and kick, where they see the new positions: that makes the step

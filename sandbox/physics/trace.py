@@ -21,6 +21,9 @@ from sandbox.physics.world import World, build
 
 Pair = frozenset[str]
 
+MANY = 1000
+"""How many snapshots are kept before they are measured."""
+
 
 @dataclass(frozen=True, slots=True)
 class Trace:
@@ -82,14 +85,20 @@ class Recorder:
             self._contacts.setdefault(pair, self._count)
         self._fresh.append(self._world.snapshot)
         self._count += 1
+        if len(self._fresh) == MANY:
+            self._measure()
 
-    @property
-    def trace(self) -> Trace:
-        """Everything noted so far."""
+    def _measure(self) -> None:
+        """Measure what is fresh, and let go of its snapshots."""
         if self._fresh:
             stack = Snapshot.stack(self._fresh)
             self._measured.append((stack.t, self._meter(stack)))
             self._fresh.clear()
+
+    @property
+    def trace(self) -> Trace:
+        """Everything noted so far."""
+        self._measure()
         if len(self._measured) > 1:
             times, parts = zip(*self._measured, strict=True)
             joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}

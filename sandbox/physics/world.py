@@ -126,9 +126,13 @@ class World:
         SimulationError
             If a joint cannot be kept, or a body is nowhere any more. The last good state stays in
             `snapshot`.
+        ValueError
+            If there are no steps to take.
         """
         if self._ended:
             raise self._ended
+        if steps < 1:
+            raise ValueError(f"steps is {steps}, but must be at least 1")
         for _ in range(steps - 1):
             self.step()
         before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
@@ -192,10 +196,12 @@ class World:
         bias, self._space.collision_bias = self._space.collision_bias, 1.0
         for body in moving:
             body.position_func = _stay
-        yield
-        for body in moving:
-            body.position_func = pymunk.Body.update_position
-        self._space.collision_bias = bias
+        try:
+            yield
+        finally:
+            for body in moving:
+                body.position_func = pymunk.Body.update_position
+            self._space.collision_bias = bias
 
     def _settle(self, start: Array, kick: float) -> Array:
         """Kick held bodies, and return their velocities after it.

@@ -343,6 +343,32 @@ def test_the_buttons_of_a_small_window_do_not_overlap(player: Person) -> None:
     assert all(rect.right <= 1024 and rect.bottom <= 640 for rect in rects)
 
 
+def test_in_a_narrow_window_the_columns_make_way_for_the_stage(player: Person) -> None:
+    player.window.surface = pygame.display.set_mode((640, 480), pygame.RESIZABLE)
+    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(640, 480), w=640, h=480))
+    player.wait()
+    parts = player.window.panels.layout
+
+    assert (parts.levels.width, parts.side.width, parts.stage.width) == (0, 0, 640)
+    assert parts.controls.bottom == 480
+
+
+def test_a_complaint_goes_when_it_is_mended(player: Person) -> None:
+    player.press(pygame.K_TAB)
+    player.type("99")
+    player.press(pygame.K_RETURN, "\r")
+    player.wait()
+    banner = player.window.panels.layout.stage.centerx, 20
+    complaining = player.window.surface.get_at(banner)
+    player.press(pygame.K_TAB)
+    player.type("3")
+    player.press(pygame.K_RETURN, "\r")
+    player.wait()
+
+    assert player.session.values["g"] != 10
+    assert player.window.surface.get_at(banner) != complaining
+
+
 def test_columns_are_hidden_to_make_room_for_the_stage(player: Person) -> None:
     player.press(pygame.K_l, "l")
     player.press(pygame.K_p, "p")

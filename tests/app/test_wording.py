@@ -34,3 +34,8 @@ def test_angles_are_read_in_degrees() -> None:
 )
 def test_a_nice_number_is_the_next_of_one_two_five(value: float, nice: float) -> None:
     assert wording.nice(value) == pytest.approx(nice)
+
+
+def test_what_differs_by_rounding_alone_is_not_shown_as_different() -> None:
+    assert wording.measured(1.7737500000000004, 1.77375, "m") == wording.quantity(1.77375, "m")
+    assert wording.measured(1.774, 1.77375, "m") == "1.7740 m"

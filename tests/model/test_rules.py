@@ -228,3 +228,31 @@ def test_mistakes_are_listed_up_to_a_limit() -> None:
 
     assert len(found) == MAX_MISTAKES + 1
     assert "and more" in found[-1].rule
+
+
+def test_contradictions_and_impossible_values_are_told_together() -> None:
+    def change(data: Data) -> None:
+        data["bodies"]["ball"] |= {"friction": 0.5, "mass": "m - 1"}
+
+    assert {mistake.path for mistake in mistakes(bare(), change)} == {
+        "bodies.ball.friction",
+        "bodies.ball.mass",
+    }
+
+
+def test_a_run_of_years_is_refused() -> None:
+    (mistake,) = mistakes(bare(), lambda data: data.update(duration=1e12))
+
+    assert mistake.path == "duration"
+    assert "10,000,000 are allowed" in mistake.rule
+
+
+@pytest.mark.parametrize("thin", [1e-9, 1e-7, 0.0])
+def test_a_polygon_too_thin_to_collide_is_refused(thin: float) -> None:
+    def change(data: Data) -> None:
+        vertices = [[0, 0], [1, 0], [2, thin]]
+        data["bodies"]["ball"]["shape"] = {"type": "polygon", "vertices": vertices}
+
+    (mistake,) = mistakes(bare(), change)
+
+    assert mistake.path == "bodies.ball.shape"

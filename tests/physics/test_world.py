@@ -164,6 +164,11 @@ def test_a_body_that_is_nowhere_any_more_stops_the_run(contact: bool) -> None:
     assert np.isfinite(world.snapshot.position).all()
 
 
+def test_there_is_no_state_to_observe_without_a_step() -> None:
+    with pytest.raises(ValueError, match="steps is 0"):
+        build(orbit()).advance(0)
+
+
 def test_a_run_that_leaves_the_range_of_floats_says_so() -> None:
     world = build(level({"a": disc(), "b": disc((9, 0), velocity=[1e308, 0])}, {"contact": {}}))
     with pytest.raises(SimulationError, match="'b'"):

@@ -66,6 +66,12 @@ def test_naive_pymunk_misses(claim: str, least: float, outcomes: dict[str, Outco
     assert min(errors) > least
 
 
+@pytest.mark.parametrize("case", CASES, ids=ident)
+def test_a_formula_that_is_wrong_by_one_percent_would_fail(case: Case) -> None:
+    """Errors are relative to the largest expected value: that one would be 1e-2."""
+    assert case.tolerance <= 1e-3
+
+
 def test_a_wrong_closed_form_fails() -> None:
     case = next(case for case in CASES if case.name == "Atwood: tension at every step")
     wrong = replace(case, expected=lambda p, _: p["m1"] * p["g"])

@@ -64,7 +64,7 @@ def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> Non
     result = CliRunner().invoke(cli.app, ["run"])
 
     assert result.exit_code == 1
-    assert "failed: wrong (kinematics/free-fall" in result.stdout
+    assert "failed: wrong" in result.stderr
 
 
 def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
@@ -74,11 +74,10 @@ def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
     assert "Traceback" not in result.output
 
 
-def test_an_event_that_never_came_is_null_in_the_json(tmp_path: Path) -> None:
+def test_an_event_that_never_came_is_null_in_the_json() -> None:
     outcome = next(run([next(free_fall.cases())]))
     lost = {**{f: getattr(outcome, f) for f in FIELDS}, "measured": float("nan")}
-    file = tmp_path / "out.json"
 
-    cli._write(file, [type(outcome)(**lost)])
+    text = cli._json([type(outcome)(**lost)])
 
-    assert json.loads(file.read_text(encoding="utf-8"))["cases"][0]["measured"] is None
+    assert json.loads(text)["cases"][0]["measured"] is None

@@ -17,6 +17,8 @@ GAP = 6  # px
 MARGIN = 12  # px
 SPEED = 58  # px, for the number between the two buttons
 
+ROOMY = 900  # px, the window's width from which on there is room for what is shown
+
 LEFT: tuple[tuple[Command, str, int], ...] = (
     ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
 )  # fmt: skip
@@ -39,9 +41,10 @@ class Controls:
         x = self._button("slower", "−", x, 32)
         self._speed = pygame.Rect(x, 0, SPEED, 0)
         x = self._button("faster", "+", x + SPEED, 32)
-        right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in RIGHT)
+        shown = RIGHT if rect.width >= ROOMY else RIGHT[-1:]
+        right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
         self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
-        for command, text, width in RIGHT:
+        for command, text, width in shown:
             right = self._button(command, text, right, width)
 
     def _button(self, command: Command, text: str, x: int, width: int) -> int:
@@ -76,7 +79,8 @@ class Controls:
             "ghosts": shown.ghosts, "names": shown.names,
         }  # fmt: skip
         for command, on in states.items():
-            press(self._buttons[command], on)
+            if command in self._buttons:
+                press(self._buttons[command], on)
 
     def draw(self, surface: pygame.Surface, session: Session | None) -> None:
         """Draw the bar's ground, the speed and the clock; the buttons are the manager's."""

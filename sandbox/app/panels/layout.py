@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from pygame import Rect
 
 BAR = 60  # px, the height of the controls
+ROOM_FOR_BOTH = 860  # px, the width from which on there is room for both columns
+ROOM_FOR_ONE = 700  # px
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,10 +20,10 @@ class Layout:
 
 
 def divide(size: tuple[int, int], levels: bool, side: bool) -> Layout:
-    """Divide a window; the columns are narrower in a small one."""
-    width, height = max(size[0], 640), max(size[1], 400)
-    left = min(max(width * 19 // 100, 210), 290) if levels else 0
-    right = min(max(width // 4, 320), 400) if side else 0
+    """Divide a window; the columns are narrower in a small one, and make way for the stage."""
+    width, height = max(size[0], 480), max(size[1], 300)
+    left = min(max(width * 19 // 100, 210), 290) if levels and width >= ROOM_FOR_BOTH else 0
+    right = min(max(width // 4, 320), 400) if side and width >= ROOM_FOR_ONE else 0
     upper = height - BAR
     return Layout(
         levels=Rect(0, 0, left, upper),
