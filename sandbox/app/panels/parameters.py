@@ -124,9 +124,11 @@ class Parameters:
         return any(row.field.is_focused for row in self._rows.values())
 
     def revert(self) -> None:
-        """Let the fields say again what is the case."""
+        """Let the fields say again what is the case, ready to be typed over."""
         for row in self._rows.values():
             row.field.set_text(row.shown)
+            if row.field.is_focused:
+                row.field.select_range = [0, len(row.shown)]
 
     def row(self, name: str) -> Row:
         """Return the widgets of a parameter."""
