@@ -61,7 +61,8 @@ def _write_marks(
     for y in _marks(camera, major, 1):
         text = pen.write(_mark(y), 11, theme.DIM)
         py = round(camera.to_screen((0, y))[1])
-        surface.blit(text, (side - LONG - 3 - text.width, py - text.height // 2))
+        if py + text.height // 2 <= camera.size[1] - RULER:  # the corner belongs to the unit
+            surface.blit(text, (side - LONG - 3 - text.width, py - text.height // 2))
 
 
 def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:

@@ -79,7 +79,7 @@ class Stage:
         surface.blit(self._canvas, (0, 0))
         self._draw_joints(surface)
         self._draw_bodies(surface)
-        if self.shown.ghosts:
+        if self._ghosts:
             self._draw_ghosts(surface)
         if self.shown.arrows:
             self._draw_arrows(surface)
@@ -98,6 +98,11 @@ class Stage:
                 return outline.name
         return None
 
+    @property
+    def _ghosts(self) -> bool:
+        """Whether to draw where the closed form says that bodies are: not once a hand was there."""
+        return self.shown.ghosts and not self._world.disturbed
+
     def _state(self, outline: Outline) -> tuple[XY, float]:
         snapshot = self._world.snapshot
         x, y = snapshot.position[outline.row].tolist()
@@ -105,7 +110,7 @@ class Stage:
 
     def _draw_base(self) -> None:
         camera = self.camera
-        key = (camera.center, camera.scale, camera.size, self.shown.ghosts)
+        key = (camera.center, camera.scale, camera.size, self._ghosts)
         if key == self._base_key:
             return
         self._base_key, self._trail_key = key, None
@@ -115,7 +120,7 @@ class Stage:
             if not outline.moves:
                 bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
         self._draw_centers()
-        if self.shown.ghosts:
+        if self._ghosts:
             for formulas in self._world.level.ghosts.values():
                 marks.draw_ghost_path(
                     self._base, camera, formulas, self._world.values, self._duration
