@@ -41,7 +41,7 @@ check-levels: $(FOR_TEST) ## is every level well formed
 	$(HEADLESS) $(PY) -m sandbox check levels/*/*.json
 
 pytest: $(FOR_TEST) ## the tests
-	$(HEADLESS) $(PY) -m pytest -n $(WORKERS)
+	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist loadgroup
 
 validate: $(FOR_TEST) ## every case against its closed form
 	$(HEADLESS) $(PY) -m validation run

@@ -1,7 +1,8 @@
 """What a validation case is, and how one is run."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from time import perf_counter
 
 import numpy as np
@@ -105,18 +106,55 @@ class Outcome:
 
 
 def run(cases: Iterable[Case]) -> Iterator[Outcome]:
-    """Run cases one after the other; those of one level and parameters share their timings."""
-    timings: dict[tuple[str, tuple[tuple[str, float], ...]], tuple[float, float]] = {}
+    """Run cases one after the other; those of one level and parameters share their runs."""
+    cases = list(cases)
+    shared: dict[Hashable, _Runs] = {}
     for case in cases:
-        level = load(find(case.level))
-        values = choose(level, case.parameters)
-        key = (case.level, tuple(sorted(values.items())))
-        if key not in timings:
-            timings[key] = (
-                step_seconds(level, values, level.stepping),
-                step_seconds(level, values, naive(level)),
-            )
-        yield _outcome(case, level, values, timings[key])
+        runs = shared.setdefault(_key(case), _Runs(case))
+        runs.record.update(dict.fromkeys(needed_at(case.quantity, case.at)))
+    for case in cases:
+        yield _outcome(case, shared[_key(case)])
+
+
+def _key(case: Case) -> Hashable:
+    return case.level, tuple(sorted(case.parameters.items())), case.duration
+
+
+class _Runs:
+    """What cases of one level and parameters have in common: two runs, and two timings.
+
+    Attributes
+    ----------
+    level, values
+        What is run.
+    record
+        The quantities that the cases need, as keys.
+    """
+
+    def __init__(self, case: Case) -> None:
+        self.level = load(find(case.level))
+        self.values = choose(self.level, case.parameters)
+        self.record: dict[str, None] = {}
+        self._duration = case.duration
+
+    @cached_property
+    def ours(self) -> Trace:
+        return self._simulate(self.level.stepping)
+
+    @cached_property
+    def theirs(self) -> Trace:
+        return self._simulate(naive(self.level))
+
+    @cached_property
+    def seconds(self) -> tuple[float, float]:
+        """What a step of each costs [s]."""
+        return (
+            step_seconds(self.level, self.values, self.level.stepping),
+            step_seconds(self.level, self.values, naive(self.level)),
+        )
+
+    def _simulate(self, stepping: Stepping) -> Trace:
+        return simulate(self.level, self.values, self._duration, self.record, stepping)
 
 
 def naive(level: Level) -> Stepping:
@@ -137,31 +175,25 @@ def step_seconds(level: Level, values: Values, stepping: Stepping) -> float:
     return best
 
 
-def _outcome(case: Case, level: Level, values: Values, timing: tuple[float, float]) -> Outcome:
-    ours = _compare(case, _trace(case, level, values, level.stepping))
-    theirs = _compare(case, _trace(case, level, values, naive(level)))
-    error, naive_error = ours[2], theirs[2]
+def _outcome(case: Case, runs: _Runs) -> Outcome:
+    measured, expected, error = _compare(case, runs.ours)
+    _, _, naive_error = _compare(case, runs.theirs)
     proven = case.naive_misses is None or naive_error > case.naive_misses
     return Outcome(
         name=case.name,
         level=case.level,
-        parameters=values,
+        parameters=runs.values,
         quantity=case.quantity,
-        unit=quantity(case.quantity, level).unit,
-        measured=ours[0],
-        expected=ours[1],
+        unit=quantity(case.quantity, runs.level).unit,
+        measured=measured,
+        expected=expected,
         error=error,
         tolerance=case.tolerance,
         passed=error <= case.tolerance and proven,
         naive_error=naive_error,
-        step_seconds=timing[0],
-        naive_step_seconds=timing[1],
+        step_seconds=runs.seconds[0],
+        naive_step_seconds=runs.seconds[1],
     )
-
-
-def _trace(case: Case, level: Level, values: Values, stepping: Stepping) -> Trace:
-    record = needed_at(case.quantity, case.at)
-    return simulate(level, values, case.duration, record, stepping)
 
 
 def _compare(case: Case, trace: Trace) -> tuple[float, float, float]:

@@ -11,6 +11,8 @@ from validation.cases import all_cases
 
 CASES = list(all_cases())
 
+pytestmark = pytest.mark.xdist_group("cases")  # they share their runs
+
 
 def ident(case: Case) -> str:
     chosen = ",".join(f"{name}={value:g}" for name, value in case.parameters.items())

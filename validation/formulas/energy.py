@@ -1,6 +1,9 @@
 """Work, energy and potential wells: the chapter, section 5."""
 
 import numpy as np
+from numpy.typing import ArrayLike
+
+from validation.formulas.arrays import Array
 
 
 def landing_speed(speed: float, g: float, height: float) -> float:
@@ -30,3 +33,96 @@ def circular_orbit_speed(mu: float, r: float) -> float:
 def circular_orbit_energy(mu: float, r: float, mass: float = 1.0) -> float:
     """Return kinetic and potential energy of a circular orbit together [J]: −μ m / (2 r)."""
     return kinetic_energy((mass, circular_orbit_speed(mu, r))) - mu * mass / r
+
+
+def work_distance(mass: float, speed: float, force: float) -> float:
+    """Return how far a constant force must act against a body to stop it [m]: m v² / (2 F).
+
+    The chapter, section 5, the work-energy theorem: −F s is the change of kinetic energy; F > 0.
+    """
+    return kinetic_energy((mass, speed)) / force
+
+
+def ramp_time(height: float, angle: float, g: float) -> float:
+    """Return how long a body slides from rest down a straight smooth ramp [s].
+
+    The way h / sin θ at the mean of the speeds 0 and √(2 g h), which the chapter's section 5 gives;
+    0 < θ ≤ π/2, g, h > 0.
+    """
+    return 2 * height / float(np.sin(angle)) / landing_speed(0.0, g, height)
+
+
+def kepler_period(a: float, mu: float) -> float:
+    """Return the period of an orbit with the semi-major axis a [s]: 2 π √(a³ / μ).
+
+    Kepler's third law in the well of the chapter's section 5: the areal velocity is half the
+    angular momentum, √(μ a (1 − e²)) / 2, and the area π a² √(1 − e²); a, mu > 0.
+    """
+    return 2 * float(np.pi * np.sqrt(a**3 / mu))
+
+
+def kepler_energy(a: float, mu: float) -> float:
+    """Return the energy of an orbit with the semi-major axis a, for each kilogram [J]: −μ / (2 a).
+
+    v² / 2 − μ / r at perihelion, with the speed that `apsis_speed` gives there.
+    """
+    return -mu / (2 * a)
+
+
+def apsis_speed(near: float, far: float, mu: float) -> float:
+    """Return the speed at the near end of an orbit, or at the far end if they are swapped [m/s].
+
+    Energy v² / 2 − μ / r and angular momentum r v are the same at both ends (the chapter, sections
+    5 and 8): v² = 2 μ far / (near (near + far)); all > 0.
+    """
+    return float(np.sqrt(2 * mu * far / (near * (near + far))))
+
+
+def kepler_place(near: float, e: float, mu: float, t: ArrayLike) -> tuple[Array, Array]:
+    """Return x and y on an ellipse about the origin, from the perihelion (near, 0) on [m].
+
+    Kepler's equation M = E − e sin E, with M the share of the period that has passed, solved by
+    Newton's method; x = a (cos E − e), y = a √(1 − e²) sin E. 0 ≤ e < 0.9, counter-clockwise.
+    """
+    a = near / (1 - e)
+    mean = 2 * np.pi * np.asarray(t, dtype=float) / kepler_period(a, mu)
+    anomaly = mean + e * np.sin(mean)
+    for _ in range(20):
+        anomaly = anomaly - (anomaly - e * np.sin(anomaly) - mean) / (1 - e * np.cos(anomaly))
+    return a * (np.cos(anomaly) - e), a * np.sqrt(1 - e * e) * np.sin(anomaly)
+
+
+def escape_speed(mu: float, r: ArrayLike) -> Array:
+    """Return the least speed at a distance with which a body never comes back [m/s]: √(2 μ / r).
+
+    v² / 2 − μ / r = 0, the chapter's section 5; mu, r > 0.
+    """
+    return np.sqrt(2 * mu / np.asarray(r, dtype=float))
+
+
+def escape_distance(r: float, mu: float, t: ArrayLike) -> Array:
+    """Return how far a body is that left a distance r straight out at escape speed [m].
+
+    dr / dt = √(2 μ / r) separates: r^(3/2) grows by (3/2) √(2 μ) a second; mu, r > 0.
+    """
+    t = np.asarray(t, dtype=float)
+    return np.cbrt((r * np.sqrt(r) + 1.5 * np.sqrt(2 * mu) * t) ** 2)
+
+
+def turning_distance(r: float, share: float) -> float:
+    """Return how far a body comes that leaves straight out with a share of escape speed [m].
+
+    −(1 − f²) μ / r = −μ / R, the chapter's section 5: R = r / (1 − f²); 0 ≤ f < 1.
+    """
+    return r / (1 - share**2)
+
+
+def turning_time(r: float, share: float, mu: float) -> float:
+    """Return how long that takes [s].
+
+    A straight orbit is an ellipse of eccentricity 1 with a = R / 2: Kepler's equation from
+    r = a (1 − cos E) to E = π; 0 ≤ f < 1.
+    """
+    a = turning_distance(r, share) / 2
+    start = float(np.arccos(1 - r / a))
+    return kepler_period(a, mu) / (2 * np.pi) * (np.pi - start + np.sin(start))

@@ -63,3 +63,66 @@ def flight_time(speed: float, angle: float, g: float, height: float = 0.0) -> fl
     """
     up = speed * np.sin(angle)
     return float((up + np.sqrt(up * up + 2 * g * height)) / g)
+
+
+def uniform_position(v0: float, a: float, t: ArrayLike) -> Array:
+    """Return how far a uniformly accelerated body has come [m]: v0 t + a t² / 2.
+
+    The chapter, section 3, uniformly accelerated motion; v0 [m/s], a [m/s²] along one line.
+    """
+    t = np.asarray(t, dtype=float)
+    return (v0 + 0.5 * a * t) * t
+
+
+def uniform_velocity(v0: float, a: float, t: ArrayLike) -> Array:
+    """Return the velocity of a uniformly accelerated body [m/s]: v0 + a t.
+
+    The chapter, section 3.
+    """
+    return v0 + a * np.asarray(t, dtype=float)
+
+
+def speed_after_way(v0: float, a: float, way: float) -> float:
+    """Return the speed of a uniformly accelerated body after a way [m/s]: √(v0² + 2 a s).
+
+    Position and velocity of the chapter's section 3 without the time; v0² + 2 a s ≥ 0.
+    """
+    return float(np.sqrt(v0**2 + 2 * a * way))
+
+
+def rise_time(speed: float, g: float) -> float:
+    """Return how long a body thrown straight up rises [s]: v / g.
+
+    From v − g t = 0, the chapter's section 3; g > 0.
+    """
+    return speed / g
+
+
+def projectile_speed(speed: float, angle: float, g: float, t: ArrayLike) -> Array:
+    """Return the speed of a projectile [m/s]: the root of vx² + vy².
+
+    The chapter, section 3: Pythagoras over v cos θ and v sin θ − g t, written out,
+    v² − 2 v g t sin θ + g² t². No air.
+    """
+    fall = g * np.asarray(t, dtype=float)
+    return np.sqrt(speed**2 - 2 * speed * np.sin(angle) * fall + fall**2)
+
+
+def centripetal_acceleration(speed: float, r: float) -> float:
+    """Return the acceleration of uniform motion round a circle, towards its centre [m/s²]: v² / r.
+
+    The chapter, section 3: turning at constant speed still requires acceleration. Differentiate
+    r (cos ωt, sin ωt) twice, with ω = v / r; r > 0.
+    """
+    return speed**2 / r
+
+
+def circular_period(speed: float, r: float) -> float:
+    """Return how long a circle takes at constant speed [s]: 2 π r / v; r, v > 0."""
+    return 2 * float(np.pi) * r / speed
+
+
+def circular_position(speed: float, r: float, t: ArrayLike) -> tuple[Array, Array]:
+    """Return x and y in uniform motion round the origin, counter-clockwise from (r, 0) [m]."""
+    turned = np.asarray(t, dtype=float) * speed / r
+    return r * np.cos(turned), r * np.sin(turned)

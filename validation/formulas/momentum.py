@@ -1,6 +1,11 @@
 """Momentum, impulse and collisions: the chapter, section 7."""
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.typing import ArrayLike
+
+from validation.formulas.arrays import Array
 
 
 def collision_velocities(
@@ -30,3 +35,46 @@ def glancing_velocities(
     along = speed * c
     second = (along * c, along * s)
     return (speed - second[0], -second[1]), second
+
+
+def center_of_mass(bodies: Iterable[tuple[float, float, float]], t: ArrayLike) -> Array:
+    """Return where the centre of mass of bodies on a line is [m].
+
+    Each body is a mass [kg], a position and a velocity at the start [m, m/s]. The chapter, section
+    7: without an external force Σ m v stays, whatever they do to each other, so the centre Σ m x /
+    Σ m moves on at Σ m v / Σ m.
+    """
+    table = np.array(list(bodies), dtype=float)
+    shares = table[:, 0] / table[:, 0].sum()
+    return shares @ table[:, 1] + (shares @ table[:, 2]) * np.asarray(t, dtype=float)
+
+
+def velocity_between_walls(speed: float, e: float, hits: int) -> float:
+    """Return the velocity of a puck between two walls after so many hits [m/s]: v (−e)ⁿ.
+
+    The wall's impulse turns the momentum round (the chapter, section 7), less what restitution
+    leaves out; 0 ≤ e ≤ 1.
+    """
+    return speed * (-e) ** hits
+
+
+def rebound_height(height: float, e: float) -> float:
+    """Return how high a ball rises after a bounce from a height [m]: e² h.
+
+    Falling and rising keep v² / 2 + g h (the chapter, section 5), the bounce scales v by e;
+    0 ≤ e ≤ 1.
+    """
+    return e**2 * height
+
+
+def rebound_speed(height: float, e: float, g: float) -> float:
+    """Return the speed at which a ball that was let go from a height leaves the ground [m/s]."""
+    return e * float(np.sqrt(2 * g * height))
+
+
+def rebound_time(height: float, e: float, g: float) -> float:
+    """Return when it is at the top after the bounce [s].
+
+    √(2 h / g) to fall, and as long as it takes g to stop it to rise; g > 0.
+    """
+    return float(np.sqrt(2 * height / g)) + rebound_speed(height, e, g) / g

@@ -66,3 +66,37 @@ def table_pulley_acceleration(m1: float, m2: float, g: float, mu: float = 0.0) -
 def table_pulley_tension(m1: float, m2: float, g: float, mu: float = 0.0) -> float:
     """Return the tension between a block on a table and its weight [N]: m2 (g − a)."""
     return m2 * (g - table_pulley_acceleration(m1, m2, g, mu))
+
+
+def stopping_time(speed: float, mu: float, g: float) -> float:
+    """Return how long a body slides on flat ground until friction has stopped it [s]: v / (μ g).
+
+    Coulomb friction μ m g is the net force, so by the chapter's section 4 the acceleration is
+    −μ g; mu, g > 0.
+    """
+    return speed / (mu * g)
+
+
+def stopping_distance(speed: float, mu: float, g: float) -> float:
+    """Return how far a body slides on flat ground until friction has stopped it [m]: v² / (2 μ g).
+
+    The mean speed v / 2 over the stopping time; mu, g > 0.
+    """
+    return speed / 2 * stopping_time(speed, mu, g)
+
+
+def sliding_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
+    """Return how far a body has slid on flat ground, until friction stops it and then [m].
+
+    v t − μ g t² / 2, and the stopping distance from the stopping time on; mu, g > 0.
+    """
+    slides = np.minimum(np.asarray(t, dtype=float), stopping_time(speed, mu, g))
+    return slides * (speed - 0.5 * mu * g * slides)
+
+
+def incline_height(along: ArrayLike, above: float, angle: float) -> Array:
+    """Return y of a point along an incline from its foot and above its face [m].
+
+    A rotation of (along, above) by the angle: s sin θ + h cos θ.
+    """
+    return np.asarray(along, dtype=float) * np.sin(angle) + above * np.cos(angle)

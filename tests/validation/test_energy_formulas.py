@@ -1,0 +1,125 @@
+"""Work and energy: orbits and ramps, held against energy, angular momentum and Newton's law."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from validation.formulas import energy, kinematics, newton
+
+positive = st.floats(0.01, 100)
+angles = st.floats(0.05, pi / 2 - 0.05)
+eccentricities = st.floats(0, 0.85)
+
+
+@given(positive, angles, positive, positive)
+def test_energy_gives_the_speed_of_landing(
+    speed: float, angle: float, g: float, height: float
+) -> None:
+    t = kinematics.flight_time(speed, angle, g, height)
+    down = speed * np.sin(angle) - g * t
+
+    assert np.hypot(speed * np.cos(angle), down) == pytest.approx(
+        energy.landing_speed(speed, g, height)
+    )
+
+
+def test_a_circular_orbit_has_half_its_potential_energy() -> None:
+    assert energy.circular_orbit_speed(8, 2) == pytest.approx(2)
+    assert energy.circular_orbit_energy(8, 2) == pytest.approx(-2)
+    assert energy.circular_orbit_speed(8, 2) == pytest.approx(sqrt(8 / 2))
+
+
+def test_a_ball_from_2_m_comes_down_the_ramp_at_6_26_m_per_s() -> None:
+    assert energy.landing_speed(0, 9.81, 2) == pytest.approx(6.26, abs=0.005)
+
+
+@given(positive, angles, positive)
+def test_a_ramp_takes_as_long_as_newton_says(height: float, angle: float, g: float) -> None:
+    t = energy.ramp_time(height, angle, g)
+
+    assert newton.incline_acceleration(angle, g) * t**2 / 2 == pytest.approx(height / np.sin(angle))
+    assert newton.incline_acceleration(angle, g) * t == pytest.approx(
+        energy.landing_speed(0, g, height)
+    )
+
+
+@given(positive, positive, positive, positive)
+def test_work_and_newton_agree_on_the_braking_distance(
+    mass: float, speed: float, mu: float, g: float
+) -> None:
+    distance = energy.work_distance(mass, speed, mu * mass * g)
+
+    assert distance == pytest.approx(newton.stopping_distance(speed, mu, g))
+    assert energy.work_distance(mass, 2 * speed, mu * mass * g) == pytest.approx(4 * distance)
+
+
+@given(positive, positive, positive)
+def test_both_ends_of_an_orbit_have_one_energy_and_one_angular_momentum(
+    near: float, far: float, mu: float
+) -> None:
+    fast, slow = energy.apsis_speed(near, far, mu), energy.apsis_speed(far, near, mu)
+    total = energy.kepler_energy((near + far) / 2, mu)
+
+    assert near * fast == pytest.approx(far * slow)
+    assert fast**2 / 2 - mu / near == pytest.approx(total, abs=1e-9 * mu / near)
+    assert slow**2 / 2 - mu / far == pytest.approx(total, abs=1e-9 * mu / far)
+
+
+@given(positive, positive)
+def test_a_circle_is_an_ellipse_too(r: float, mu: float) -> None:
+    speed = energy.circular_orbit_speed(mu, r)
+
+    assert energy.apsis_speed(r, r, mu) == pytest.approx(speed)
+    assert energy.kepler_energy(r, mu) == pytest.approx(energy.circular_orbit_energy(mu, r))
+    assert energy.kepler_period(r, mu) == pytest.approx(kinematics.circular_period(speed, r))
+
+
+@given(st.floats(0.1, 10), eccentricities, st.floats(0.1, 10))
+def test_keplers_ellipse_has_the_sun_in_a_focus_and_ends_where_it_began(
+    near: float, e: float, mu: float
+) -> None:
+    a = near / (1 - e)
+    period = energy.kepler_period(a, mu)
+    x, y = energy.kepler_place(near, e, mu, np.linspace(0, period, 25))
+
+    # the sum of the distances from both foci, the sun and (−2 a e, 0), is 2 a
+    assert np.hypot(x, y) + np.hypot(x + 2 * a * e, y) == pytest.approx(2 * a)
+    assert (x[0], y[0]) == pytest.approx((near, 0), abs=1e-9 * a)
+    assert (x[12], y[12]) == pytest.approx((-a * (1 + e), 0), abs=1e-9 * a)
+    assert (x[24], y[24]) == pytest.approx((near, 0), abs=1e-9 * a)
+
+
+@given(eccentricities)
+def test_the_line_to_the_sun_sweeps_equal_areas_in_equal_times(e: float) -> None:
+    t = np.linspace(0, energy.kepler_period(1, 1), 2001)
+    x, y = energy.kepler_place(1 - e, e, 1, t)
+    triangles = x[:-1] * y[1:] - x[1:] * y[:-1]
+
+    assert triangles / np.diff(t) == pytest.approx(sqrt(1 - e**2), rel=1e-2)
+
+
+@given(st.floats(0.1, 10), st.floats(0.1, 10), st.floats(0.1, 10))
+def test_a_body_that_escapes_has_the_escape_speed_wherever_it_is(
+    r: float, mu: float, t: float
+) -> None:
+    h = 1e-4 * t
+    before, now, after = energy.escape_distance(r, mu, [t - h, t, t + h])
+
+    assert (after - before) / (2 * h) == pytest.approx(energy.escape_speed(mu, now), rel=1e-5)
+    assert energy.escape_distance(r, mu, 0) == pytest.approx(r)
+
+
+@given(positive, st.floats(0.05, 0.95), positive)
+def test_a_slower_one_turns_where_its_energy_ends(r: float, share: float, mu: float) -> None:
+    start = (share * float(energy.escape_speed(mu, r))) ** 2 / 2 - mu / r
+
+    assert -mu / energy.turning_distance(r, share) == pytest.approx(start)
+
+
+def test_near_the_start_turning_is_a_throw_in_uniform_gravity() -> None:
+    """For a small share f of escape speed g = μ / r², so it rises for f √(2 μ / r) / g."""
+    assert energy.turning_distance(1, 1e-3) - 1 == pytest.approx(1e-6, rel=1e-3)
+    assert energy.turning_time(1, 1e-3, 1) == pytest.approx(1e-3 * sqrt(2), rel=1e-3)

@@ -1,0 +1,92 @@
+"""Momentum and collisions: what is kept, the chapter's limits, and bounces."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from validation.formulas import energy, momentum
+
+positive = st.floats(0.01, 100)
+angles = st.floats(0.05, pi / 2 - 0.05)
+velocities = st.floats(-10, 10)
+fractions = st.floats(0, 1)
+
+
+@given(positive, positive, velocities, velocities, st.floats(0, 1))
+def test_collisions_keep_momentum_and_part_with_e_times_the_approach(
+    m1: float, m2: float, v1: float, v2: float, e: float
+) -> None:
+    after = momentum.collision_velocities(m1, m2, v1, v2, e)
+    size = (m1 + m2) * 10
+
+    assert m1 * after[0] + m2 * after[1] == pytest.approx(m1 * v1 + m2 * v2, abs=1e-12 * size)
+    assert after[1] - after[0] == pytest.approx(e * (v1 - v2), abs=1e-11)
+
+
+@given(positive, positive, velocities, velocities)
+def test_elastic_collisions_keep_energy(m1: float, m2: float, v1: float, v2: float) -> None:
+    after = momentum.collision_velocities(m1, m2, v1, v2)
+
+    assert energy.kinetic_energy((m1, after[0]), (m2, after[1])) == pytest.approx(
+        energy.kinetic_energy((m1, v1), (m2, v2)), abs=1e-9
+    )
+
+
+def test_the_chapters_three_limits_of_elastic_collisions() -> None:
+    assert momentum.collision_velocities(1, 1, 3, 0) == pytest.approx((0, 3))
+    assert momentum.collision_velocities(1e9, 1, 3, 0) == pytest.approx((3, 6))
+    assert momentum.collision_velocities(1, 1e9, 3, 0) == pytest.approx((-3, 0), abs=1e-7)
+
+
+@given(st.floats(0.1, 10), angles)
+def test_after_a_glancing_collision_the_discs_part_at_a_right_angle(
+    speed: float, angle: float
+) -> None:
+    first, second = momentum.glancing_velocities(speed, angle)
+
+    assert np.dot(first, second) == pytest.approx(0, abs=1e-12 * speed**2)
+    assert np.add(first, second) == pytest.approx((speed, 0), abs=1e-12 * speed)
+
+
+@given(positive, positive, velocities, velocities, fractions)
+def test_a_collision_does_not_move_the_centre_of_mass(
+    m1: float, m2: float, v1: float, v2: float, e: float
+) -> None:
+    after = momentum.collision_velocities(m1, m2, v1, v2, e)
+    expected = momentum.center_of_mass([(m1, 0, v1), (m2, 0, v2)], 3)
+
+    assert momentum.center_of_mass([(m1, 0, after[0]), (m2, 0, after[1])], 3) == pytest.approx(
+        expected, abs=1e-10
+    )
+
+
+def test_the_centre_of_mass_is_nearer_to_the_heavy_one() -> None:
+    assert momentum.center_of_mass([(3, 0, 0), (1, 4, 8)], [0, 1]).tolist() == [1, 3]
+
+
+@given(positive, fractions, st.integers(0, 9))
+def test_between_walls_each_hit_turns_round_and_keeps_its_share(
+    speed: float, e: float, hits: int
+) -> None:
+    before = momentum.velocity_between_walls(speed, e, hits)
+
+    assert momentum.velocity_between_walls(speed, e, hits + 1) == pytest.approx(-e * before)
+
+
+def test_a_wall_is_a_body_without_end() -> None:
+    assert momentum.velocity_between_walls(3, 0.5, 1) == pytest.approx(
+        momentum.collision_velocities(1, 1e12, 3, 0, 0.5)[0]
+    )
+
+
+@given(positive, fractions, positive)
+def test_a_ball_rises_as_high_as_its_speed_carries_it(height: float, e: float, g: float) -> None:
+    speed = momentum.rebound_speed(height, e, g)
+
+    assert speed**2 / (2 * g) == pytest.approx(momentum.rebound_height(height, e))
+    assert momentum.rebound_time(height, 1, g) == pytest.approx(
+        2 * momentum.rebound_time(height, 0, g)
+    )

@@ -1,0 +1,79 @@
+"""Newton's laws: limiting cases, and forces that add up."""
+
+from math import pi
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from validation.formulas import newton
+
+positive = st.floats(0.01, 100)
+angles = st.floats(0.05, pi / 2 - 0.05)
+
+
+@given(positive, positive, positive)
+def test_atwoods_two_bodies_obey_newton(m1: float, m2: float, g: float) -> None:
+    a, tension = newton.atwood_acceleration(m1, m2, g), newton.atwood_tension(m1, m2, g)
+
+    assert tension - m1 * g == pytest.approx(m1 * a, abs=1e-9 * m1 * g)
+    assert tension - m2 * g == pytest.approx(-m2 * a, abs=1e-9 * m2 * g)
+
+
+def test_atwoods_limits() -> None:
+    assert newton.atwood_acceleration(3, 3, 9.81) == 0
+    assert newton.atwood_tension(3, 3, 9.81) == pytest.approx(3 * 9.81)
+    assert newton.atwood_acceleration(1e-9, 1, 9.81) == pytest.approx(9.81)
+
+
+def test_an_incline_is_flat_ground_at_0_and_a_drop_at_90_degrees() -> None:
+    assert newton.incline_acceleration(0, 9.81) == 0
+    assert newton.incline_acceleration(pi / 2, 9.81) == pytest.approx(9.81)
+    assert newton.incline_normal_force(2, 0, 9.81) == pytest.approx(2 * 9.81)
+
+
+@given(positive, angles, positive, st.floats(0, 2))
+def test_forces_on_an_incline_add_up(mass: float, angle: float, g: float, mu: float) -> None:
+    along = mass * g * np.sin(angle) - newton.incline_friction(mass, angle, g, mu)
+    expected = mass * newton.incline_acceleration(angle, g, mu)
+
+    assert along == pytest.approx(expected, abs=1e-9 * mass * g)
+
+
+def test_a_point_of_an_incline_is_turned_with_it() -> None:
+    assert newton.incline_point(2, 0, 0) == 2
+    assert newton.incline_point(2, 1, pi / 2) == pytest.approx(-1)
+
+
+@given(positive, positive, positive, st.floats(0, 1))
+def test_table_and_weight_obey_newton(m1: float, m2: float, g: float, mu: float) -> None:
+    a = newton.table_pulley_acceleration(m1, m2, g, mu)
+    tension = newton.table_pulley_tension(m1, m2, g, mu)
+
+    assert m2 * g - tension == pytest.approx(m2 * a, abs=1e-9 * m2 * g)
+    if a > 0:
+        assert tension - mu * m1 * g == pytest.approx(m1 * a, abs=1e-9 * (tension + m1 * g))
+
+
+@given(st.floats(-10, 10), st.floats(-10, 10), angles)
+def test_a_point_of_an_incline_keeps_its_distance_from_the_foot(
+    along: float, above: float, angle: float
+) -> None:
+    x = newton.incline_point(along, above, angle)
+    y = newton.incline_height(along, above, angle)
+
+    assert np.hypot(x, y) == pytest.approx(np.hypot(along, above), abs=1e-12)
+    assert newton.incline_height(2, 1, pi / 2) == pytest.approx(2)
+
+
+@given(positive, positive, positive)
+def test_friction_stops_at_the_stopping_distance_and_there_it_stays(
+    speed: float, mu: float, g: float
+) -> None:
+    end = newton.stopping_time(speed, mu, g)
+    distance = newton.stopping_distance(speed, mu, g)
+    half, stop, later = newton.sliding_way(speed, mu, g, [end / 2, end, 3 * end])
+
+    assert distance == pytest.approx(speed**2 / (2 * mu * g))
+    assert (half, stop, later) == pytest.approx((0.75 * distance, distance, distance))

@@ -1,0 +1,85 @@
+"""Rotation and rolling: energy, torque and angular momentum, and the order of the race."""
+
+from math import pi, radians
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from validation.formulas import newton, rotation
+
+positive = st.floats(0.01, 100)
+angles = st.floats(0.05, pi / 2 - 0.05)
+factors = st.floats(0.05, 1)
+FACTORS = (
+    rotation.SLIDING,
+    rotation.SPHERE,
+    rotation.DISC,
+    rotation.HOLLOW_SPHERE,
+    rotation.HOOP,
+)
+
+
+def test_a_disc_rolls_with_two_thirds_and_a_hoop_with_half() -> None:
+    slope = 9.81 * np.sin(radians(20))
+
+    disc = rotation.rolling_acceleration(rotation.DISC, radians(20), 9.81, 1)
+    hoop = rotation.rolling_acceleration(rotation.HOOP, radians(20), 9.81, 1)
+
+    assert (disc, hoop) == pytest.approx((slope * 2 / 3, slope / 2))
+
+
+def test_the_further_out_the_mass_the_later() -> None:
+    times = [rotation.race_time(factor, 6, 0.3, 9.81) for factor in FACTORS]
+
+    assert times == sorted(times)
+    assert rotation.rolling_acceleration(rotation.SLIDING, 0.3, 9.81, 0) == pytest.approx(
+        newton.incline_acceleration(0.3, 9.81)
+    )
+
+
+@given(factors, positive, angles, positive)
+def test_rolling_keeps_the_energy(factor: float, r: float, angle: float, g: float) -> None:
+    """Of a kilogram over a second, with enough friction."""
+    v = rotation.rolling_acceleration(factor, angle, g, 100)
+    spin = rotation.rolling_spin(factor, r, angle, g, 100)
+    fallen = v / 2 * np.sin(angle)
+
+    assert spin * r == pytest.approx(v)
+    assert v**2 / 2 + rotation.rotational_energy(factor * r**2, spin) == pytest.approx(g * fallen)
+
+
+@given(factors, positive, angles, positive, st.floats(0, 2))
+def test_friction_on_a_round_body_is_never_more_than_coulombs(
+    factor: float, mass: float, angle: float, g: float, mu: float
+) -> None:
+    friction = rotation.rolling_friction(factor, mass, angle, g, mu)
+    most = mu * newton.incline_normal_force(mass, angle, g)
+
+    assert friction <= most + 1e-9 * mass * g
+    if not rotation.rolls(factor, angle, mu):
+        assert friction == pytest.approx(most, abs=1e-9 * mass * g)
+
+
+@given(factors, st.floats(0.1, 100), st.floats(0.05, 2), positive)
+def test_a_slide_ends_in_rolling(factor: float, speed: float, mu: float, g: float) -> None:
+    """Torque r μ m g over k m r² has spun it up to v / r by then."""
+    t = rotation.sliding_time(factor, speed, mu, g)
+    way = rotation.slide_and_roll_way(factor, speed, mu, g, [t, t + 1])
+    final = rotation.rolling_speed(factor, speed)
+
+    assert mu * g / factor * t == pytest.approx(final)
+    assert way[0] == pytest.approx((speed + final) / 2 * t)
+    assert way[1] - way[0] == pytest.approx(final, abs=1e-9 * (way[0] + speed))
+
+
+def test_two_thirds_after_a_third() -> None:
+    assert rotation.rolling_speed(rotation.DISC, 6) == pytest.approx(4)
+    assert rotation.rolling_speed(rotation.HOOP, 6) == pytest.approx(3)
+    assert rotation.sliding_time(rotation.DISC, 6, 0.2, 10) == pytest.approx(1)
+
+
+def test_a_thin_box_is_a_rod() -> None:
+    assert rotation.box_moment(12, 1, 0) == pytest.approx(1)
+    assert rotation.box_moment(2, 2, 0.8) == pytest.approx(2 * (4 + 0.64) / 12)

@@ -1,0 +1,103 @@
+"""Work and kinetic energy: braking from twice the speed, and a ball down a ramp."""
+
+from collections.abc import Iterator
+from math import radians
+
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.level import LandingEvent
+from validation.case import Case, Choices, Parameters
+from validation.formulas import energy, leapfrog
+
+BRAKING: Choices = (
+    {},
+    {"speed": 30.0, "mu": 1.0, "g": 15.0},
+    {"speed": 65.0, "mu": 0.4, "g": 5.0, "mass": 3000.0},
+)
+RAMPS: Choices = (
+    {},
+    {"angle": 75.0, "height": 0.5, "g": 25.0},
+    {"angle": 15.0, "height": 5.0, "g": 1.0, "mass": 10.0},
+)
+DEFAULTS = {"speed": 50.0, "mu": 0.8, "g": 9.81}
+DT = 1 / 120  # s, the step of the braking cars
+KMH = 1 / 3.6  # m/s
+LANDING = LandingEvent(event="landing", body="ball")
+
+
+def cases() -> Iterator[Case]:
+    """Yield the cases of work and kinetic energy."""
+    for parameters in BRAKING:
+        yield from _braking("slow", 1, parameters)
+        yield from _braking("fast", 2, parameters)
+    for parameters in RAMPS:
+        yield from _ramp(parameters)
+
+
+def _braking(car: str, times: float, parameters: Parameters) -> Iterator[Case]:
+    level = "energy/braking-distance"
+
+    def speed(p: Values) -> float:
+        return times * p["speed"] * KMH
+
+    p = {**DEFAULTS, **parameters}
+    yield Case(
+        name=f"braking: distance of the {car} car",
+        level=level,
+        parameters=parameters,
+        quantity=f"{car}.position.x",
+        at=Expression(f"{times}*speed/3.6/(mu*g) + 0.1"),
+        # four times that of the slow car
+        expected=lambda p, _: (
+            times**2
+            * energy.work_distance(p["mass"], p["speed"] * KMH, p["mu"] * p["mass"] * p["g"])
+        ),
+        tolerance=leapfrog.stopping_error(speed(p), p["mu"], p["g"], DT) + 1e-12,
+        because="stopped inside a step, short by at most (μ g dt / 2v)² of its way: stopping_error",
+        naive_misses=3e-4,
+    )
+    yield Case(
+        name=f"braking: energy of the {car} car at half its speed",
+        level=level,
+        parameters=parameters,
+        quantity=f"{car}.kinetic_energy",
+        at=Expression(f"{times}*speed/3.6/(mu*g)/2"),
+        expected=lambda p, _: energy.kinetic_energy((p["mass"], speed(p))) / 4,
+        tolerance=1e-12,
+        because="a sum of up to 1100 equal kicks, squared: 1.1e-13; pymunk's own is as good",
+    )
+
+
+def _ramp(parameters: Parameters) -> Iterator[Case]:
+    level = "energy/ramp"
+    yield Case(
+        name="ramp: speed at the bottom",
+        level=level,
+        parameters=parameters,
+        quantity="ball.speed",
+        at=LANDING,
+        expected=lambda p, _: energy.landing_speed(0.0, p["g"], p["height"]),
+        tolerance=1e-13,
+        because="constant acceleration: samples and the cubic between them are exact",
+        naive_misses=5e-4,
+    )
+    yield Case(
+        name="ramp: time to the bottom",
+        level=level,
+        parameters=parameters,
+        quantity="t",
+        at=LANDING,
+        expected=lambda p, _: energy.ramp_time(p["height"], radians(p["angle"]), p["g"]),
+        tolerance=1e-13,
+        because="constant acceleration: samples and the cubic between them are exact",
+        naive_misses=5e-4,
+    )
+    yield Case(
+        name="ramp: energy at every step",
+        level=level,
+        parameters=parameters,
+        quantity="ball.energy",
+        expected=lambda p, _: p["mass"] * p["g"] * p["height"],
+        tolerance=3e-13,
+        because="heights and speeds exact to rounding; the normal force does no work",
+        naive_misses=1e-3,
+    )

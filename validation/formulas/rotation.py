@@ -1,0 +1,103 @@
+"""Rotation, and rolling: the chapter, section 8.
+
+The shape of a round body enters as I / (m r²), the "factor": 1 for a hoop, 1/2 for a disc, 2/5 for
+a sphere, 2/3 for a hollow sphere, and 0 for what slides without friction.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from validation.formulas.arrays import Array
+
+HOOP = 1.0
+DISC = 1 / 2
+SPHERE = 2 / 5
+HOLLOW_SPHERE = 2 / 3
+SLIDING = 0.0
+
+
+def box_moment(mass: float, width: float, height: float) -> float:
+    """Return the moment of inertia of a box about its centre [kg m²]: m (w² + h²) / 12.
+
+    ∫ (x² + y²) dm: the chapter's thin rod, section 8, once along each side.
+    """
+    return mass * width**2 / 12 + mass * height**2 / 12
+
+
+def rotational_energy(moment: float, angular_velocity: float) -> float:
+    """Return the energy of rotation [J]: I ω² / 2.
+
+    The chapter, section 8.
+    """
+    return moment * angular_velocity**2 / 2
+
+
+def rolls(factor: float, angle: float, mu: float) -> bool:
+    """Return whether a round body that starts from rest rolls down an incline, and does not slip.
+
+    The friction that rolling needs, m g sin θ k / (1 + k), must not exceed μ m g cos θ.
+    """
+    return bool(np.tan(angle) * factor / (1 + factor) <= mu)
+
+
+def rolling_acceleration(factor: float, angle: float, g: float, mu: float) -> float:
+    """Return the acceleration of a round body down an incline, from rest [m/s²].
+
+    Rolling: m g h = m v² (1 + k) / 2 with v² = 2 a h / sin θ (the chapter, sections 5 and 8), so
+    a = g sin θ / (1 + k). Slipping: as a block's. 0 ≤ θ < π/2.
+    """
+    if rolls(factor, angle, mu):
+        return g * float(np.sin(angle)) / (1 + factor)
+    return g * float(np.sin(angle) - mu * np.cos(angle))
+
+
+def rolling_friction(factor: float, mass: float, angle: float, g: float, mu: float) -> float:
+    """Return the friction on a round body on an incline [N].
+
+    m g sin θ − m a: Newton's second law along the incline.
+    """
+    return mass * (g * float(np.sin(angle)) - rolling_acceleration(factor, angle, g, mu))
+
+
+def rolling_spin(factor: float, r: float, angle: float, g: float, mu: float) -> float:
+    """Return the angular acceleration of a round body down an incline [rad/s²].
+
+    The chapter, section 8: torque r f over the moment k m r²; a / r where it rolls; factor, r > 0.
+    """
+    return rolling_friction(factor, 1.0, angle, g, mu) / (factor * r)
+
+
+def race_time(factor: float, way: float, angle: float, g: float) -> float:
+    """Return how long a body takes to roll down a way on an incline from rest [s].
+
+    √(2 s / a) with the acceleration of rolling; 0 < θ < π/2, g, s > 0.
+    """
+    return float(np.sqrt(2 * way * (1 + factor) / (g * np.sin(angle))))
+
+
+def rolling_speed(factor: float, speed: float) -> float:
+    """Return the speed at which a body that was pushed off without spin comes to roll [m/s].
+
+    About a point of the ground friction has no torque, so m r v + k m r² ω stays (the chapter,
+    section 8); with v = r ω in the end, v0 / (1 + k): 2/3 for a disc, 1/2 for a hoop.
+    """
+    return speed / (1 + factor)
+
+
+def sliding_time(factor: float, speed: float, mu: float, g: float) -> float:
+    """Return when a body that was pushed off without spin begins to roll [s].
+
+    Friction takes v0 − v0 / (1 + k) at the rate μ g: v0 k / ((1 + k) μ g), for a disc v0 / (3 μ g);
+    mu, g > 0.
+    """
+    return (speed - rolling_speed(factor, speed)) / (mu * g)
+
+
+def slide_and_roll_way(factor: float, speed: float, mu: float, g: float, t: ArrayLike) -> Array:
+    """Return how far a body that was pushed off without spin has come [m].
+
+    Until it rolls v0 t − μ g t² / 2, from then on at its speed of rolling; mu, g > 0.
+    """
+    t = np.asarray(t, dtype=float)
+    slides = np.minimum(t, sliding_time(factor, speed, mu, g))
+    return slides * (speed - mu * g * slides / 2) + (t - slides) * rolling_speed(factor, speed)
