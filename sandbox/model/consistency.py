@@ -1,11 +1,13 @@
 """What must hold between the parts of a level whatever the values of its parameters."""
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 from keyword import iskeyword
 
 from sandbox.model.effects import Friction, Restitution
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, Expression, Formula
+from sandbox.model.expressions import RESERVED, Expression, Formula, NonNegative
+from sandbox.model.joints import End, Held, Joint, bodies_of, body_of, points
 from sandbox.model.level import (
     ApexEvent,
     Body,
@@ -91,6 +93,8 @@ def _references(level: Level) -> Iterator[Fault]:
 
 
 def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
+    yield from _names_in_joints(level)
+    yield from _names_in_effects(level)
     for path, names in _couples(level):
         yield (*path, 0), names[0]
         yield (*path, 1), names[1]
@@ -101,10 +105,31 @@ def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
             yield ("checks", index, "at", "body"), check.at.body
 
 
+def _names_in_joints(level: Level) -> Iterator[tuple[Path, str]]:
+    for name, joint in level.joints.items():
+        for index, end in enumerate(joint.ends):
+            yield from _end_names(("joints", name, "ends", index), end)
+        for index, peg in enumerate(points(joint)[1:-1]):
+            yield from _end_names(("joints", name, "over", index), peg)
+
+
+def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield the bodies that an effect acts on."""
+    drag, forces = level.effects.drag, level.effects.force
+    for index, body in enumerate((drag and drag.bodies) or ()):
+        yield ("effects", "drag", "bodies", index), body
+    for index, force in enumerate(forces or ()):
+        yield ("effects", "force", index, "body"), force.body
+
+
+def _end_names(path: Path, end: End) -> Iterator[tuple[Path, str]]:
+    body = body_of(end)
+    if body is not None:
+        yield (*path, "body") if isinstance(end, Held) else path, body
+
+
 def _couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
     """Yield everything that two bodies are named for."""
-    for name, joint in level.joints.items():
-        yield ("joints", name, "ends"), joint.ends
     for kind, effect in _surfaces(level).items():
         for index, pair in enumerate(effect.pairs):
             yield ("effects", kind, "pairs", index, "bodies"), pair.bodies
@@ -157,9 +182,31 @@ def _given(body: Body, field: str) -> bool:
 
 def _joints(level: Level) -> Iterator[Fault]:
     for name, joint in level.joints.items():
-        ends = [level.bodies[end] for end in joint.ends if end in level.bodies]
-        if len(ends) == 2 and not any(body.type == "dynamic" for body in ends):
-            yield Fault(("joints", name, "ends"), "at least one end must be a dynamic body")
+        path = ("joints", name, "ends")
+        held = [level.bodies[body] for body in bodies_of(joint) if body in level.bodies]
+        if same := _twice(joint):
+            yield Fault(path, f"'{brief(same)}' is tied to itself; two different bodies are needed")
+        elif not any(body.type == "dynamic" for body in held):
+            yield Fault(path, "at least one end must be a dynamic body")
+
+
+def _twice(joint: Joint) -> str | None:
+    """Return the body that a joint ties to itself, if it does."""
+    path = [body_of(end) for end in points(joint)]
+    pairs = [*pairwise(path), (path[0], path[-1])]
+    return next((a for a, b in pairs if a is not None and a == b), None)
+
+
+def _laws(level: Level) -> Iterator[Fault]:
+    """Drags do something, and what a force acts on can move."""
+    drag = level.effects.drag
+    if drag and drag.linear == drag.quadratic == NonNegative(0):
+        yield Fault(("effects", "drag"), "needs 'linear' or 'quadratic' greater than 0")
+    for path, name in _names_in_effects(level):
+        if name in level.bodies and (kind := level.bodies[name].type) != "dynamic":
+            yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
+    if drag and drag.bodies and len(set(drag.bodies)) < len(drag.bodies):
+        yield Fault(("effects", "drag", "bodies"), "a body is named twice")
 
 
 def _effects(level: Level) -> Iterator[Fault]:
@@ -188,8 +235,11 @@ def _rotation(level: Level) -> Iterator[Fault]:
 
 
 def _levers(level: Level) -> bool:
-    """Whether a joint can turn a body; a pulley's string pulls at the centre."""
-    return any(joint.type != "pulley" for joint in level.joints.values())
+    """Whether a joint or a force acts on a body away from its centre."""
+    held = (end for joint in level.joints.values() for end in points(joint))
+    points_of_bodies = [end.at for end in held if isinstance(end, Held)]
+    points_of_bodies += [force.at for force in level.effects.force or ()]
+    return any(point != Held.model_fields["at"].default for point in points_of_bodies)
 
 
 def _undeclared(path: Path, used: str, effect: str) -> Fault:
@@ -245,6 +295,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _contact,
     _bodies,
     _joints,
+    _laws,
     _effects,
     _rotation,
 )

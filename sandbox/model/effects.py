@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Expression, Fraction, NonNegative
+from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative
 from sandbox.model.shapes import Point
 
 
@@ -70,6 +70,28 @@ class Attraction(Model):
     """m"""
 
 
+class Drag(Model):
+    """The drag of a fluid at rest: F = −(linear + quadratic |v|) v."""
+
+    linear: NonNegative = NonNegative(0)
+    """kg/s, Stokes's, of slow motion"""
+    quadratic: NonNegative = NonNegative(0)
+    """kg/m, of fast motion"""
+    bodies: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+    """those that it acts on; all dynamic bodies if left out"""
+
+
+class Force(Model):
+    """A given force on a body, constant or of time."""
+
+    body: str
+    """what it acts on"""
+    force: tuple[Formula, Formula]
+    """[x, y] in N, over the parameters and the time t"""
+    at: Point = (Expression(0), Expression(0))
+    """[x, y] in m, the point that it acts on, from the centre of mass along the body's axes"""
+
+
 class Effects(Model):
     """Everything that acts in a level."""
 
@@ -85,6 +107,10 @@ class Effects(Model):
     """Bodies turn."""
     attraction: Annotated[tuple[Attraction, ...], Field(min_length=1)] | None = None
     """Fixed centres attract or repel."""
+    drag: Drag | None = None
+    """A fluid slows bodies down."""
+    force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None
+    """Given forces act on bodies."""
 
     @property
     def declared(self) -> tuple[str, ...]:

@@ -4,8 +4,10 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 `sandbox.physics` builds from it.
 """
 
+from cmath import rect
 from collections.abc import Mapping
-from typing import Annotated, Literal
+from itertools import pairwise
+from typing import Annotated, Literal, cast
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 from pydantic_core import PydanticCustomError
@@ -13,7 +15,8 @@ from pydantic_core import PydanticCustomError
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive, Values
-from sandbox.model.shapes import Point, Shape
+from sandbox.model.joints import End, Held, Joint, body_of, points
+from sandbox.model.shapes import Point, Shape, evaluate
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
 """What bodies, joints and parameters are called: a letter, then letters, digits or _."""
@@ -69,19 +72,21 @@ class Body(Model):
     """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
 
 
-class Pulley(Model):
-    """A light, inextensible string over fixed, frictionless pegs; it pulls and never pushes."""
+def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
+    """Return where an end of a joint is at the start, as x + iy [m]."""
+    body = body_of(end)
+    if body is None:
+        return complex(*evaluate(cast("Point", end), values))
+    center = complex(*evaluate(bodies[body].position, values))
+    if not isinstance(end, Held):
+        return center
+    return center + complex(*evaluate(end.at, values)) * rect(1, bodies[body].angle(values))
 
-    type: Literal["pulley"]
-    ends: tuple[str, str]
-    """the two bodies it is tied to, at their centres"""
-    over: Annotated[tuple[Point, ...], Field(min_length=1, max_length=20)]
-    """m, the pegs it runs over, from the first end to the second"""
-    length: Positive | None = None
-    """m; the length of its path at the start if left out, slack at first if longer"""
 
-
-Joint = Pulley
+def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
+    """Return how far it is at the start from the first end of a joint to its second [m]."""
+    path = [place(end, bodies, values) for end in points(joint)]
+    return sum(abs(b - a) for a, b in pairwise(path))
 
 
 class ContactEvent(Model):

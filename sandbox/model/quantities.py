@@ -32,7 +32,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "contact.normal": "N",
         "contact.friction": "N",
     },
-    "joint": {"tension": "N"},
+    "joint": {"tension": "N", "length": "m", "potential_energy": "J"},
     "system": {
         "kinetic_energy": "J",
         "potential_energy": "J",

@@ -7,19 +7,19 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 
 from collections.abc import Callable, Collection, Iterator
 from functools import partial
-from itertools import chain, islice, pairwise, product
-from math import hypot
+from itertools import chain, islice, product
 from typing import NamedTuple
 
 import numpy as np
 
 from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
-from sandbox.model.level import Body, Joint, Level
+from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
+from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
+from sandbox.model.level import Level, span
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions, names_in
-from sandbox.model.shapes import Shape, evaluate, fault
+from sandbox.model.shapes import Shape, fault
 
 __all__ = ["Fault", "broken", "corners", "expressions", "faults"]
 
@@ -29,6 +29,9 @@ MAX_CORNERS = 256
 
 MAX_STEPS = 10_000_000
 """How long a run may be: some minutes of computing."""
+
+NEAR = 1e-9
+"""How far apart two lengths may be that are meant to be the same, of the whole or in m."""
 
 
 class Condition(NamedTuple):
@@ -102,10 +105,10 @@ def _conditions(level: Level) -> Iterator[Condition]:
         wrong = partial(_shape_fault, body.shape)
         yield Condition(("bodies", name, "shape"), names_in(body.shape), wrong)
     for name, joint in level.joints.items():
-        ends = [level.bodies[end] for end in joint.ends]
-        names = names_in((joint, *(body.position for body in ends)))
-        wrong = partial(_length_fault, joint, ends)
-        yield Condition(("joints", name, "length"), names, wrong)
+        held = [level.bodies[body] for body in bodies_of(joint)]
+        names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
+        last = "ends" if isinstance(joint, Pivot) else "length"
+        yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
 
 
 def _value_fault(expression: Expression, values: Values) -> str | None:
@@ -131,17 +134,33 @@ def _shape_fault(shape: Shape, values: Values) -> str | None:
         return None  # the expression's own condition tells
 
 
-def _length_fault(joint: Joint, ends: list[Body], values: Values) -> str | None:
-    if joint.length is None:
-        return None
+def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
     try:
-        points = [evaluate(p, values) for p in (ends[0].position, *joint.over, ends[1].position)]
-        length = joint.length(values)
+        distance = span(joint, level.bodies, values)
+        match joint:
+            case Rod(length=length):
+                long = distance if length is None else float(length.over(values, np.zeros(())))
+                return _rod_fault(distance, long)
+            case Rope(length=Positive() as length) | Pulley(length=Positive() as length):
+                return _string_fault(distance, length(values))
+            case Pivot() if distance > NEAR:
+                return f"a pivot's two points must be one, but they are {distance:g} m apart"
     except ExpressionError:
         return None  # the expression's own condition tells
-    shortest = sum(hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(points))
-    if length < shortest * (1 - 1e-12):
-        return f"the string is {length:g} m long, but its path is {shortest:g} m"
+    return None
+
+
+def _rod_fault(distance: float, long: float) -> str | None:
+    if not distance > NEAR:
+        return "a rod cannot be 0 m long; a pivot keeps two points together"
+    if not abs(long - distance) <= NEAR * distance:
+        return f"the rod is {long:g} m long at the start, but its ends are {distance:g} m apart"
+    return None
+
+
+def _string_fault(path: float, long: float) -> str | None:
+    if long < path * (1 - 1e-12):
+        return f"the string is {long:g} m long, but its path is {path:g} m"
     return None
 
 

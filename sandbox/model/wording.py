@@ -8,6 +8,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 from pydantic_core import ErrorDetails
 
 from sandbox.model.errors import brief
+from sandbox.model.joints import ENDS
 from sandbox.model.level import Level
 from sandbox.model.locating import Path, Position
 from sandbox.model.suggest import meant, suggestion
@@ -104,6 +105,8 @@ def _choice(detail: ErrorDetails) -> str:
     """Say that something is none of what there is to choose from."""
     context = detail["ctx"]
     if detail["type"] == "union_tag_not_found":
+        if "_end_kind" in context["discriminator"]:
+            return 'must be a body\'s name, a point of one {"body": ..., "at": [x, y]}, or [x, y]'
         key = "'type'" if "type" in context["discriminator"] else "'event'"
         return f"needs the key {key}, which says what it is"
     choices = re.findall(r"'([^']+)'", str(context.get("expected_tags") or context["expected"]))
@@ -136,7 +139,7 @@ def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any o
             return choice
         if get_origin(choice) in (Mapping, tuple):
             return [argument for argument in get_args(choice) if argument is not Ellipsis][-1]
-    return None
+    return part if step in ENDS else None
 
 
 def _alternatives(part: Any) -> list[Any]:  # noqa: ANN401 (a type is any object)

@@ -23,6 +23,7 @@ from pymunk.batch import (
 from sandbox.model.expressions import Array
 
 _VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
+_FORCE = BodyFields.FORCE | BodyFields.TORQUE
 _STATE = BodyFields.POSITION | BodyFields.ANGLE | _VELOCITY
 _CONTACT_INTEGERS = (
     ArbiterFields.BODY_A_ID
@@ -83,7 +84,7 @@ class Batch:
         self._rows = np.array([rows[body.id] for body in bodies], dtype=np.intp)
         self._state, self._state_buffer = _table(len(ids), 6)
         self._velocity, self._velocity_buffer = _table(len(ids), 3)
-        self._force, self._force_buffer = _table(len(ids), 2)
+        self._force, self._force_buffer = _table(len(ids), 3)
         self._contacts = Buffer()
 
     def state(self) -> Array:
@@ -104,9 +105,9 @@ class Batch:
         set_space_bodies(self._space, _VELOCITY, self._velocity_buffer)
 
     def set_force(self, force: Array) -> None:
-        """Write the force that acts in the next kick: (n, 2) [N]."""
+        """Write force and torque that act in the next kick: (n, 3) [N, N m]."""
         self._force[self._rows] = force
-        set_space_bodies(self._space, BodyFields.FORCE, self._force_buffer)
+        set_space_bodies(self._space, _FORCE, self._force_buffer)
 
     def contacts(self) -> Contacts:
         """Return who is in contact, with the impulses of the last step."""

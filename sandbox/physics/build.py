@@ -13,7 +13,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level, Pulley, Stepping
+from sandbox.model.level import Body, Level, Stepping
 from sandbox.model.shapes import (
     XY,
     Box,
@@ -26,9 +26,10 @@ from sandbox.model.shapes import (
     evaluate,
     points_of,
 )
+from sandbox.physics.batch import Batch
 from sandbox.physics.convex import convex_parts, twice_area
-from sandbox.physics.forces import Force, Gravity, force_laws, gravity
-from sandbox.physics.pulley import PulleyString
+from sandbox.physics.joints import Joints, inverse
+from sandbox.physics.laws import Gravity, Law, gravity, laws
 
 HAIR = 1e-9
 """m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
@@ -57,10 +58,14 @@ class Scene:
     ----------
     bodies
         In the level's order, static and kinematic ones included; n of them.
+    batch
+        Reads and writes them.
     mass, moment
         (n,), of dynamic bodies; 0 for others. The moment is 0, too, where nothing rotates.
-    strings
-        The joints that pymunk has not, in the level's order.
+    agility
+        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+    joints
+        The joints, in the level's order.
     named_pairs
         How many pairs have coefficients of their own, each a callback a contact.
     gravity, laws
@@ -69,12 +74,14 @@ class Scene:
 
     space: pymunk.Space
     bodies: dict[str, pymunk.Body]
+    batch: Batch
     mass: np.ndarray
     moment: np.ndarray
-    strings: dict[str, PulleyString]
+    agility: np.ndarray
+    joints: Joints
     named_pairs: int
     gravity: Gravity | None
-    laws: tuple[Force, ...]
+    laws: tuple[Law, ...]
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
@@ -82,9 +89,6 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     as_it_comes = stepping.scheme != "leapfrog"
     space = pymunk.Space()
     space.iterations = stepping.iterations
-    field = gravity(level.effects, values)
-    if field:
-        space.gravity = field.acceleration
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
     named_pairs = 0
@@ -100,15 +104,24 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
     mass = np.array([body.mass for body in bodies.values()])
     moment = np.array([body.moment for body in bodies.values()])
+    mass = np.where(dynamic, mass, 0.0)
+    moment = np.where(np.isfinite(moment) & dynamic, moment, 0.0)
+    field = gravity(level.effects, values, mass)
+    if field:
+        space.gravity = field.acceleration
+    batch = Batch(space, list(bodies.values()))
+    joints = Joints(level, values, bodies, batch, mass, moment)
     return Scene(
         space=space,
         bodies=bodies,
-        mass=np.where(dynamic, mass, 0.0),
-        moment=np.where(np.isfinite(moment) & dynamic, moment, 0.0),
-        strings={name: _string(name, spec, bodies, values) for name, spec in level.joints.items()},
+        batch=batch,
+        mass=mass,
+        moment=moment,
+        agility=np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1),
+        joints=joints,
         named_pairs=named_pairs,
         gravity=field,
-        laws=force_laws(level.effects, values),
+        laws=(*laws(level.effects, values, list(bodies), mass), *joints.springs.values()),
     )
 
 
@@ -293,13 +306,3 @@ def _setter(
             setattr(arbiter, attribute, value)
 
     return choose
-
-
-def _string(
-    name: str, spec: Pulley, bodies: dict[str, pymunk.Body], values: Values
-) -> PulleyString:
-    ends = (bodies[spec.ends[0]], bodies[spec.ends[1]])
-    pegs = tuple(evaluate(peg, values) for peg in spec.over)
-    path = [ends[0].position, *pegs, ends[1].position]
-    length = sum(float(np.hypot(b[0] - a[0], b[1] - a[1])) for a, b in pairwise(path))
-    return PulleyString(name, ends, pegs, spec.length(values) if spec.length else length)

@@ -7,6 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import Component, Quantity, quantity
+from sandbox.physics.anchor import length
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World
 
@@ -32,7 +33,8 @@ class Meter:
     def __init__(self, world: World, names: Iterable[str]) -> None:
         scene = world.scene
         self._rows = {name: i for i, name in enumerate(scene.bodies)}
-        self._joints = {name: i for i, name in enumerate(scene.strings)}
+        self._columns = {name: i for i, name in enumerate(world.level.joints)}
+        self._joints = scene.joints
         self._mass, self._moment = scene.mass, scene.moment
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self.quantities = {name: quantity(name, world.level) for name in names}
@@ -47,8 +49,7 @@ class Meter:
             case "time":
                 return lambda s: s.t
             case "joint":
-                joint = self._joints[quantity.subject]
-                return lambda s: s.tension[..., joint]
+                return self._of_joint(quantity.subject, quantity.attribute)
             case "body":
                 row = self._rows[quantity.subject]
                 if vectors := self._vectors_of_bodies.get(quantity.attribute):
@@ -59,6 +60,16 @@ class Meter:
                 if vector := self._vectors_of_system.get(quantity.attribute):
                     return _component(vector, quantity.component)
                 return self._scalars_of_system[quantity.attribute]
+
+    def _of_joint(self, name: str, attribute: str) -> Measurement:
+        if attribute == "length":
+            path = self._joints.paths[name]
+            return lambda s: length(path, s)
+        if attribute == "potential_energy":
+            spring = self._joints.springs.get(name)
+            return spring.stored if spring else lambda s: np.zeros_like(s.t)
+        column = self._columns[name]
+        return lambda s: s.tension[..., column]
 
     @property
     def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
@@ -118,12 +129,9 @@ class Meter:
         ) / 2
 
     def _potential(self, s: Snapshot) -> Array:
-        moving = self._mass > 0
         potential = np.zeros(s.position.shape[:-1])
         for law in self._laws:
-            potential[..., moving] += law.potential_energy(
-                s.position[..., moving, :], self._mass[moving]
-            )
+            potential = potential + law.potential_energy(s)
         return potential
 
     def _energy(self, s: Snapshot) -> Array:

@@ -16,12 +16,12 @@ import pymunk
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.batch import NO_CONTACTS, Batch, Contacts
+from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
-from sandbox.physics.coupled import solvers
 from sandbox.physics.errors import JointFailure, SimulationError
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
+from sandbox.physics.motion import Instant
 from sandbox.physics.snapshot import Snapshot
 
 MAX_KICKS = 500
@@ -78,16 +78,19 @@ class World:
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
         self._bodies = list(self.scene.bodies.values())
-        self._batch = Batch(self._space, self._bodies)
-        self._smooth = np.zeros((len(self._bodies), 3))  # acceleration by gravity and laws
-        self._dynamic = self.scene.mass > 0
+        self._batch, self._joints = self.scene.batch, self.scene.joints
+        self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         self._untouched = np.zeros(len(self._bodies))
         self._untouched.setflags(write=False)
-        self._seen = -1, self._smooth  # the step last observed, and the velocities half a step on
+        self._seen = -1, self._field  # the step last observed, and the velocities half a step on
         if self.scene.gravity:
-            self._smooth[self._dynamic, :2] = self.scene.gravity.acceleration
+            self._field[self.scene.mass > 0, :2] = self.scene.gravity.acceleration
+        self._smooth = self._field  # acceleration by gravity and laws
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
         self._leapfrog = stepping.scheme == "leapfrog"
+        self._guesses = self._leapfrog and any(law.needs_velocity for law in self.scene.laws)
+        self._older = self._field  # the velocities that the last kick began with
+        self._kicks_after = 1  # steps from the last to the time of the next kick
         self._hook = self._make_hook()
         self._hand: pymunk.PivotJoint | None = None
         self.contacts: Contacts = NO_CONTACTS
@@ -112,7 +115,7 @@ class World:
             If a joint cannot be kept.
         """
         if self._early:
-            self._apply_laws()
+            self._apply_forces()
         self._space.step(self.dt)
         self.steps += 1
         if self._hook and self._hook.error:
@@ -142,39 +145,54 @@ class World:
         return self.snapshot
 
     def _make_hook(self) -> Hook | None:
-        strings = self.scene.strings.values()
+        strings = self._joints.strings.values()
         before = [string.warm_start for string in strings] if self.level.effects.contact else []
-        if self.scene.laws and not self._early:
-            before.insert(0, self._apply_laws)
-        after = solvers(strings)
+        self._pulling = self._joints.together if self.level.effects.contact else None
+        if (self.scene.laws or self._pulling) and not self._early:
+            before.insert(0, self._apply_forces)
+        after = self._joints.solvers(lambda: (self.steps + self._kicks_after + 1) * self.dt)
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
             return None
         return Hook(self._space, dynamic, before, after)
 
-    def _apply_laws(self) -> None:
-        """Read all positions once, add up the laws, and write all forces once."""
-        moving = self._dynamic
-        position = self._batch.state()[:, :2]
-        mass = self.scene.mass[moving]
-        force = np.zeros_like(position)
+    def _apply_forces(self) -> None:
+        """Read all bodies once, add up the laws, and write all forces once."""
+        motion = self._motion()
+        wrench = np.zeros_like(self._field)
         with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
             for law in self.scene.laws:
-                force[moving] += law.force(position[moving], mass)
-        self._batch.set_force(force)
-        self._smooth[moving, :2] = force[moving] / mass[:, None]
-        if self.scene.gravity:
-            self._smooth[moving, :2] += self.scene.gravity.acceleration
+                law.add(motion, wrench)
+        self._smooth = self._field + wrench * self.scene.agility
+        if self._pulling:
+            self._pulling.pull(wrench)
+        self._batch.set_force(wrench)
+
+    def _motion(self) -> Instant:
+        """Return the motion that the laws see in a kick.
+
+        pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
+        less 1/2 of those another step ago.
+        """
+        state = self._batch.state()
+        velocity = state[:, 3:]
+        if self._guesses:
+            velocity = 1.5 * state[:, 3:] - 0.5 * self._older
+            self._older = state[:, 3:]
+        t = np.asarray((self.steps + self._kicks_after) * self.dt)
+        return Instant(t, state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2])
 
     def _start(self) -> Snapshot:
         """Observe the initial state; for leapfrog, also give the first half kick."""
         start = self._batch.velocity()
         self._seen = -1, start
         if not self._leapfrog:
-            self._time_strings(self.dt)
+            self._joints.time(self.dt, self.dt)
+            self._kicks_after = 0 if self._early else 1
             nowhere = np.full_like(start, np.nan)
             return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
         kick = self.dt / 2
+        self._kicks_after, self._older = 0, start
         with self._held():
             after = self._settle(start, kick)
             self.contacts = self._read_contacts()
@@ -185,7 +203,10 @@ class World:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
                 self._batch.set_velocity(after)
-        self._time_strings(self.dt)
+        self._joints.time(self.dt, self.dt)
+        self._kicks_after = 1
+        if self._guesses:
+            self._older = start + (start - after)
         self._check_finite(snapshot)
         return snapshot
 
@@ -209,7 +230,7 @@ class World:
         Contacts and strings are solved in turn, one a step. So the kick is repeated from the same
         velocities, each time from the impulses found before, until nothing changes any more.
         """
-        self._time_strings(kick)
+        self._joints.time(kick, self.dt)
         close = 1e-15 * kick * np.abs(self._smooth).max(initial=0.0)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         for _ in range(MAX_KICKS if self.level.effects.contact else 1):
@@ -222,10 +243,6 @@ class World:
             if np.abs(after - previous).max(initial=0.0) <= close:
                 break
         return after
-
-    def _time_strings(self, kick: float) -> None:
-        for string in self.scene.strings.values():
-            string.time(kick, self.dt)
 
     def _observe(self, before: Array) -> Snapshot:
         state = self._batch.state()
@@ -257,17 +274,16 @@ class World:
         if len(contacts.bodies):
             normal = _sums(contacts, contacts.normal / kick, len(normal))
             friction = _sums(contacts, contacts.friction / kick, len(friction))
+        motion = Instant(
+            np.array(self.t), state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2]
+        )
         return Snapshot(
-            t=np.array(self.t),
-            position=state[:, :2],
-            angle=state[:, 2],
-            velocity=velocity[:, :2],
-            angular_velocity=velocity[:, 2],
+            *motion,
             acceleration=acceleration[:, :2],
             angular_acceleration=acceleration[:, 2],
             normal=normal,
             friction=friction,
-            tension=np.array([string.tension for string in self.scene.strings.values()]),
+            tension=self._joints.tension(motion),
         )
 
     def _check_finite(self, snapshot: Snapshot) -> None:
@@ -317,8 +333,7 @@ class World:
         for name, position in positions.items():
             self.scene.bodies[name].position = position
             self._space.reindex_shapes_for_body(self.scene.bodies[name])
-        for string in self.scene.strings.values():
-            string.refit()
+        self._joints.refit(self.t)
         snapshot = self.snapshot
         self._batch.set_velocity(np.column_stack((snapshot.velocity, snapshot.angular_velocity)))
         self.disturbed = True

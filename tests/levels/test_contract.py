@@ -134,11 +134,12 @@ def test_all_run_the_same_in_another_process() -> None:
 def test_pays_only_for_what_it_declares(level: Level) -> None:
     """No shape without contact, no callback without a force law or a string."""
     world = build(level)
-    strings, laws = len(level.joints), len(level.effects.attraction or ())
-    pairs = len(level.effects.friction.pairs) if level.effects.friction else 0
+    effects = level.effects
+    laws = effects.attraction or effects.drag or effects.force
+    pairs = effects.friction.pairs if effects.friction else ()
 
-    assert bool(world.scene.space.shapes) == (level.effects.contact is not None)
-    assert bool(world.hooks) == bool(strings or laws or pairs)
+    assert bool(world.scene.space.shapes) == (effects.contact is not None)
+    assert bool(world.hooks) == bool(level.joints or laws or pairs)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:

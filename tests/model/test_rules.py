@@ -76,7 +76,7 @@ def test_a_parameter_may_change_the_picture_only() -> None:
         # names
         (bare, "ghosts", {"bal": [0, 0]}, "ghosts.bal: unknown body 'bal'; did you mean 'ball'?"),
         (hanging, "joints.string.ends", ["ball", "othr"], "joints.string.ends.1: unknown body 'othr'; did you mean 'other'?"),
-        (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is named twice"),
+        (hanging, "joints.string.ends", ["ball", "ball"], "joints.string.ends: 'ball' is tied to itself"),
         (hanging, "joints.ball", hanging()["joints"]["string"], "joints.ball: 'ball' is already the name of a body"),
         (hanging, "joints.system", hanging()["joints"]["string"], "joints.system: the name 'system' is taken"),
         (bare, "bodies.t", bare()["bodies"]["ball"], "bodies.t: the name 't' is taken"),

@@ -50,9 +50,9 @@ def test_rows_are_in_the_order_of_the_bodies_whatever_their_types(types: str) ->
     for body, expected in zip(bodies, speeds + 1, strict=True):
         if body.body_type != pymunk.Body.STATIC:
             assert [*body.velocity, body.angular_velocity] == expected.tolist()
-    force = np.stack([7 * i, 8 * i], axis=1)
-    batch.set_force(force)
-    assert [list(body.force) for body in bodies] == force.tolist()
+    wrench = np.stack([7 * i, 8 * i, 9 * i], axis=1)
+    batch.set_force(wrench)
+    assert [[*body.force, body.torque] for body in bodies] == wrench.tolist()
 
 
 def test_what_was_read_stays_when_the_space_moves_on() -> None:

@@ -135,8 +135,8 @@ def test_what_goes_wrong_inside_a_step_comes_out_of_it(capfd: pytest.CaptureFixt
     """pymunk alone would print it and carry on."""
 
     class Broken:
-        def force(self, position: object, mass: object) -> object:
-            raise LookupError(position, mass)
+        def add(self, motion: object, wrench: object) -> None:
+            raise LookupError(motion, wrench)
 
     world = build(orbit())
     object.__setattr__(world.scene, "laws", (Broken(),))

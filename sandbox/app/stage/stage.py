@@ -7,7 +7,7 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import bodies, grid, lines, marks, strings
+from sandbox.app.stage import bodies, grid, joints, lines, marks
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
@@ -160,10 +160,12 @@ class Stage:
 
     def _draw_joints(self, surface: pygame.Surface) -> None:
         world = self._world
-        for row, joint in enumerate(world.level.joints.values()):
-            a, b = (self._state(self._outlines[end])[0] for end in joint.ends)
-            slack = world.snapshot.tension[row] == 0
-            strings.draw_string(surface, self.camera, joint, world.values, (a, b), slack)
+        snapshot, paths = world.snapshot, world.scene.joints.paths
+        for row, (name, joint) in enumerate(world.level.joints.items()):
+            places = [anchor.look(snapshot)[0] for anchor in paths[name]]
+            path = [(float(place.real), float(place.imag)) for place in places]
+            slack = snapshot.tension[row] == 0
+            joints.draw_joint(surface, self.camera, joint, path, bool(slack))
 
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self._moving) > bodies.FEW

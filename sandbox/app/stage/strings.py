@@ -7,11 +7,8 @@ from typing import NamedTuple
 import pygame
 
 from sandbox.app import theme
-from sandbox.app.camera import Camera
 from sandbox.app.stage import lines
-from sandbox.model.expressions import Values
-from sandbox.model.level import Pulley
-from sandbox.model.shapes import XY, evaluate
+from sandbox.model.shapes import XY
 
 WHEEL = 13.0  # px, the largest radius
 SHARE = 0.35
@@ -26,19 +23,8 @@ class Bend(NamedTuple):
     arc: list[XY]
 
 
-def draw_string(
-    surface: pygame.Surface,
-    camera: Camera,
-    joint: Pulley,
-    values: Values,
-    ends: tuple[XY, XY],
-    slack: bool,
-) -> None:
-    """Draw a string between two points of the plane; a slack one is dashed."""
-    pegs = [evaluate(peg, values) for peg in joint.over]
-    corners = camera.path((ends[0], *pegs, ends[1]))
-    if not lines.near(corners):
-        return
+def draw_string(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
+    """Draw a string through its ends and pegs [px]; a slack one is dashed."""
     bends = [_bend(*corners[i - 1 : i + 2]) for i in range(1, len(corners) - 1)]
     way = [corners[0]]
     for peg, bend in zip(corners[1:-1], bends, strict=True):
@@ -51,10 +37,10 @@ def draw_string(
         lines.dashed(surface, theme.STRING, way, 4, 4)
     else:
         lines.path(surface, theme.STRING, way, 2)
-    _eyes(surface, corners)
+    eyes(surface, corners)
 
 
-def _eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
+def eyes(surface: pygame.Surface, corners: Sequence[XY]) -> None:
     """Mark where the string is tied."""
     for x, y in (corners[0], corners[-1]):
         pygame.draw.aacircle(surface, theme.STAGE, (x, y), 4)

@@ -1,0 +1,89 @@
+"""Joints: each kind with a look of its own."""
+
+from collections.abc import Sequence
+from math import cos, hypot, pi, sin
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import lines, strings
+from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, Spring
+from sandbox.model.shapes import XY
+
+COILS = 9
+COIL = 7.0  # px, how far a coil stands out
+STRAIGHT = 10.0  # px, the wire at both ends of a coil
+SAG = 0.12
+"""How far a slack rope hangs down, of its length on the screen."""
+
+
+def draw_joint(
+    surface: pygame.Surface, camera: Camera, joint: Joint, path: Sequence[XY], slack: bool
+) -> None:
+    """Draw a joint through points of the plane [m]; a slack rope is dashed."""
+    corners = camera.path(path)
+    if not lines.near(corners):
+        return
+    match joint:
+        case Pulley():
+            strings.draw_string(surface, corners, slack)
+        case Rope():
+            _rope(surface, corners[0], corners[1], slack)
+        case Rod():
+            lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 6)
+            _pins(surface, corners)
+        case Spring():
+            lines.path(surface, theme.SPRING, _coil(corners[0], corners[1]), 2)
+            _pins(surface, corners)
+        case Pivot():
+            _pivot(surface, corners[0])
+
+
+def _rope(surface: pygame.Surface, a: XY, b: XY, slack: bool) -> None:
+    if slack:
+        lines.dashed(surface, theme.STRING, _sagging(a, b), 4, 4)
+    else:
+        lines.stroke(surface, theme.STRING, a, b, 2)
+    strings.eyes(surface, (a, b))
+
+
+def _sagging(a: XY, b: XY) -> list[XY]:
+    """Return a parabola that hangs between two points [px]."""
+    depth = SAG * max(hypot(b[0] - a[0], b[1] - a[1]), 60.0)
+    shares = [i / 16 for i in range(17)]
+    return [
+        (a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s + 4 * depth * s * (1 - s))
+        for s in shares
+    ]
+
+
+def _coil(a: XY, b: XY) -> list[XY]:
+    """Return a zigzag from one point to another, between two straight ends [px]."""
+    length = hypot(b[0] - a[0], b[1] - a[1])
+    if length <= 2 * STRAIGHT:
+        return [a, b]
+    ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    turn = (length - 2 * STRAIGHT) / (2 * COILS)
+    along = [0.0, STRAIGHT, *(STRAIGHT + turn * (i + 0.5) for i in range(2 * COILS))]
+    along += [length - STRAIGHT, length]
+    aside = [0.0, 0.0, *(COIL if i % 2 else -COIL for i in range(2 * COILS)), 0.0, 0.0]
+    return [
+        (a[0] + ux * s - uy * w, a[1] + uy * s + ux * w) for s, w in zip(along, aside, strict=True)
+    ]
+
+
+def _pins(surface: pygame.Surface, places: Sequence[XY]) -> None:
+    for place in places:
+        pygame.draw.aacircle(surface, theme.STAGE, place, 5)
+        pygame.draw.aacircle(surface, theme.SURFACE_EDGE, place, 3)
+
+
+def _pivot(surface: pygame.Surface, place: XY) -> None:
+    """Draw a pin: a ring with a cross."""
+    pygame.draw.aacircle(surface, theme.STAGE, place, 7)
+    pygame.draw.aacircle(surface, theme.STRING, place, 7, 2)
+    for angle in (pi / 4, 3 * pi / 4):
+        x, y = 5 * cos(angle), 5 * sin(angle)
+        ends = (place[0] - x, place[1] - y), (place[0] + x, place[1] + y)
+        lines.stroke(surface, theme.STRING, *ends, 1)

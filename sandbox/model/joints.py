@@ -1,0 +1,121 @@
+"""What ties bodies together.
+
+Rods, ropes, strings and pivots are exact: they hold to rounding at every step, whatever they carry.
+A spring is a force.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Expression, Formula, NonNegative, Positive
+from sandbox.model.shapes import Point
+
+
+class Held(Model):
+    """A point of a body."""
+
+    body: str
+    """whose"""
+    at: Point = (Expression(0), Expression(0))
+    """[x, y] in m, from its centre of mass, along its own axes"""
+
+
+ENDS = ("a body", "a point of a body", "a fixed point")
+"""The kinds of ends."""
+
+
+def _end_kind(end: object) -> str | None:
+    kinds = ((str,), (Held, Mapping), (list, tuple))
+    return next(
+        (kind for kind, types in zip(ENDS, kinds, strict=True) if isinstance(end, types)), None
+    )
+
+
+End = Annotated[
+    Annotated[str, Tag("a body")]
+    | Annotated[Held, Tag("a point of a body")]
+    | Annotated[Point, Tag("a fixed point")],
+    Discriminator(_end_kind),
+]
+"""Where a joint holds on: the centre of a body, a point of it, or a fixed point [x, y] in m."""
+
+
+class Rod(Model):
+    """A light, rigid rod: its ends keep their distance."""
+
+    type: Literal["rod"]
+    ends: tuple[End, End]
+    """what it holds together; each turns freely"""
+    length: Formula | None = None
+    """m, of the parameters and the time t; the distance at the start if left out"""
+
+
+class Rope(Model):
+    """A light, inextensible rope: it pulls and never pushes."""
+
+    type: Literal["rope"]
+    ends: tuple[End, End]
+    """what it ties together"""
+    length: Positive | None = None
+    """m; the distance at the start if left out, slack at first if longer"""
+
+
+class Pulley(Model):
+    """A light, inextensible string over frictionless pegs; it pulls and never pushes.
+
+    A peg that is a body is a pulley that moves; one string may run over several.
+    """
+
+    type: Literal["pulley"]
+    ends: tuple[End, End]
+    """what it is tied to"""
+    over: Annotated[tuple[End, ...], Field(min_length=1, max_length=20)]
+    """the pegs it runs over, from the first end to the second"""
+    length: Positive | None = None
+    """m; the length of its path at the start if left out, slack at first if longer"""
+
+
+class Pivot(Model):
+    """A frictionless pin through two bodies, or through a body and the plane."""
+
+    type: Literal["pivot"]
+    ends: tuple[End, End]
+    """the points that it keeps together"""
+
+
+class Spring(Model):
+    """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
+
+    type: Literal["spring"]
+    ends: tuple[End, End]
+    """what it pulls at"""
+    stiffness: NonNegative
+    """N/m, k"""
+    length: NonNegative | None = None
+    """m, l0, where it is slack; the distance at the start if left out"""
+    damping: NonNegative = NonNegative(0)
+    """kg/s, c"""
+
+
+Joint = Annotated[Rod | Rope | Pulley | Pivot | Spring, Field(discriminator="type")]
+
+
+def points(joint: Joint) -> tuple[End, ...]:
+    """Return everything that a joint runs through, from its first end to its second."""
+    first, second = joint.ends
+    return (first, *joint.over, second) if isinstance(joint, Pulley) else (first, second)
+
+
+def body_of(end: End) -> str | None:
+    """Return the body that an end holds on to, None if that is the plane itself."""
+    if isinstance(end, Held):
+        return end.body
+    return end if isinstance(end, str) else None
+
+
+def bodies_of(joint: Joint) -> Iterator[str]:
+    """Yield the bodies that a joint holds on to."""
+    yield from (body for end in points(joint) if (body := body_of(end)) is not None)

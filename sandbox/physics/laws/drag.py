@@ -1,0 +1,33 @@
+"""Drag through a fluid at rest."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Integers
+from sandbox.physics.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Drag:
+    """F = −(linear + quadratic |v|) v: Stokes's drag, and that of a turbulent wake."""
+
+    linear: float  # kg/s
+    quadratic: float  # kg/m
+    bodies: Integers  # those it acts on
+
+    @property
+    def needs_velocity(self) -> bool:
+        """Whether the force depends on velocities."""
+        return True
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add −(linear + quadratic |v|) v."""
+        v = motion.velocity[..., self.bodies, :]
+        speed = np.hypot(v[..., 0], v[..., 1])
+        wrench[..., self.bodies, :2] -= (self.linear + self.quadratic * speed)[..., None] * v
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return zero: what drag takes never comes back."""
+        return np.zeros(motion.position.shape[:-1])

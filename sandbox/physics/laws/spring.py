@@ -1,0 +1,66 @@
+"""A spring with a damper, between two points."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.anchor import Anchor, Plane
+from sandbox.physics.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class SpringForce:
+    """F = −k (l − l0) − c dl/dt along the line between its ends, U = k (l − l0)² / 2.
+
+    Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
+    """
+
+    ends: tuple[Anchor, Anchor]
+    stiffness: float  # N/m, k
+    length: float  # m, l0
+    damping: float  # kg/s, c
+
+    @property
+    def needs_velocity(self) -> bool:
+        """Whether it damps."""
+        return self.damping > 0
+
+    def tension(self, motion: Motion) -> Array:
+        """Return the force with which it pulls [N]; negative where it pushes."""
+        return self._pull(motion)[0]
+
+    def stored(self, motion: Motion) -> Array:
+        """Return k (l − l0)² / 2 [J]."""
+        (a, _, _), (b, _, _) = (end.look(motion) for end in self.ends)
+        return np.asarray(self.stiffness * (np.abs(b - a) - self.length) ** 2 / 2)
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add the pull on both ends, and its torques."""
+        pull, direction, arms = self._pull(motion)
+        for end, arm, force in zip(
+            self.ends, arms, (pull * direction, -pull * direction), strict=True
+        ):
+            if end.body is not None:
+                wrench[..., end.body, 0] += force.real
+                wrench[..., end.body, 1] += force.imag
+                wrench[..., end.body, 2] += (arm.conj() * force).imag
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return k (l − l0)² / 2, shared among the bodies at its ends."""
+        bodies = [end.body for end in self.ends if end.body is not None]
+        stored = self.stored(motion)
+        energy = np.zeros(motion.position.shape[:-1])
+        for body in bodies:
+            energy[..., body] += stored / len(bodies)
+        return energy
+
+    def _pull(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
+        """Return the tension, the direction from the first end to the second, and the arms."""
+        (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
+        span = b - a
+        length = np.abs(span)
+        direction = span / np.maximum(length, 1e-300)  # none where the ends meet
+        stretching = ((moves_b - moves_a) * direction.conj()).real
+        pull = self.stiffness * (length - self.length) + self.damping * stretching
+        return pull, direction, (arm_a, arm_b)
