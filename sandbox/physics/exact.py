@@ -90,7 +90,7 @@ class ExactJoints:
         self._lay_out(rows)
         self._fresh = True
         self._taut = ~self._pulls_only
-        self.tension = np.zeros(len(rows))
+        self.tension = self._guess = np.zeros(len(rows))
         self._warm = np.zeros(len(rows))  # impulses that have acted in this kick already
         self._kick = self._drift = 0.0
 
@@ -124,7 +124,7 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self.tension = np.zeros_like(self._length)
+        self.tension = self._guess = np.zeros_like(self._length)
         self._taut = ~self._pulls_only
         self._fresh = True
 
@@ -168,7 +168,8 @@ class ExactJoints:
         velocity[:, 0], velocity[:, 1] = moved.plane.real[:-1], moved.plane.imag[:-1]
         velocity[:, 2] = moved.angle[:-1]
         self._batch.set_velocity(velocity)
-        self.tension = (self._warm + impulse) / self._kick
+        before, self.tension = self.tension, (self._warm + impulse) / self._kick
+        self._guess = 2 * self.tension - before
         self._warm = np.zeros_like(impulse)
 
     def _lengths(self, t: float) -> Array:
@@ -255,11 +256,14 @@ class ExactJoints:
     ) -> tuple[Array, "_Coordinates", Array]:
         """Return the impulses of the taut rows, the motion after them, and all rows' excess."""
         taut, h = self._taut, self._drift
-        impulse = np.where(taut, self.tension * self._kick, 0.0) - self._warm
+        impulse = np.where(taut, self._guess * self._kick, 0.0) - self._warm
         for _ in range(MAX_ITERATIONS):
             moved = reply.to(impulse, motion)
             there = self._look(
-                _Coordinates(place.plane + h * moved.plane, place.angle + h * moved.angle)
+                _Coordinates(
+                    place.plane + h * moved.plane,
+                    place.angle + h * moved.angle if self._turns else place.angle,
+                )
             )
             excess = there.total - length
             wrong = np.where(taut, excess, 0.0) if self._unilateral else excess
@@ -268,7 +272,7 @@ class ExactJoints:
                 slope[~taut] = 0.0
                 slope[~taut, ~taut] = 1.0
             try:
-                impulse = impulse + np.linalg.solve(slope, wrong) / h
+                impulse = impulse + _solved(slope, wrong) / h
             except np.linalg.LinAlgError:
                 raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
             if np.abs(wrong).max() <= QUADRATIC:
@@ -320,6 +324,13 @@ class _Reply(NamedTuple):
         if rows.turning is not None and self.angle is not None:
             slope += rows.turning @ self.angle.T
         return slope
+
+
+def _solved(slope: Array, excess: Array) -> Array:
+    """Solve a linear system; one equation in a tenth of the time."""
+    if len(excess) == 1:
+        return excess / slope[0]
+    return np.linalg.solve(slope, excess).astype(float, copy=False)
 
 
 def _ends(anchors: Sequence[Anchor], count: int) -> tuple[NDArray[np.intp], Plane]:
