@@ -6,7 +6,7 @@ from keyword import iskeyword
 
 from sandbox.model.effects import Friction, Restitution
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, Expression, Formula, NonNegative
+from sandbox.model.expressions import RESERVED, Formula, NonNegative
 from sandbox.model.joints import End, Held, Joint, bodies_of, body_of, points
 from sandbox.model.level import (
     ApexEvent,
@@ -42,7 +42,7 @@ def dangling(level: Level) -> Iterator[Fault]:
 
 
 def _parameters(level: Level) -> Iterator[Fault]:
-    scene, formulas = _used(level, Expression), _used(level, Formula)
+    scene, formulas = _used(level, scene=True), _used(level, scene=False)
     for name, parameter in level.parameters.items():
         path = ("parameters", name)
         if name in RESERVED or iskeyword(name):
@@ -59,9 +59,14 @@ def _parameters(level: Level) -> Iterator[Fault]:
             yield Fault(path, rule)
 
 
-def _used(level: Level, kind: type[Expression]) -> set[str]:
-    """Return the names in the level's formulas of time, or in all its other expressions."""
-    used = (e.names for _, e in expressions(level) if isinstance(e, Formula) is (kind is Formula))
+def _used(level: Level, *, scene: bool) -> set[str]:
+    """Return the names that the scene uses, or that only tell what it should do."""
+    told = ("checks", "ghosts")
+    used = (
+        e.names
+        for path, e in expressions(level)
+        if (isinstance(e, Formula) and path[0] in told) is not scene
+    )
     return set().union(*used)
 
 

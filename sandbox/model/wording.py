@@ -130,6 +130,8 @@ def _unknown(name: str, loc: tuple[int | str, ...]) -> str:
 
 def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any object)
     """Return the type one step further into the format, for a step of pydantic's location."""
+    if step in ENDS:
+        return part
     for choice in _alternatives(part):
         fields = getattr(choice, "model_fields", {})
         if step in fields:
@@ -139,7 +141,7 @@ def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any o
             return choice
         if get_origin(choice) in (Mapping, tuple):
             return [argument for argument in get_args(choice) if argument is not Ellipsis][-1]
-    return part if step in ENDS else None
+    return None
 
 
 def _alternatives(part: Any) -> list[Any]:  # noqa: ANN401 (a type is any object)

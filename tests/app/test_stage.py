@@ -186,3 +186,25 @@ def test_bodies_are_told_apart_by_colour() -> None:
     found = outlines(level, level.defaults)
 
     assert found["a"].color != found["b"].color
+
+
+TIES: tuple[tuple[dict[str, object], Color], ...] = (
+    ({"type": "rod"}, theme.SURFACE_EDGE),
+    ({"type": "rope"}, theme.STRING),
+    ({"type": "rope", "length": 9}, theme.STRING),
+    ({"type": "spring", "stiffness": 1}, theme.SPRING),
+    ({"type": "spring", "stiffness": 1, "length": 0}, theme.SPRING),
+    ({"type": "pulley", "over": [[-2, 4]]}, theme.STRING),
+    ({"type": "pivot", "ends": [[-4, 5], {"body": "ball", "at": [-4, 0]}]}, theme.STRING),
+)
+
+
+@pytest.mark.parametrize(("tie", "color"), TIES, ids=str)
+def test_every_joint_is_drawn(pen: Pen, tie: dict[str, object], color: Color) -> None:
+    joints = {"tie": {"ends": [[-4, 2], "ball"], **tie}}
+    session = Session(scenes.level(joints=joints, ghosts={}))
+    stage = Stage(pen, (400, 300))
+    stage.use(session.world)
+    stage.fit()
+
+    assert count(draw(session, stage), color) >= 5

@@ -11,6 +11,7 @@ from sandbox.app.stage import bodies, grid, joints, lines, marks
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
+from sandbox.model.joints import Pivot
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import World
@@ -77,8 +78,9 @@ class Stage:
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
         surface.blit(self._canvas, (0, 0))
-        self._draw_joints(surface)
+        self._draw_joints(surface, in_front=False)
         self._draw_bodies(surface)
+        self._draw_joints(surface, in_front=True)
         if self._ghosts:
             self._draw_ghosts(surface)
         if self.shown.arrows:
@@ -158,10 +160,13 @@ class Stage:
             marks.draw_trail(self._canvas, self.camera, outline, points)
         self._trail_drawn = count
 
-    def _draw_joints(self, surface: pygame.Surface) -> None:
+    def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
+        """Draw the pivots, which go through bodies, or all others, which end behind them."""
         world = self._world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         for row, (name, joint) in enumerate(world.level.joints.items()):
+            if isinstance(joint, Pivot) is not in_front:
+                continue
             places = [anchor.look(snapshot)[0] for anchor in paths[name]]
             path = [(float(place.real), float(place.imag)) for place in places]
             slack = snapshot.tension[row] == 0

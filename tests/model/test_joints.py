@@ -1,0 +1,108 @@
+# ruff: noqa: E501 (a table is read by its rows)
+"""Joints, drags and forces: what makes no sense is refused by name and rule."""
+
+import json
+from typing import Any
+
+import pytest
+
+from tests.model.levels import mistakes_in, said
+from tests.physics.scenes import GRAVITY, disc, fixed
+
+HOOK = {"type": "disc", "radius": 0.1}
+
+
+def tied(joint: dict[str, Any], **effects: object) -> list[str]:
+    """Return what is wrong with a ball and a block, 5 m apart, that a joint ties."""
+    data = {
+        "format": 1,
+        "title": "Tied",
+        "effects": {**GRAVITY, **effects},
+        "bodies": {"ball": disc(), "block": disc((3, 4)), "wall": fixed(HOOK, (0, 4))},
+        "joints": {"tie": joint},
+    }
+    return said(mistakes_in(json.dumps(data)))
+
+
+def joint(kind: str, *ends: object, **rest: object) -> dict[str, Any]:
+    return {"type": kind, "ends": list(ends) or ["ball", "block"], **rest}
+
+
+AT = {"body": "block", "at": [0.1, 0]}
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        joint("rod"),
+        joint("rod", length=5),
+        joint("rod", length="5 - t"),
+        joint("rod", [0, 1], AT),
+        joint("rope", length=6),
+        joint("spring", stiffness=0),
+        joint("spring", "ball", AT, stiffness=3, length=0, damping=1),
+        joint("pulley", "ball", [1, 1], over=["block", "wall"]),
+        joint("pivot", [3, 4], "block"),
+        joint("pivot", "ball", {"body": "block", "at": [-3, -4]}),
+    ],
+    ids=str,
+)
+def test_what_makes_sense_is_let_through(made: dict[str, Any]) -> None:
+    assert not tied(made)
+
+
+@pytest.mark.parametrize(
+    ("made", "told"),
+    [
+        (joint("rod", "ball", "blok"), "joints.tie.ends.1: unknown body 'blok'; did you mean 'block'?"),
+        (joint("rod", "ball", {"body": "blok"}), "joints.tie.ends.1.body: unknown body 'blok'; did you mean 'block'?"),
+        (joint("pulley", over=["wal"]), "joints.tie.over.0: unknown body 'wal'; did you mean 'wall'?"),
+        (joint("rod", "ball", {"body": "ball", "at": [1, 0]}), "joints.tie.ends: 'ball' is tied to itself"),
+        (joint("pulley", over=["ball"]), "joints.tie.ends: 'ball' is tied to itself"),
+        (joint("rod", [0, 0], "wall"), "joints.tie.ends: at least one end must be a dynamic body"),
+        (joint("rod", [0, 0], "ball"), "joints.tie.length: a rod cannot be 0 m long"),
+        (joint("rod", length=4), "joints.tie.length: the rod is 4 m long at the start, but its ends are 5 m apart"),
+        (joint("rod", length="4 + t"), "joints.tie.length: the rod is 4 m long at the start, but its ends are 5 m apart"),
+        (joint("rope", length=4), "joints.tie.length: the string is 4 m long, but its path is 5 m"),
+        (joint("pivot"), "joints.tie.ends: a pivot's two points must be one, but they are 5 m apart"),
+        (joint("spring"), "joints.tie.stiffness: 'stiffness' is missing"),
+        (joint("spring", stiffness=-1), "joints.tie.stiffness: is -1, but must be at least 0"),
+        (joint("sprig", stiffness=1), "joints.tie: unknown type 'sprig'; did you mean 'spring'?"),
+        (joint("rod", [0, 0], 3), "joints.tie.ends.1: must be a body's name, a point of one"),
+        (joint("rod", "ball", {"body": "block", "att": [1, 1]}), "joints.tie.ends.1.att: unknown key 'att'; did you mean 'at'?"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_what_makes_no_sense_is_told(made: dict[str, Any], told: str) -> None:
+    assert any(mistake.startswith(told) for mistake in tied(made)), tied(made)
+
+
+@pytest.mark.parametrize(
+    ("effects", "told"),
+    [
+        ({"drag": {}}, "effects.drag: needs 'linear' or 'quadratic' greater than 0"),
+        ({"drag": {"linear": 1, "bodies": ["bal"]}}, "effects.drag.bodies.0: unknown body 'bal'; did you mean 'ball'?"),
+        ({"drag": {"linear": 1, "bodies": ["wall"]}}, "effects.drag.bodies.0: 'wall' is static, so no force moves it"),
+        ({"drag": {"linear": 1, "bodies": ["ball", "ball"]}}, "effects.drag.bodies: a body is named twice"),
+        ({"force": [{"body": "wall", "force": [1, 0]}]}, "effects.force.0.body: 'wall' is static, so no force moves it"),
+        ({"force": [{"body": "blok", "force": [1, 0]}]}, "effects.force.0.body: unknown body 'blok'"),
+        ({"force": [{"body": "ball", "force": [1, "s*t"]}]}, "effects.force.0.force.1: unknown parameter 's'"),
+        ({"rotation": {}}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_an_effect_that_makes_no_sense_is_told(effects: dict[str, Any], told: str) -> None:
+    found = tied(joint("rod"), **effects)
+
+    assert any(mistake.startswith(told) for mistake in found), found
+
+
+def test_a_parameter_that_only_a_force_of_time_uses_is_used_by_the_scene() -> None:
+    data = {
+        "format": 1,
+        "title": "Pushed",
+        "parameters": {"F": {"value": 1, "min": 0, "max": 2}},
+        "effects": {"force": [{"body": "ball", "force": ["F*t", 0]}]},
+        "bodies": {"ball": disc()},
+    }
+    assert not mistakes_in(json.dumps(data))
