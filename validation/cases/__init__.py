@@ -14,12 +14,15 @@ from validation.cases import (
     first_law,
     free_fall,
     free_rotation,
+    given_forces,
     glancing,
     incline,
     incline_limits,
     orbits,
+    pendulums,
     projectile,
     rolling,
+    springs,
     table_pulley,
     throws,
     uniform_acceleration,
@@ -47,6 +50,9 @@ PHENOMENA = (
     bounces,
     rolling,
     free_rotation,
+    pendulums,
+    springs,
+    given_forces,
 )
 
 

@@ -1,0 +1,44 @@
+"""Pendulums and springs: series, limits and the equations of motion."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from validation.formulas import lagrange
+
+positive = st.floats(0.01, 100)
+
+
+@given(positive, positive, st.floats(0.01, 3))
+def test_a_pendulum_takes_longer_the_wider_it_swings(
+    length: float, g: float, amplitude: float
+) -> None:
+    """T = T0 (1 + θ²/16 + 11 θ⁴/3072 + …)."""
+    small = 2 * pi * sqrt(length / g)
+    period = lagrange.pendulum_period(length, g, amplitude)
+
+    assert period >= small * (1 + amplitude**2 / 16)
+    if amplitude < 0.5:
+        series = 1 + amplitude**2 / 16 + 11 * amplitude**4 / 3072
+        assert period == pytest.approx(small * series, rel=1e-4)
+
+
+@given(positive, positive, st.floats(0, 50), st.floats(0.1, 2))
+def test_a_damped_spring_starts_at_rest_and_obeys_newton(
+    mass: float, stiffness: float, damping: float, amplitude: float
+) -> None:
+    h = 1e-3 * min(sqrt(mass / stiffness), mass / (damping + 1e-9))
+    x = lagrange.damped_oscillation(np.array([0, h, 2 * h]), mass, stiffness, damping, amplitude)
+
+    assert x[0] == pytest.approx(amplitude)
+    assert (x[1] - x[0]) / h**2 == pytest.approx(-stiffness * amplitude / mass / 2, rel=1e-2)
+
+
+def test_coupled_oscillators_that_start_alike_swing_alike() -> None:
+    left, right = lagrange.coupled_oscillations(np.linspace(0, 3, 7), 1, 20, (0.3, 0.3))
+
+    assert left == pytest.approx(right)
+    assert left == pytest.approx(0.3 * np.cos(sqrt(20) * np.linspace(0, 3, 7)))

@@ -1,0 +1,64 @@
+"""Springs: free, damped, and coupled to each other."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from validation.case import Case, Expected, Parameters
+from validation.formulas import lagrange
+
+SECOND = "second order: a phase of (ω dt)² / 24 a radian, 1e-3 over the run at the most"
+
+
+def cases() -> Iterator[Case]:
+    """Yield the cases of the springs."""
+    yield from _alone()
+    for index, body in enumerate(("left", "right")):
+        yield Case(
+            name=f"coupled oscillators: the {body} one",
+            level="lagrange/coupled-oscillators",
+            quantity=f"{body}.position.x",
+            expected=_coupled(index),
+            tolerance=5e-4,
+            because=SECOND,
+            naive_misses=1e-3,
+        )
+
+
+def _alone() -> Iterator[Case]:
+    levels: tuple[tuple[str, Parameters, float, float, float], ...] = (
+        ("energy/spring-oscillator", {}, 0.0, 5e-4, 2e-3),
+        ("energy/spring-oscillator", {"m": 0.5, "k": 50.0}, 0.0, 1e-3, 2e-3),
+        ("energy/damped-spring", {"c": 3.0}, 3.0, 2e-4, 1e-3),
+        ("energy/damped-spring", {"c": 20.0}, 20.0, 2e-4, 4e-4),
+        ("energy/damped-spring", {"c": 60.0}, 60.0, 1e-4, 1e-4),
+        ("energy/critical-damping", {}, 2 * 20**0.5, 2e-4, 4e-4),
+    )
+    for level, parameters, damping, tolerance, naive in levels:
+        yield Case(
+            name="spring: place at every step",
+            level=level,
+            parameters=parameters,
+            quantity="block.position.x",
+            expected=_damped(damping),
+            tolerance=tolerance,
+            because=SECOND,
+            naive_misses=naive,
+        )
+
+
+def _coupled(index: int) -> Expected:
+    def expected(p: Values, t: Array) -> Array:
+        swing = lagrange.coupled_oscillations(t, p["m"], p["k"], (p["a"], p["b"]))[index]
+        return np.asarray(index - 0.5 + swing)
+
+    return expected
+
+
+def _damped(damping: float) -> Expected:
+    def expected(p: Values, t: Array) -> Array:
+        mass, stiffness = p.get("m", 2.0), p.get("k", 50.0)
+        return 1 + lagrange.damped_oscillation(t, mass, stiffness, damping, p["A"])
+
+    return expected
