@@ -179,7 +179,8 @@ class World:
         if self._guesses:
             velocity = 1.5 * state[:, 3:] - 0.5 * self._older
             self._older = state[:, 3:]
-        t = np.asarray((self.steps + self._kicks_after) * self.dt)
+        ahead = 0 if self._early else self._kicks_after
+        t = np.asarray((self.steps + ahead) * self.dt)
         return Instant(t, state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2])
 
     def _start(self) -> Snapshot:
@@ -188,7 +189,6 @@ class World:
         self._seen = -1, start
         if not self._leapfrog:
             self._joints.time(self.dt, self.dt)
-            self._kicks_after = 0 if self._early else 1
             nowhere = np.full_like(start, np.nan)
             return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
         kick = self.dt / 2

@@ -54,7 +54,7 @@ def test_a_pendulum_swings_in_the_time_of_the_elliptic_integral(amplitude: float
     passed = crossing(found["t"], found["bob.position.x"], 0.0, "down")
     exact = sqrt(1 / G) * float(ellipk(sin(amplitude / 2) ** 2))
 
-    assert passed == pytest.approx(exact, rel=1e-3)  # 1e-4 to 4e-4
+    assert passed == pytest.approx(exact, rel=1e-3)  # 1e-4 to 5e-4
 
 
 def test_a_pendulum_is_second_order() -> None:
@@ -68,7 +68,7 @@ def test_a_pendulum_keeps_its_length_and_its_energy(rate: float) -> None:
     energy, half = found["bob.energy"] + 2 * G * cos(1.5), len(found["bob.energy"]) // 2
 
     assert worst(found["arm.length"], 1.0) <= 1e-12  # 4e-16
-    assert np.abs(energy).max() < 2 * G * 10 * (60 / rate) ** 2 * 1e-3
+    assert np.abs(energy).max() < 2 * G * 1e-2 * (60 / rate) ** 2  # 9e-4, 6e-5
     assert np.abs(energy[half:]).max() == pytest.approx(np.abs(energy[:half]).max(), rel=0.05)
 
 
@@ -116,7 +116,7 @@ def double_error(rate: float) -> float:
 
 
 def test_a_double_pendulum_follows_its_euler_lagrange_equations() -> None:
-    assert double_error(1000) < 1e-3
+    assert double_error(1000) < 2e-4  # 2.5e-5
     assert order(double_error, 500) >= 1.9
 
 
@@ -133,7 +133,7 @@ def test_a_chain_keeps_its_links_whatever_hangs_at_its_end(count: int, load: flo
     for name in names:
         assert worst(found[name], 0.1) <= 1e-12  # 1e-15
     scale = load * G * 0.1 * count
-    assert np.abs(found["system.energy"]).max() < 1e-2 * scale
+    assert np.abs(found["system.energy"]).max() < 1e-2 * scale  # 6e-4, 7e-6 under the load
 
 
 def test_a_hanging_chain_carries_at_each_link_what_is_below() -> None:
@@ -171,7 +171,7 @@ def physical_error(rate: float) -> float:
 
 
 def test_a_stick_on_a_pin_is_a_physical_pendulum() -> None:
-    assert physical_error(60) < 2e-3
+    assert physical_error(60) < 2e-3  # 2.7e-4
     assert order(physical_error, 60) >= 1.9
 
 
@@ -217,7 +217,7 @@ def test_a_spring_swings_creeps_or_rests_as_its_damping_says(damping: float) -> 
         found = measured(build(oscillator(rate, damping)), round(2 * rate), "mass.position.x", "t")
         return worst(found["mass.position.x"] - 1, damped(found["t"], damping))
 
-    assert error(60) < 1e-2
+    assert error(60) < 1e-2  # 1e-3 to 2e-3
     assert order(error, 120) >= 1.9
 
 

@@ -154,12 +154,12 @@ def linear_drag_error(rate: float, scheme: str = "leapfrog") -> float:
 
 
 def test_linear_drag_is_second_order_though_it_needs_the_velocity() -> None:
-    assert linear_drag_error(60) < 1e-4  # 1e-5
+    assert linear_drag_error(60) < 1e-4  # 8e-6
     assert order(linear_drag_error, 60) >= 1.9  # 2.00
 
 
 def test_linear_drag_taken_naively_is_late() -> None:
-    assert linear_drag_error(60, "symplectic-euler") > 1e-3  # 2e-3
+    assert linear_drag_error(60, "symplectic-euler") > 1e-3  # 3e-3
 
 
 def quadratic_drag_error(rate: float) -> float:
@@ -172,7 +172,7 @@ def quadratic_drag_error(rate: float) -> float:
 
 
 def test_quadratic_drag_is_second_order() -> None:
-    assert quadratic_drag_error(60) < 1e-3  # 1e-4
+    assert quadratic_drag_error(60) < 1e-3  # 1.6e-4
     assert order(quadratic_drag_error, 60) >= 1.9
 
 
@@ -230,7 +230,7 @@ def test_a_force_at_a_point_turns_with_the_body() -> None:
     found = measured(build(pushed(0, 3, at=(0.5, 0))), 600, "system.energy", "box.angle")
 
     assert np.ptp(found["box.angle"]) > 3
-    assert np.ptp(found["system.energy"]) < 2e-2
+    assert np.ptp(found["system.energy"]) < 5e-3  # 5e-4
 
 
 def test_centres_add_up_and_gravity_comes_on_top() -> None:

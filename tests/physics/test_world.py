@@ -103,6 +103,9 @@ def test_another_process_runs_alike_to_the_last_bit() -> None:
     assert done.stdout.strip() == digest(run(build(pile()), 90))
 
 
+ROD = {"type": "rod", "ends": [[0, 0], "bob"]}
+
+
 @pytest.mark.parametrize(
     ("scene", "hooks"),
     [
@@ -113,9 +116,22 @@ def test_another_process_runs_alike_to_the_last_bit() -> None:
         (orbit(), 1),
         (orbit(scheme="explicit-euler"), 0),
         (atwood(1, 2), 1),
+        (level({"bob": disc((1, 0))}, GRAVITY, joints={"rod": ROD}), 1),
+        (level({"ball": disc()}, {"drag": {"linear": 1}}), 1),
         (table(), 2),
     ],
-    ids=["nothing", "gravity", "friction", "pile", "attraction", "early", "string", "table"],
+    ids=[
+        "nothing",
+        "gravity",
+        "friction",
+        "pile",
+        "attraction",
+        "early",
+        "string",
+        "rod",
+        "drag",
+        "table",
+    ],
 )
 def test_python_runs_in_a_step_only_for_force_laws_and_strings(scene: Level, hooks: int) -> None:
     world = build(scene)
