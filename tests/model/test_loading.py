@@ -35,11 +35,11 @@ SHIPPED = [(catalog.root() / f"{name}.json") for name in catalog.names()]
 
 @contextmanager
 def refused(told: str) -> Iterator[None]:
-    """Expect a `LevelError` within a second, short enough to read."""
-    started = time.perf_counter()
+    """Expect a `LevelError` within a second of work, short enough to read."""
+    started = time.process_time()
     with pytest.raises(LevelError) as caught:
         yield
-    assert time.perf_counter() - started < 1
+    assert time.process_time() - started < 1
     assert told in str(caught.value)
     assert all(len(str(mistake)) < 800 for mistake in caught.value.mistakes)
     assert all(str(mistake).isprintable() for mistake in caught.value.mistakes)
@@ -341,10 +341,10 @@ def test_one_mistake_is_not_told_twice() -> None:
     ids=["missing", "unknown", "ghosts", "checks"],
 )
 def test_thousands_of_mistakes_are_told_briefly_and_soon(text: str) -> None:
-    started = time.perf_counter()
+    started = time.process_time()
 
     assert 0 < len(mistakes_in(text)) <= 101
-    assert time.perf_counter() - started < 5
+    assert time.process_time() - started < 5
 
 
 # Any text at all

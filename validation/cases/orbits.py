@@ -104,7 +104,7 @@ def _period(planet: str, parameters: Parameters) -> Iterator[Case]:
             p["r"] * (1.0 if inner else p["times"]), p["mu"]
         ),
         tolerance=1e-4,
-        because="second order in ω dt, measured a third of it on a circle: 1.7e-5",
+        because="second order in ω dt, measured a third of it on a circle: 1.1e-5",
     )
     yield Case(
         name=f"Kepler's third law: energy of the {planet} planet",
@@ -116,9 +116,9 @@ def _period(planet: str, parameters: Parameters) -> Iterator[Case]:
         ),
         tolerance=1e-8 if inner else 1e-4,
         because=(
-            "fourth order in ω dt on a circle, 6.6e-10"
+            "fourth order in ω dt on a circle, 2.7e-10"
             if inner
-            else "second order in ω dt, and only while the distance changes: 8.3e-6"
+            else "second order in ω dt, and only while the distance changes: 5.3e-6"
         ),
         naive_misses=1e-7 if inner else None,
     )
