@@ -21,7 +21,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test lint check-levels pytest validate format schema clean
+.PHONY: help run test lint check-levels pytest validate format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -50,8 +50,9 @@ format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .
 	$(PY) -m ruff format .
 
-schema: $(FOR_RUN) ## write the JSON Schema of a level anew
+docs: $(FOR_RUN) ## write anew what is generated: the levels' JSON Schema, the map of the chapter
 	$(PY) -m sandbox.model.schema
+	$(PY) -m validation.chapter
 
 clean: ## remove the environment, caches and builds
 	rm -rf $(VENV) build dist *.egg-info

@@ -1,0 +1,153 @@
+"""The document, part by part, and the levels in which each can be played.
+
+`python -m validation.chapter` writes it to `docs/chapter.md`.
+"""
+
+from pathlib import Path
+from typing import NamedTuple
+
+from sandbox.model.files import write_atomically
+
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "chapter.md"
+
+
+class Part(NamedTuple):
+    """A set-up, example, figure or claim of the document; without levels it is still owed."""
+
+    section: str
+    text: str
+    levels: tuple[str, ...] = ()
+
+
+KINEMATICS = "3. Kinematics"
+NEWTON = "4. Newton's laws"
+ENERGY = "5. Work and energy"
+PROJECTILE = "6. Interactive: projectile motion"
+MOMENTUM = "7. Momentum, impulse, and collisions"
+ROTATION = "8. Rotational dynamics"
+LAGRANGE = "9. Lagrangian mechanics"
+CODE = "10. Classical mechanics in code"
+
+PARTS = (
+    Part(KINEMATICS, "two forces on a box, tip to tail", ("newton/two-forces",)),
+    Part(KINEMATICS, "decomposition of a velocity", ("kinematics/components",)),
+    Part(KINEMATICS, "turning at constant speed", ("kinematics/circular-motion",)),
+    Part(KINEMATICS, "uniform acceleration", ("kinematics/uniform-acceleration",)),
+    Part(KINEMATICS, "free fall", ("kinematics/free-fall",)),
+    Part(KINEMATICS, "projectile from a height", ("kinematics/projectile-from-height",)),
+    Part(NEWTON, "first law", ("newton/first-law", "newton/friction-brings-to-rest")),
+    Part(NEWTON, "second law: one force, several masses"),
+    Part(NEWTON, "third law: two skaters push off"),
+    Part(NEWTON, "mass that changes: a rocket"),
+    Part(NEWTON, "mass that changes: sand on a conveyor belt"),
+    Part(
+        NEWTON,
+        "the Atwood machine",
+        (
+            "newton/atwood",
+            "newton/atwood-equal-masses",
+            "newton/atwood-thousand-to-one",
+            "newton/atwood-with-a-push",
+            "newton/compound-pulley",
+        ),
+    ),
+    Part(NEWTON, "an Atwood machine with a massive pulley"),
+    Part(
+        NEWTON,
+        "free-body diagrams: two bodies and a string",
+        ("newton/table-and-pulley", "newton/table-and-pulley-with-friction"),
+    ),
+    Part(
+        NEWTON,
+        "block on an incline",
+        (
+            "newton/incline",
+            "newton/incline-limits",
+            "newton/heavy-and-light",
+            "newton/incline-with-friction",
+            "newton/incline-that-holds",
+        ),
+    ),
+    Part(NEWTON, "static and kinetic friction apart"),
+    Part(NEWTON, "drag", ("newton/terminal-velocity", "newton/projectile-with-drag")),
+    Part(ENERGY, "work along a straight and an oblique path"),
+    Part(ENERGY, "braking distance grows as v²", ("energy/braking-distance",)),
+    Part(ENERGY, "the well of gravity near the Earth", ("kinematics/free-fall",)),
+    Part(
+        ENERGY,
+        "the well of a spring",
+        (
+            "energy/spring-oscillator",
+            "energy/damped-spring",
+            "energy/critical-damping",
+            "energy/spring-pendulum",
+        ),
+    ),
+    Part(ENERGY, "a driven spring and its resonance"),
+    Part(
+        ENERGY,
+        "the 1/r well",
+        (
+            "energy/circular-orbit",
+            "energy/kepler-ellipse",
+            "energy/kepler-third-law",
+            "energy/escape-velocity",
+        ),
+    ),
+    Part(ENERGY, "ball down a straight ramp: 6.26 m/s", ("energy/ramp",)),
+    Part(ENERGY, "ball down a curved ramp, a zigzag and a helix"),
+    Part(PROJECTILE, "speed and angle, apex and landing", ("kinematics/projectile",)),
+    Part(PROJECTILE, "30° and 60° reach equally far", ("kinematics/complementary-angles",)),
+    Part(PROJECTILE, "twice the speed, four times the height", ("kinematics/doubled-speed",)),
+    Part(MOMENTUM, "impulse of a given force", ("momentum/force-profile",)),
+    Part(MOMENTUM, "stiff and soft bumper"),
+    Part(MOMENTUM, "momentum is conserved", ("momentum/center-of-mass",)),
+    Part(MOMENTUM, "recoil, and a burst"),
+    Part(MOMENTUM, "elastic, equal masses", ("momentum/elastic-equal-masses",)),
+    Part(MOMENTUM, "elastic, heavy on light", ("momentum/elastic-heavy-on-light",)),
+    Part(MOMENTUM, "elastic, light on heavy", ("momentum/elastic-light-on-heavy",)),
+    Part(MOMENTUM, "elastic, off centre", ("momentum/glancing",)),
+    Part(MOMENTUM, "elastic, again and again", ("momentum/between-walls",)),
+    Part(MOMENTUM, "Newton's cradle"),
+    Part(MOMENTUM, "between elastic and not", ("momentum/restitution", "momentum/bouncing-ball")),
+    Part(MOMENTUM, "perfectly inelastic", ("momentum/inelastic",)),
+    Part(MOMENTUM, "ballistic pendulum"),
+    Part(ROTATION, "door pushed at hinge, middle and handle"),
+    Part(ROTATION, "balance beam"),
+    Part(ROTATION, "a hoop rolls slower than a disc", ("rotation/rolling", "rotation/race")),
+    Part(ROTATION, "from sliding to rolling", ("rotation/slide-to-roll",)),
+    Part(ROTATION, "angular momentum is conserved", ("rotation/thrown-box", "rotation/skater")),
+    Part(ROTATION, "moments of inertia and the parallel axis", ("rotation/physical-pendulum",)),
+    Part(ROTATION, "yo-yo"),
+    Part(LAGRANGE, "pendulum", ("lagrange/simple-pendulum", "lagrange/large-pendulum")),
+    Part(LAGRANGE, "double pendulum", ("lagrange/double-pendulum",)),
+    Part(LAGRANGE, "bead on a wire, and on a rotating hoop"),
+    Part(LAGRANGE, "coupled oscillators", ("lagrange/coupled-oscillators",)),
+    Part(LAGRANGE, "cart and pendulum"),
+    Part(LAGRANGE, "least action"),
+    Part(CODE, "projectile: range 63.7 m", ("kinematics/projectile",)),
+    Part(CODE, "Euler against symplectic Euler on the pendulum"),
+)
+
+
+def page() -> str:
+    """Return the map as Markdown."""
+    owed = sum(not part.levels for part in PARTS)
+    lines = [
+        "# The chapter, part by part",
+        "",
+        f"{len(PARTS) - owed} of {len(PARTS)} parts can be played; the others are still owed.",
+        "This page is written by `make docs`.",
+    ]
+    section = ""
+    for part in PARTS:
+        if part.section != section:
+            section = part.section
+            lines += ["", f"## {section}", "", "| part | levels |", "|---|---|"]
+        levels = ", ".join(f"[{name}](../levels/{name}.json)" for name in part.levels)
+        lines.append(f"| {part.text} | {levels or '*still owed*'} |")
+    return "\n".join(lines) + "\n"
+
+
+if __name__ == "__main__":
+    write_atomically(PAGE, page())
