@@ -36,8 +36,8 @@ PARTS = (
     Part(KINEMATICS, "free fall", ("kinematics/free-fall",)),
     Part(KINEMATICS, "projectile from a height", ("kinematics/projectile-from-height",)),
     Part(NEWTON, "first law", ("newton/first-law", "newton/friction-brings-to-rest")),
-    Part(NEWTON, "second law: one force, several masses"),
-    Part(NEWTON, "third law: two skaters push off"),
+    Part(NEWTON, "second law: one force, several masses", ("newton/second-law",)),
+    Part(NEWTON, "third law: two skaters push off", ("newton/third-law",)),
     Part(NEWTON, "mass that changes: a rocket"),
     Part(NEWTON, "mass that changes: sand on a conveyor belt"),
     Part(

@@ -77,3 +77,15 @@ def test_friction_stops_at_the_stopping_distance_and_there_it_stays(
 
     assert distance == pytest.approx(speed**2 / (2 * mu * g))
     assert (half, stop, later) == pytest.approx((0.75 * distance, distance, distance))
+
+
+@given(positive, positive)
+def test_a_swelling_push_gives_the_area_under_it(force: float, lasts: float) -> None:
+    t = np.linspace(0, lasts, 201)
+    area = np.trapezoid(force * np.sin(np.pi * t / lasts) ** 2, t)
+
+    assert newton.swelling_push_momentum(force, lasts) == pytest.approx(area, rel=1e-12)
+
+
+def test_twice_the_mass_has_half_the_acceleration() -> None:
+    assert newton.acceleration(4, 2) == newton.acceleration(4, 1) / 2

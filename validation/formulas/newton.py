@@ -100,3 +100,19 @@ def incline_height(along: ArrayLike, above: float, angle: float) -> Array:
     A rotation of (along, above) by the angle: s sin θ + h cos θ.
     """
     return np.asarray(along, dtype=float) * np.sin(angle) + above * np.cos(angle)
+
+
+def acceleration(force: float, mass: float) -> float:
+    """Return the acceleration of a body by one force [m/s²]: F / m.
+
+    The chapter, section 4, the second law with constant mass.
+    """
+    return force / mass
+
+
+def swelling_push_momentum(force: float, lasts: float) -> float:
+    """Return the momentum that a push F sin² (π t / T) has given when it is over [kg m/s]: F T / 2.
+
+    The chapter, section 7, the impulse ∫ F dt: the mean of sin² over a whole swelling is 1/2.
+    """
+    return force * lasts / 2
