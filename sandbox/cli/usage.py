@@ -57,20 +57,18 @@ def _number(text: str, place: str) -> float:
         raise UsageError(f"{place}: '{brief(text)}' is not a number{hint}") from None
 
 
-def positive(value: float, option: str) -> float:
-    """Return the value of an option if it is finite and greater than 0."""
+def positive(value: float, option: str) -> None:
+    """Refuse the value of an option unless it is finite and greater than 0."""
     if not (isfinite(value) and value > 0):
         raise UsageError(f"{option} {value:g}: must be a finite number greater than 0")
-    return value
 
 
-def output_file(path: Path) -> Path:
-    """Return a path at which a file can be written, or refuse it before any work is done."""
+def output_file(path: Path) -> None:
+    """Refuse a path at which no file can be written, before any work is done."""
     try:
         check_writable(path)
     except SandboxError as error:
         raise UsageError(str(error)) from error
-    return path
 
 
 def output_folder(path: Path) -> Path:

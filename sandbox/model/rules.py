@@ -21,8 +21,6 @@ from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions, names_in
 from sandbox.model.shapes import Shape, fault
 
-__all__ = ["Fault", "broken", "corners", "expressions", "faults"]
-
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
 

@@ -30,17 +30,6 @@ class PulleyString:
 
     Attributes
     ----------
-    name
-        What it is called in the level.
-    ends, inverse_masses, pegs
-        The two bodies, their inverse masses [1/kg], 0 for what nothing moves, and the pegs next to
-        them [m].
-    free_length
-        The length that is not between pegs [m].
-    kick, drift
-        How long the next kick lasts, and the drift that follows [s].
-    warm
-        The tension that has acted in this kick already [N].
     tension
         The force with which the string pulled in the last kick [N].
     """
@@ -48,25 +37,24 @@ class PulleyString:
     def __init__(
         self, name: str, ends: tuple[pymunk.Body, pymunk.Body], pegs: tuple[XY, ...], length: float
     ) -> None:
-        self.name = name
-        self.ends = self._a, self._b = ends
-        self.pegs = self._peg_a, self._peg_b = pegs[0], pegs[-1]
+        self._name = name
+        self._a, self._b = ends
+        self._peg_a, self._peg_b = pegs[0], pegs[-1]
         between = pairwise(pegs)
-        self.free_length = length - sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
+        self._free_length = length - sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
         self._inverse_a, self._inverse_b = _inverse_mass(ends[0]), _inverse_mass(ends[1])
-        self.inverse_masses = self._inverse_a, self._inverse_b
         self.tension = 0.0
-        self.warm = 0.0
-        self.kick = self.drift = 0.0
+        self._warm = 0.0  # the tension that has acted in this kick already
+        self._kick = self._drift = 0.0
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
-        self.kick, self.drift = kick, drift
+        self._kick, self._drift = kick, drift
 
     def refit(self) -> None:
         """Take the present path as the string's length, as after a body was put elsewhere."""
         self._look()
-        self.free_length = hypot(*self._arm_a) + hypot(*self._arm_b)
+        self._free_length = hypot(*self._arm_a) + hypot(*self._arm_b)
         self.tension = 0.0
 
     def _look(self) -> None:
@@ -81,15 +69,15 @@ class PulleyString:
         if not self.tension:
             return
         self._look()
-        self.warm = self.tension
+        self._warm = self.tension
         for body, (x, y) in ((self._a, self._arm_a), (self._b, self._arm_b)):
-            pull = self.warm / (hypot(x, y) or 1.0)
+            pull = self._warm / (hypot(x, y) or 1.0)
             body.apply_force_at_world_point((-x * pull, -y * pull), body.position)
 
     def solve(self) -> None:
         """Find the impulse that keeps the length through the next drift, and apply the rest."""
         self._look()
-        a, b, h = self._a, self._b, self.drift
+        a, b, h = self._a, self._b, self._drift
         (vax, vay), (vbx, vby) = a.velocity, b.velocity
         (ax, ay), (bx, by) = self._arm_a, self._arm_b
         try:
@@ -100,7 +88,7 @@ class PulleyString:
             ax, ay, bx, by = ax + h * vax, ay + h * vay, bx + h * vbx, by + h * vby
             impulse = self._newton((ax, ay, nax, nay), (bx, by, nbx, nby))
         except ZeroDivisionError:
-            raise self.at_a_peg() from None
+            raise JointFailure(self._name, f"an end of '{self._name}' has run into a peg") from None
         if impulse:
             if self._inverse_a:
                 per = impulse * self._inverse_a
@@ -108,20 +96,8 @@ class PulleyString:
             if self._inverse_b:
                 per = impulse * self._inverse_b
                 b.velocity = vbx - per * nbx, vby - per * nby
-        self.pulled(impulse)
-
-    def pulled(self, impulse: float) -> None:
-        """Note the impulse beyond the warm start's that ended a kick [N s]."""
-        self.tension = self.warm + impulse / self.kick
-        self.warm = 0.0
-
-    def at_a_peg(self) -> JointFailure:
-        """Return what there is to say when an end is where no pull can keep the length."""
-        return JointFailure(self.name, f"an end of '{self.name}' has run into a peg")
-
-    def too_short(self) -> JointFailure:
-        """Return what there is to say when no tension was found."""
-        return JointFailure(self.name, f"no tension keeps '{self.name}' at its length")
+        self.tension = self._warm + impulse / self._kick
+        self._warm = 0.0
 
     def _newton(
         self,
@@ -130,14 +106,14 @@ class PulleyString:
     ) -> float:
         """Return the impulse beyond the warm start's, by Newton's method [N s]."""
         (ax, ay, nax, nay), (bx, by, nbx, nby) = a, b
-        moves_a, moves_b = self.drift * self._inverse_a, self.drift * self._inverse_b
-        impulse, least = 0.0, -self.warm * self.kick
-        close = TOLERANCE * self.free_length
+        moves_a, moves_b = self._drift * self._inverse_a, self._drift * self._inverse_b
+        impulse, least = 0.0, -self._warm * self._kick
+        close = TOLERANCE * self._free_length
         for _ in range(MAX_ITERATIONS):
             x, y = ax - impulse * moves_a * nax, ay - impulse * moves_a * nay
             u, w = bx - impulse * moves_b * nbx, by - impulse * moves_b * nby
             reach_a, reach_b = hypot(x, y), hypot(u, w)
-            excess = reach_a + reach_b - self.free_length
+            excess = reach_a + reach_b - self._free_length
             if excess <= 0 and impulse <= least:
                 return impulse
             slope = moves_a and moves_a * (x * nax + y * nay) / reach_a
@@ -147,7 +123,7 @@ class PulleyString:
             before, impulse = impulse, max(impulse + excess / slope, least)
             if abs(excess) <= close or impulse == before:
                 return impulse
-        raise self.too_short()
+        raise JointFailure(self._name, f"no tension keeps '{self._name}' at its length")
 
 
 def _inverse_mass(body: pymunk.Body) -> float:

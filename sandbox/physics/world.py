@@ -91,6 +91,8 @@ class World:
         self._guesses = self._leapfrog and any(law.needs_velocity for law in self.scene.laws)
         self._older = self._field  # the velocities that the last kick began with
         self._kicks_after = 1  # steps from the last to the time of the next kick
+        # joints take turns with contacts: there their last pull acts from the start of a kick
+        self._pulling = self._joints.together if level.effects.contact else None
         self._hook = self._make_hook()
         self._hand: pymunk.PivotJoint | None = None
         self.contacts: Contacts = NO_CONTACTS
@@ -147,7 +149,6 @@ class World:
     def _make_hook(self) -> Hook | None:
         strings = self._joints.strings.values()
         before = [string.warm_start for string in strings] if self.level.effects.contact else []
-        self._pulling = self._joints.together if self.level.effects.contact else None
         if (self.scene.laws or self._pulling) and not self._early:
             before.insert(0, self._apply_forces)
         after = self._joints.solvers(lambda: (self.steps + self._kicks_after + 1) * self.dt)

@@ -7,7 +7,8 @@ from itertools import product
 import pytest
 
 from sandbox.model.errors import MAX_MISTAKES
-from sandbox.model.rules import broken, corners, expressions
+from sandbox.model.parts import expressions
+from sandbox.model.rules import broken, corners
 from tests.model.levels import (
     Change,
     Data,

@@ -90,3 +90,15 @@ def test_a_ball_rises_as_high_as_its_speed_carries_it(height: float, e: float, g
     assert momentum.rebound_time(height, 1, g) == pytest.approx(
         2 * momentum.rebound_time(height, 0, g)
     )
+
+
+def test_a_half_sine_gives_the_area_under_it() -> None:
+    assert momentum.half_sine_momentum(5, 10, 1) == pytest.approx(20 / pi)
+
+
+@given(positive, positive)
+def test_a_swelling_push_gives_the_area_under_it(force: float, lasts: float) -> None:
+    t = np.linspace(0, lasts, 201)
+    area = np.trapezoid(force * np.sin(np.pi * t / lasts) ** 2, t)
+
+    assert momentum.swelling_push_momentum(force, lasts) == pytest.approx(area, rel=1e-12)

@@ -79,13 +79,18 @@ def test_friction_stops_at_the_stopping_distance_and_there_it_stays(
     assert (half, stop, later) == pytest.approx((0.75 * distance, distance, distance))
 
 
-@given(positive, positive)
-def test_a_swelling_push_gives_the_area_under_it(force: float, lasts: float) -> None:
-    t = np.linspace(0, lasts, 201)
-    area = np.trapezoid(force * np.sin(np.pi * t / lasts) ** 2, t)
-
-    assert newton.swelling_push_momentum(force, lasts) == pytest.approx(area, rel=1e-12)
-
-
 def test_twice_the_mass_has_half_the_acceleration() -> None:
     assert newton.acceleration(4, 2) == newton.acceleration(4, 1) / 2
+
+
+def test_drag_ends_at_its_terminal_velocity_and_begins_as_a_free_fall() -> None:
+    assert newton.fall_velocity(100, 1, 0.2, 9.81) == pytest.approx(
+        -newton.terminal_velocity(1, 0.2, 9.81)
+    )
+    assert newton.fall_velocity(1e-3, 1, 0.2, 9.81) == pytest.approx(-9.81e-3, rel=1e-5)
+    assert newton.throw_with_drag(1, 3, 1, 1e-6, 9.81) == pytest.approx(3 - 9.81 / 2, rel=1e-4)
+
+
+def test_a_movable_pulley_is_balanced_by_half_its_weight() -> None:
+    assert newton.movable_pulley_acceleration(1, 2, 9.81) == 0
+    assert newton.resultant((3, 4), (-1, 2)) == (2, 6)

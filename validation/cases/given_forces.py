@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from validation.case import Case, Choices, Expected
-from validation.formulas import drag, lagrange
+from validation.formulas import lagrange, momentum, newton
 
 FALLS: Choices = ({}, {"m": 5.0, "c": 0.1}, {"c": 1.0, "g": 25.0})
 PULLEYS: Choices = ({}, {"m": 0.5, "M": 10.0}, {"m": 5.0, "M": 0.5, "g": 1.0})
@@ -21,7 +21,7 @@ def cases() -> Iterator[Case]:
             level="newton/terminal-velocity",
             parameters=parameters,
             quantity="ball.velocity.y",
-            expected=lambda p, t: drag.fall_velocity(t, p["m"], p["c"], p["g"]),
+            expected=lambda p, t: newton.fall_velocity(t, p["m"], p["c"], p["g"]),
             tolerance=1e-4,
             because=SECOND,
             naive_misses=1e-4,
@@ -65,7 +65,7 @@ def _throw(direction: complex, g: float) -> Expected:
     def expected(p: Values, t: Array) -> Array:
         velocity = p["speed"] * np.exp(1j * np.radians(p["angle"]))
         along = float((velocity * direction.conjugate()).real)
-        return drag.throw_with_drag(t, along, p["m"], p["c"], g)
+        return newton.throw_with_drag(t, along, p["m"], p["c"], g)
 
     return expected
 
@@ -75,7 +75,7 @@ def _pushed() -> Iterator[Case]:
         name="force over time: momentum at every step",
         level="momentum/force-profile",
         quantity="box.momentum.x",
-        expected=lambda p, t: drag.half_sine_momentum(t, p["F"], p["T"]),
+        expected=lambda p, t: momentum.half_sine_momentum(t, p["F"], p["T"]),
         tolerance=1e-4,
         because="a trapezoidal sum: (π dt / T)² / 12, 1.4e-5 for T = 1 s",
         naive_misses=5e-4,
@@ -85,7 +85,7 @@ def _pushed() -> Iterator[Case]:
             name=f"two forces: acceleration, {axis}",
             level="newton/two-forces",
             quantity=f"box.acceleration.{axis}",
-            expected=_accelerated(drag.resultant((3, 4), (-1, 2))[index]),
+            expected=_accelerated(newton.resultant((3, 4), (-1, 2))[index]),
             tolerance=1e-11,
             because="exact; a difference of velocities over dt",
         )
@@ -103,7 +103,7 @@ def _pulleys() -> Iterator[Case]:
             parameters=parameters,
             quantity="wheel.position.y",
             expected=lambda p, t: (
-                drag.movable_pulley_acceleration(p["m"], p["M"], p["g"]) * t**2 / 2
+                newton.movable_pulley_acceleration(p["m"], p["M"], p["g"]) * t**2 / 2
             ),
             tolerance=1e-11,
             because="the string is straight: one Newton step solves it, to rounding",

@@ -1,6 +1,7 @@
 """Projectiles: trajectory at every step; apex, range and time of flight between steps."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import radians
 
 from sandbox.model.level import ApexEvent, LandingEvent
@@ -35,58 +36,43 @@ def cases() -> Iterator[Case]:
 
 
 def _level_ground(parameters: Parameters) -> Iterator[Case]:
-    level = "kinematics/projectile"
-    yield Case(
+    case = partial(Case, level="kinematics/projectile", parameters=parameters, tolerance=1e-12)
+    yield case(
         name="projectile: distance at every step",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.x",
         expected=lambda p, t: kinematics.projectile_distance(p["speed"], radians(p["angle"]), t),
-        tolerance=1e-12,
         because="a sum of equal drifts; pymunk's own is as good",
     )
-    yield Case(
+    yield case(
         name="projectile: height at every step",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.y",
         expected=lambda p, t: kinematics.projectile_height(
             p["speed"], radians(p["angle"]), p["g"], t
         ),
-        tolerance=1e-12,
         because="leapfrog is exact for constant acceleration",
         naive_misses=1e-3,
     )
-    yield Case(
+    yield case(
         name="projectile: apex",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.y",
         at=APEX,
         expected=lambda p, _: kinematics.projectile_apex(p["speed"], radians(p["angle"]), p["g"]),
-        tolerance=1e-12,
         because=EXACT,
         naive_misses=5e-4,
     )
-    yield Case(
+    yield case(
         name="projectile: range",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.x",
         at=LANDING,
         expected=lambda p, _: kinematics.projectile_range(p["speed"], radians(p["angle"]), p["g"]),
-        tolerance=1e-12,
         because=EXACT,
         naive_misses=None if parameters.get("angle") == 90 else 2e-4,
     )
-    yield Case(
+    yield case(
         name="projectile: time of flight",
-        level=level,
-        parameters=parameters,
         quantity="t",
         at=LANDING,
         expected=lambda p, _: kinematics.flight_time(p["speed"], radians(p["angle"]), p["g"]),
-        tolerance=1e-12,
         because=EXACT,
         naive_misses=2e-4,
     )

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.expressions import Expression
 from validation.case import Case, Choices
-from validation.formulas import newton
+from validation.formulas import momentum, newton
 
 FORCES: Choices = ({}, {"F": 10.0, "m": 0.5}, {"F": 0.5, "m": 5.0})
 SKATERS: Choices = ({}, {"m1": 40.0, "m2": 120.0, "F": 400.0}, {"m1": 120.0, "m2": 40.0, "F": 20.0})
@@ -37,7 +37,7 @@ def cases() -> Iterator[Case]:
                 quantity=f"{body}.velocity.x",
                 at=Expression(2.0),
                 expected=lambda p, _, mass=mass, sign=sign: (  # type: ignore[misc]
-                    sign * newton.swelling_push_momentum(p["F"], LASTS) / p[mass]
+                    sign * momentum.swelling_push_momentum(p["F"], LASTS) / p[mass]
                 ),
                 tolerance=1e-12,
                 because="the kicks are a trapezoidal sum, exact for a whole swelling of sin²",

@@ -78,3 +78,17 @@ def rebound_time(height: float, e: float, g: float) -> float:
     √(2 h / g) to fall, and as long as it takes g to stop it to rise; g > 0.
     """
     return float(np.sqrt(2 * height / g)) + rebound_speed(height, e, g) / g
+
+
+def half_sine_momentum(t: ArrayLike, force: float, lasts: float) -> Array:
+    """Return the momentum that F sin(π t / T) has given [kg m/s]: its integral, up to T."""
+    phase = np.pi * np.minimum(np.asarray(t, dtype=float), lasts) / lasts
+    return np.asarray(force * lasts / np.pi * (1 - np.cos(phase)))
+
+
+def swelling_push_momentum(force: float, lasts: float) -> float:
+    """Return the momentum that a push F sin² (π t / T) has given when it is over [kg m/s]: F T / 2.
+
+    The chapter, section 7, the impulse ∫ F dt: the mean of sin² over a whole swelling is 1/2.
+    """
+    return force * lasts / 2

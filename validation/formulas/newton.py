@@ -110,9 +110,39 @@ def acceleration(force: float, mass: float) -> float:
     return force / mass
 
 
-def swelling_push_momentum(force: float, lasts: float) -> float:
-    """Return the momentum that a push F sin² (π t / T) has given when it is over [kg m/s]: F T / 2.
+def resultant(*forces: tuple[float, float]) -> tuple[float, float]:
+    """Return the sum of forces [N]."""
+    return sum(x for x, _ in forces), sum(y for _, y in forces)
 
-    The chapter, section 7, the impulse ∫ F dt: the mean of sin² over a whole swelling is 1/2.
+
+def terminal_velocity(mass: float, drag: float, g: float) -> float:
+    """Return the speed at which quadratic drag carries the weight [m/s]: √(m g / c)."""
+    return float(np.sqrt(mass * g / drag))
+
+
+def fall_velocity(t: ArrayLike, mass: float, drag: float, g: float) -> Array:
+    """Return the velocity of a fall from rest with quadratic drag [m/s]; downwards negative.
+
+    dv/dt = −g + (c/m) v² gives −vt tanh(g t / vt).
     """
-    return force * lasts / 2
+    end = terminal_velocity(mass, drag, g)
+    return np.asarray(-end * np.tanh(g * np.asarray(t, dtype=float) / end))
+
+
+def throw_with_drag(
+    t: ArrayLike, velocity: float, mass: float, drag: float, g: float = 0.0
+) -> Array:
+    """Return how far a throw with linear drag has come along one axis [m].
+
+    dv/dt = −g − v/τ with τ = m/c gives (v0 + g τ) τ (1 − e^(−t/τ)) − g τ t.
+    """
+    t, tau = np.asarray(t, dtype=float), mass / drag
+    return np.asarray((velocity + g * tau) * tau * -np.expm1(-t / tau) - g * tau * t)
+
+
+def movable_pulley_acceleration(weight: float, wheel: float, g: float) -> float:
+    """Return the upward acceleration of a movable pulley [m/s²].
+
+    2 T − M g = M a and T − m g = −2 m a: (2 m − M) g / (4 m + M).
+    """
+    return (2 * weight - wheel) * g / (4 * weight + wheel)
