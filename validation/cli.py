@@ -30,7 +30,7 @@ JsonFile = Annotated[
     Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
 ]
 
-HEADINGS = ("measured", "expected", "error", "bound", "naive error", "step", "naive")
+HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 
 @app.callback()
@@ -102,6 +102,7 @@ def _table(cases: list[Case], outcomes: list[Outcome]) -> Table:
             f"{outcome.expected:.7g}",
             f"{outcome.error:.1e}",
             f"{outcome.tolerance:.0e}",
+            "" if outcome.order is None else f"{outcome.order:.2f}",
             f"{outcome.naive_error:.1e}",
             f"{outcome.step_seconds * 1e6:.1f} µs",
             f"{outcome.naive_step_seconds * 1e6:.1f} µs",
