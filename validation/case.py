@@ -3,7 +3,6 @@
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,8 +13,8 @@ from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.model.quantities import quantity
 from sandbox.physics.checks import relative_error, samples
-from sandbox.physics.trace import Trace, count_steps, needed_at, simulate
-from sandbox.physics.world import build
+from sandbox.physics.trace import Trace, needed_at, simulate
+from validation.timing import step_seconds
 
 Expected = Callable[[Values, Array], ArrayLike]
 """A closed form, of all parameters and the times that count [s]."""
@@ -30,9 +29,6 @@ SECOND_ORDER = 1.9
 
 HALVINGS = 3
 """How often the step is halved, down to the level's own, to see by which power the error falls."""
-
-TIMING_STEPS = 120
-TIMING_REPEATS = 5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -180,19 +176,6 @@ class _Runs:
 def naive(level: Level) -> Stepping:
     """Return how time advances when pymunk is used as it comes, at the level's own rate."""
     return Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
-
-
-def step_seconds(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the least time that a step took [s], in fresh worlds over the level's duration."""
-    best = float("inf")
-    for _ in range(TIMING_REPEATS):
-        world = build(level, values, stepping)
-        steps = min(count_steps(world), TIMING_STEPS)
-        start = perf_counter()
-        for _ in range(steps):
-            world.step()
-        best = min(best, (perf_counter() - start) / steps)
-    return best
 
 
 def _outcome(case: Case, runs: _Runs) -> Outcome:

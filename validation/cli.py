@@ -64,6 +64,32 @@ def run_cases(json_file: JsonFile = None) -> None:
         raise typer.Exit(1)
 
 
+@app.command()
+def cost(
+    levels: Annotated[
+        list[str] | None, typer.Argument(metavar="[LEVEL]...", help="All levels if left out.")
+    ] = None,
+    json_file: JsonFile = None,
+    output: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Also draw a diagram for every level there.")
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer rates and shorter runs.")] = False,
+) -> None:
+    """Show what accuracy costs in time: error against seconds for every scheme and rate.
+
+    Exit status 1 if a level does not run at its own rate.
+    """
+    from validation.cost.command import measure  # what one command needs need not slow all
+
+    try:
+        failed = measure(levels or [], json_file, output, quick=quick)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+    if failed:
+        raise typer.Exit(1)
+
+
 def _run(cases: list[Case]) -> list[Outcome]:
     """Run the cases, with progress on a terminal."""
     console = Console(stderr=True)

@@ -64,7 +64,6 @@ def watched(name: str) -> Trace:
     """Run a level for ten times its duration, or until its bodies run into something."""
     world = build(load(catalog.find(name)))
     recorder = Recorder(world, ENERGIES)
-    recorder.note()
     times = 1 if name in ENDS else 10
     try:
         for _ in range(times * count_steps(world) // STRIDE):
