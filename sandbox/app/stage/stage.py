@@ -8,6 +8,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import bodies, grid, joints, lines, marks
+from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
@@ -60,6 +61,8 @@ class Stage:
         self._few = len(self._moving) <= NAMED
         self._duration = count_steps(world) * world.dt
         self._fastest = marks.fastest(world, self._duration)
+        landscape = world.level.view.landscape
+        self._relief = landscape and Relief(landscape, world)
         self._base_key = None
 
     def fit(self) -> None:
@@ -78,6 +81,8 @@ class Stage:
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
         surface.blit(self._canvas, (0, 0))
+        if self._relief:
+            self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
         self._draw_bodies(surface)
         self._draw_joints(surface, in_front=True)
@@ -122,6 +127,8 @@ class Stage:
             if not outline.moves:
                 bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
         self._draw_centers()
+        if self._relief:
+            self._relief.draw_curve(self._base, camera, self._pen)
         if self._ghosts:
             for formulas in self._world.level.ghosts.values():
                 marks.draw_ghost_path(
