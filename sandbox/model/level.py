@@ -174,6 +174,8 @@ class View(Model):
     """[x, y] in m, of the middle of the picture"""
     width: Positive = Positive(10)
     """m, of the picture"""
+    components: bool = False
+    """whether velocities are drawn with their components"""
     landscape: Landscape | None = None
     """a body's potential, drawn as a curve over the places that it can reach"""
 
