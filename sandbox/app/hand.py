@@ -1,9 +1,10 @@
-"""What the mouse does on the stage: drag bodies, move the view, zoom, measure."""
+"""What the mouse does on the stage: drag bodies and forces, move the view, zoom, measure."""
 
 from enum import Enum, auto
 
 import pygame
 
+from sandbox.app.rounding import rounded
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.tape import Tape
@@ -19,6 +20,7 @@ class Doing(Enum):
     NOTHING = auto()
     PANNING = auto()
     PULLING = auto()
+    FORCING = auto()
     MEASURING = auto()
 
 
@@ -36,6 +38,7 @@ class Hand:
         self._doing = Doing.NOTHING
         self._pressed: XY = (0.0, 0.0)
         self._moved = False
+        self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at first
         self.tape: Tape | None = None
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
@@ -68,6 +71,10 @@ class Hand:
         point = self._stage.camera.to_world(pixel)
         if pygame.key.get_mods() & pygame.KMOD_SHIFT:
             self._doing = Doing.MEASURING
+        elif arrow := self._stage.tip_at(pixel):
+            self._doing = Doing.FORCING
+            handles = arrow.handles.items()
+            self._components = {name: (axis, arrow.newtons[axis]) for axis, name in handles}
         elif body := self._stage.body_at(pixel):
             self._doing = Doing.PULLING
             session.grab(body, point)
@@ -83,7 +90,22 @@ class Hand:
                 camera.pan(*by)
             case Doing.PULLING:
                 session.drag(camera.to_world(pixel))
+            case Doing.FORCING:
+                self._force(pixel, session)
             case Doing.MEASURING:
                 self.tape = Tape(camera.to_world(self._pressed), camera.to_world(pixel))
             case Doing.NOTHING:
                 pass
+
+    def _force(self, pixel: XY, session: Session) -> None:
+        """Change a force by as much as the mouse has moved since it took hold of the tip."""
+        x, y = self._pressed
+        newton = self._stage.newton
+        by = (pixel[0] - x) / newton, (y - pixel[1]) / newton
+        parameters = session.level.parameters
+        wanted = {
+            name: rounded(parameters[name], first + by[axis])
+            for name, (axis, first) in self._components.items()
+        }
+        if any(value != session.values[name] for name, value in wanted.items()):
+            session.restart(wanted)

@@ -7,8 +7,8 @@ import pygame
 
 Command = Literal[
     "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
-    "arrows", "trail", "ghosts", "names", "fit", "zoom in", "zoom out", "levels", "panel",
-    "next field", "page down", "page up", "help", "leave",
+    "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
+    "levels", "panel", "next field", "page down", "page up", "help", "leave",
 ]  # fmt: skip
 
 
@@ -32,10 +32,11 @@ BINDINGS = (
     Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
     Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
-    Binding("arrows", "V", "velocity arrows", (), "vV"),
+    Binding("arrows", "V", "arrows of velocities and given forces", (), "vV"),
     Binding("trail", "T", "trail", (), "tT"),
     Binding("ghosts", "G", "ghost of the closed form", (), "gG"),
     Binding("names", "N", "names", (), "nN"),
+    Binding("components", "C", "components of the velocities", (), "cC"),
     Binding("fit", "F", "fit the view", (), "fF"),
     Binding("zoom in", "Z", "zoom in", (), "z"),
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
@@ -49,6 +50,7 @@ BINDINGS = (
 )
 
 MOUSE = (
+    ("drag the tip of a force", "change it; the run starts anew"),
     ("drag a body", "pull it while time runs, put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),

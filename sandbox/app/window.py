@@ -84,6 +84,7 @@ class Window:
             "trail": lambda: setattr(shown, "trail", not shown.trail),
             "ghosts": lambda: setattr(shown, "ghosts", not shown.ghosts),
             "names": lambda: setattr(shown, "names", not shown.names),
+            "components": lambda: setattr(shown, "components", not shown.components),
             "fit": lambda: self._with_session(lambda _: stage.fit()),
             "zoom in": lambda: stage.camera.zoom(1.25),
             "zoom out": lambda: stage.camera.zoom(0.8),

@@ -55,13 +55,14 @@ def _parameters(level: Level) -> Iterator[Fault]:
         if name not in scene | formulas:
             yield Fault(path, f"'{name}' is declared but nothing uses it")
         elif name not in scene:
-            rule = f"only checks and ghosts use '{name}', so it changes nothing in the scene"
+            only = f"only checks, ghosts or the landscape use '{name}'"
+            rule = f"{only}, so it changes nothing in the scene"
             yield Fault(path, rule)
 
 
 def _used(level: Level, *, scene: bool) -> set[str]:
     """Return the names that the scene uses, or that only tell what it should do."""
-    told = ("checks", "ghosts")
+    told = ("checks", "ghosts", "view")
     used = (
         e.names
         for path, e in expressions(level)
@@ -72,7 +73,7 @@ def _used(level: Level, *, scene: bool) -> set[str]:
 
 def _names(level: Level) -> Iterator[Fault]:
     for path, expression in expressions(level):
-        known = [*level.parameters, *(["t"] if expression.in_time else [])]
+        known = [*level.parameters, *filter(None, [expression.variable])]
         for name in sorted(expression.names.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
@@ -105,6 +106,8 @@ def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
         yield (*path, 1), names[1]
     for name in level.ghosts:
         yield ("ghosts", name), name
+    if level.view.landscape:
+        yield ("view", "landscape", "body"), level.view.landscape.body
     for index, check in enumerate(level.checks):
         if isinstance(check.at, ApexEvent | LandingEvent):
             yield ("checks", index, "at", "body"), check.at.body
@@ -214,6 +217,20 @@ def _laws(level: Level) -> Iterator[Fault]:
         yield Fault(("effects", "drag", "bodies"), "a body is named twice")
 
 
+def _landscape(level: Level) -> Iterator[Fault]:
+    """Landscapes belong to bodies that have energy, and their place has a name of its own."""
+    landscape = level.view.landscape
+    if landscape is None:
+        return
+    body = level.bodies.get(landscape.body)
+    if body and body.type != "dynamic":
+        rule = f"'{brief(landscape.body)}' is {body.type}, so it has no energy to draw"
+        yield Fault(("view", "landscape", "body"), rule)
+    if (place := landscape.potential.variable) in level.parameters:
+        rule = f"'{place}' is the place in the landscape's potential; choose another name"
+        yield Fault(("parameters", place), rule)
+
+
 def _effects(level: Level) -> Iterator[Fault]:
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
@@ -301,6 +318,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _bodies,
     _joints,
     _laws,
+    _landscape,
     _effects,
     _rotation,
 )

@@ -104,8 +104,8 @@ class Expression:
     """What a value must satisfy, in words; empty if any finite number will do."""
     bounds: ClassVar[Mapping[str, float]] = {}
     """The rule for a literal number, in the words of JSON Schema."""
-    in_time: ClassVar[bool] = False
-    """Whether the expression may use the time ``t``."""
+    variable: ClassVar[str] = ""
+    """What the expression may use beside the parameters, such as the time ``t``."""
 
     source: float | str
     names: frozenset[str]
@@ -193,7 +193,8 @@ class Expression:
     def __get_pydantic_json_schema__(
         cls, _: CoreSchema, __: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
-        what = "a formula over the parameters and t" if cls.in_time else "an expression"
+        over = f"a formula over the parameters and {cls.variable}"
+        what = over if cls.variable else "an expression"
         return {
             "type": ["number", "string"],
             "maxLength": MAX_LENGTH,
@@ -242,7 +243,7 @@ class Formula(Expression):
     """An expression that may also use the time ``t``, at one instant or over many at once."""
 
     __slots__ = ()
-    in_time = True
+    variable = "t"
 
     def over(self, values: Values, t: Array) -> Array:
         """Return the value at each time; where there is none, it is not finite.
@@ -254,8 +255,15 @@ class Formula(Expression):
         t
             Times [s], any shape; the result has the same.
         """
-        result = self._evaluate({**values, "t": t}) if self._code else self._constant
+        result = self._evaluate({**values, self.variable: t}) if self._code else self._constant
         return np.broadcast_to(np.asarray(result, dtype=float), np.shape(t))
+
+
+class Profile(Formula):
+    """A formula over a place ``x`` [m] instead of the time."""
+
+    __slots__ = ()
+    variable = "x"
 
 
 def _number(source: float) -> float:

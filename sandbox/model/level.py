@@ -16,6 +16,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive, Values
 from sandbox.model.joints import End, Held, Joint, body_of, points
+from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import Point, Shape, evaluate
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
@@ -173,6 +174,10 @@ class View(Model):
     """[x, y] in m, of the middle of the picture"""
     width: Positive = Positive(10)
     """m, of the picture"""
+    components: bool = False
+    """whether velocities are drawn with their components"""
+    landscape: Landscape | None = None
+    """a body's potential, drawn as a curve over the places that it can reach"""
 
 
 class Level(Model):

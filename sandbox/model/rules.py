@@ -16,10 +16,11 @@ from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
 from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
+from sandbox.model.landscape import Landscape
 from sandbox.model.level import Level, span
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions, names_in
-from sandbox.model.shapes import Shape, fault
+from sandbox.model.shapes import Point, Shape, evaluate, fault
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
@@ -107,6 +108,16 @@ def _conditions(level: Level) -> Iterator[Condition]:
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
         last = "ends" if isinstance(joint, Pivot) else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+    if level.view.landscape:
+        yield from _of_landscape(level.view.landscape)
+
+
+def _of_landscape(landscape: Landscape) -> Iterator[Condition]:
+    path = ("view", "landscape")
+    for axis, bounds in (("x", landscape.x), ("y", landscape.y)):
+        yield Condition((*path, axis), names_in(bounds), partial(_bounds_fault, bounds))
+    names = names_in((landscape.potential, landscape.x)) - {landscape.potential.variable}
+    yield Condition((*path, "potential"), names, partial(_curve_fault, landscape))
 
 
 def _value_fault(expression: Expression, values: Values) -> str | None:
@@ -162,6 +173,24 @@ def _string_fault(path: float, long: float) -> str | None:
     return None
 
 
+def _bounds_fault(bounds: Point, values: Values) -> str | None:
+    try:
+        low, high = evaluate(bounds, values)
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    return None if low < high else f"must go up, but goes from {low:g} m to {high:g} m"
+
+
+def _curve_fault(landscape: Landscape, values: Values) -> str | None:
+    try:
+        x, potential = landscape.curve(values)
+    except ExpressionError as error:
+        return str(error)
+    lost = x[~np.isfinite(potential)]
+    shown = brief(str(landscape.potential.source))
+    return f"'{shown}' has no finite value at x = {lost[0]:g} m" if len(lost) else None
+
+
 def _late(level: Level) -> Iterator[Fault]:
     yield from _formulas(level)
     yield from _instants(level)
@@ -172,7 +201,7 @@ def _formulas(level: Level) -> Iterator[Fault]:
     values = level.defaults
     times = np.linspace(0, level.duration(values), 9)
     for path, formula in expressions(level):
-        if isinstance(formula, Formula):
+        if isinstance(formula, Formula) and formula.variable == "t":
             try:
                 lost = not np.isfinite(formula.over(values, times)).any()
                 if lost and (path[-1] == "valid_if" or _applies(level, path, times)):

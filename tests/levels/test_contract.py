@@ -101,6 +101,25 @@ def test_ghosts_go_where_the_bodies_go(level: Level) -> None:
             assert np.abs(ghost - states.position[:, body, axis]).max() <= late + 1e-9
 
 
+def test_a_landscape_is_the_potential_that_the_body_has(level: Level) -> None:
+    """To the last digits: the same formula, once written by the level and once by the law."""
+    landscape = level.view.landscape
+    if landscape is None:
+        return
+    world = build(level)
+    name = f"{landscape.body}.potential_energy"
+    states = Snapshot.stack(list(run(world)))
+    measured = Meter(world, [name])(states)[name]
+    place = states.position[:, list(level.bodies).index(landscape.body), 0]
+
+    _, curve = landscape.curve(level.defaults)
+    expected = landscape.potential.over(level.defaults, place)
+
+    assert np.abs(measured - expected).max() <= 1e-9 * np.ptp(curve)
+    assert landscape.x[0](level.defaults) <= place.min()
+    assert place.max() <= landscape.x[1](level.defaults)
+
+
 def test_runs_the_same_however_it_is_stepped(level: Level) -> None:
     one, many = build(level), build(level)
     steps = min(count_steps(one), 120)

@@ -21,6 +21,7 @@ from tests.model.levels import (
     touching,
 )
 
+HILL = {"body": "ball", "potential": "m*x**2", "x": [-1, 1], "y": [-3, "-m/2"]}
 CONTACT_EVENT = {"event": "contact", "bodies": ["ball", "floor"]}
 
 
@@ -59,6 +60,16 @@ def test_a_parameter_may_change_the_picture_only() -> None:
     assert mistakes(bare(), zoom, setting("view", {"width": "4*zoom"})) == ()
 
 
+def test_the_place_in_a_landscape_is_no_parameter() -> None:
+    named = setting("parameters.x", parameter()), setting("bodies.ball.position", ["x", 0])
+
+    found = said(mistakes(bare(), *named, setting("view", {"landscape": HILL})))
+
+    assert found == [
+        "parameters.x: 'x' is the place in the landscape's potential; choose another name"
+    ]
+
+
 @pytest.mark.parametrize(
     ("data", "path", "value", "expected"),
     [
@@ -73,7 +84,7 @@ def test_a_parameter_may_change_the_picture_only() -> None:
         (bare, "bodies.ball.mass", "n", "bodies.ball.mass: unknown parameter 'n'"),
         (bare, "bodies.ball.mass", "G", "bodies.ball.mass: unknown parameter 'G'; did you mean 'g'?"),
         (bare, "bodies.ball.mass", "t + 1", "bodies.ball.mass: the time 't' has no meaning here"),
-        (bare, "effects.gravity.acceleration", [0, -9.81], "parameters.g: only checks and ghosts use 'g'"),
+        (bare, "effects.gravity.acceleration", [0, -9.81], "parameters.g: only checks, ghosts or the landscape use 'g'"),
         # names
         (bare, "ghosts", {"bal": [0, 0]}, "ghosts.bal: unknown body 'bal'; did you mean 'ball'?"),
         (hanging, "joints.string.ends", ["ball", "othr"], "joints.string.ends.1: unknown body 'othr'; did you mean 'other'?"),
@@ -93,6 +104,17 @@ def test_a_parameter_may_change_the_picture_only() -> None:
         (bare, "checks.0.at", {"event": "apex", "body": "bal"}, "checks.0.at.body: unknown body 'bal'"),
         (bare, "checks.0.at", {"event": "crossing", "quantity": "x"}, "checks.0.at.quantity: 'x' is not a quantity"),
         (touching, "checks.0.at", {**CONTACT_EVENT, "bodies": ["ball", "ball"]}, "checks.0.at.bodies: 'ball' is named twice"),
+        # landscapes
+        (bare, "view", {"landscape": {**HILL}}, None),
+        (bare, "view", {"landscape": {**HILL, "body": "bal"}}, "view.landscape.body: unknown body 'bal'; did you mean 'ball'?"),
+        (touching, "view", {"landscape": {**HILL, "body": "floor"}}, "view.landscape.body: 'floor' is static, so it has no energy to draw"),
+        (bare, "view", {"landscape": {**HILL, "potential": "m*t"}}, "view.landscape.potential: the time 't' has no meaning here"),
+        (bare, "view", {"landscape": {**HILL, "potential": "1/x"}}, "view.landscape.potential: '1/x' has no finite value at x = 0 m"),
+        (bare, "view", {"landscape": {**HILL, "potential": "sqrt(m - 2)*x"}}, "'sqrt(m - 2)*x' has no finite value at x = -1 m when m = 1"),
+        (bare, "view", {"landscape": {**HILL, "potential": "x + 1/0"}}, "view.landscape.potential: 'x + 1/0' divides by zero"),
+        (bare, "view", {"landscape": {**HILL, "x": ["m - 3", 0]}}, "view.landscape.x: must go up, but goes from 1 m to 0 m when m = 4"),
+        (bare, "view", {"landscape": {**HILL, "y": [2, 2]}}, "view.landscape.y: must go up, but goes from 2 m to 2 m"),
+        (bare, "view", {"landscape": {**HILL, "x": ["x", 9]}}, "view.landscape.x.0: unknown parameter 'x'"),
         # bodies and joints
         (bare, "bodies.ball.mass", None, "bodies.ball: a dynamic body needs a mass"),
         (touching, "bodies.floor.mass", 1, "bodies.floor.mass: a static body has no mass"),
@@ -218,7 +240,7 @@ def test_every_expression_is_found_with_its_path() -> None:
 
     assert found["bodies", "ball", "mass"].source == "m"
     assert found["effects", "gravity", "acceleration", 1].source == "-g"
-    assert found["checks", 0, "formula"].in_time
+    assert found["checks", 0, "formula"].variable == "t"
     assert found["ghosts", "ball", 1].names == {"g", "t"}
 
 

@@ -10,6 +10,11 @@ from validation.formulas import lagrange, momentum, newton
 
 FALLS: Choices = ({}, {"m": 5.0, "c": 0.1}, {"c": 1.0, "g": 25.0})
 PULLEYS: Choices = ({}, {"m": 0.5, "M": 10.0}, {"m": 5.0, "M": 0.5, "g": 1.0})
+FORCES: Choices = (
+    {},
+    {"m": 0.5, "F1x": -6.0, "F1y": 6.0, "F2x": 6.0, "F2y": 6.0},
+    {"m": 10.0, "F1x": 0.3, "F1y": -5.7, "F2x": 0.0, "F2y": 0.0},
+)
 SECOND = "second order though the force needs the velocity: (dt/τ)² of the scale, 1e-4"
 
 
@@ -84,19 +89,21 @@ def _pushed() -> Iterator[Case]:
         because="a trapezoidal sum: (π dt / T)² / 12, 1.4e-5 for T = 1 s",
         naive_misses=5e-4,
     )
-    for index, axis in enumerate("xy"):
-        yield Case(
-            name=f"two forces: acceleration, {axis}",
-            level="newton/two-forces",
-            quantity=f"box.acceleration.{axis}",
-            expected=_accelerated(newton.resultant((3, 4), (-1, 2))[index]),
-            tolerance=1e-11,
-            because="exact; a difference of velocities over dt",
-        )
+    for parameters in FORCES:
+        for index, axis in enumerate("xy"):
+            yield Case(
+                name=f"two forces: acceleration, {axis}",
+                level="newton/two-forces",
+                parameters=parameters,
+                quantity=f"box.acceleration.{axis}",
+                expected=_accelerated(index),
+                tolerance=1e-11,
+                because="exact; a difference of velocities over dt",
+            )
 
 
-def _accelerated(force: float) -> Expected:
-    return lambda p, _: force / p["m"]
+def _accelerated(index: int) -> Expected:
+    return lambda p, _: newton.resultant((p["F1x"], p["F1y"]), (p["F2x"], p["F2y"]))[index] / p["m"]
 
 
 def _pulleys() -> Iterator[Case]:

@@ -8,6 +8,7 @@ from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIMan
 from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer, UITextEntryLine
 
 from sandbox.app import theme, wording
+from sandbox.app.rounding import rounded, step
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Parameter
@@ -136,10 +137,7 @@ class Parameters:
 
     def _slid(self, name: str, row: Row) -> Change:
         """Round what the slider says to a number that a person would choose."""
-        low, high = row.parameter.min, row.parameter.max
-        step = _step(row.parameter)
-        value = round(row.slider.get_current_value() / step) * step
-        value = float(f"{min(max(value, low), high):.9g}")
+        value = rounded(row.parameter, row.slider.get_current_value())
         return Change(name, wording.setting(value), value)
 
     def _typed(self, name: str, row: Row) -> Change:
@@ -159,12 +157,6 @@ class Parameters:
         if base is None:
             return None
         many = 10 if event.mod & pygame.KMOD_SHIFT else 1
-        value = base + directions[event.key] * many * _step(row.parameter)
+        value = base + directions[event.key] * many * step(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
         return Change(name, wording.setting(value), value)
-
-
-def _step(parameter: Parameter) -> float:
-    """Return a round step, of which the range has a hundred or more."""
-    span = parameter.max - parameter.min
-    return wording.nice(span / 100) if span > 0 else 1.0

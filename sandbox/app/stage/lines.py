@@ -92,12 +92,19 @@ def dashed(
 
 def arrow(surface: pygame.Surface, color: Color, start: XY, end: XY, width: float = 2.5) -> None:
     """Draw an arrow; one too short for its head is left out."""
+    back = head(surface, color, start, end)
+    if back is not None:
+        stroke(surface, color, start, back, width)
+
+
+def head(surface: pygame.Surface, color: Color, start: XY, end: XY) -> XY | None:
+    """Draw the head of an arrow, and return where it begins; None if there is no room for one."""
     length = hypot(end[0] - start[0], end[1] - start[1])
     if length < 4 or not near((start, end)):
-        return
-    head = min(11.0, length * 0.6)
+        return None
+    size = min(11.0, length * 0.6)
     turn = atan2(end[1] - start[1], end[0] - start[0])
-    back = (end[0] - head * cos(turn), end[1] - head * sin(turn))
-    stroke(surface, color, start, back, width)
-    x, y = -sin(turn) * head * 0.42, cos(turn) * head * 0.42
+    back = (end[0] - size * cos(turn), end[1] - size * sin(turn))
+    x, y = -sin(turn) * size * 0.42, cos(turn) * size * 0.42
     fill(surface, color, [end, (back[0] + x, back[1] + y), (back[0] - x, back[1] - y)])
+    return back

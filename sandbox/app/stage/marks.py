@@ -1,7 +1,7 @@
 """What explains a motion: trails, ghosts, velocity arrows, names."""
 
 from collections.abc import Sequence
-from math import hypot, isfinite
+from math import copysign, hypot, isfinite
 
 import numpy as np
 import pygame
@@ -12,7 +12,7 @@ from sandbox.app.stage import lines
 from sandbox.app.stage.outline import Outline
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.app.wording import nice
+from sandbox.app.wording import nice, number
 from sandbox.model.expressions import Array, ExpressionError, Formula, Values
 from sandbox.model.shapes import XY
 from sandbox.physics.world import World
@@ -90,6 +90,27 @@ def draw_arrow(
     """Draw a velocity: how far the body would come in some seconds."""
     end = position[0] + velocity[0] * seconds, position[1] + velocity[1] * seconds
     lines.arrow(surface, theme.ARROW, camera.to_screen(position), camera.to_screen(end))
+
+
+def draw_components(
+    surface: pygame.Surface, camera: Camera, pen: Pen, position: XY, velocity: XY, seconds: float
+) -> None:  # fmt: skip
+    """Draw a velocity's two components, and the sides of the rectangle that they span."""
+    start = camera.to_screen(position)
+    across, up = (velocity[0] * seconds * camera.scale, -velocity[1] * seconds * camera.scale)
+    if min(abs(across), abs(up)) < 2 or not lines.near((start,)):
+        return
+    x, y = start
+    for color, end in ((theme.ACROSS, (x + across, y)), (theme.UPWARDS, (x, y + up))):
+        lines.arrow(surface, color, start, end)
+        dim = theme.mix(theme.STAGE, color, 0.6)
+        lines.dashed(surface, dim, (end, (x + across, y + up)), 3, 4)
+    along, upright = (
+        pen.outlined(f"v{axis} {number(v, 3)} m/s") for axis, v in zip("xy", velocity, strict=True)
+    )
+    side = x + across + copysign(along.width / 2 + 6, across)
+    surface.blit(along, along.get_rect(center=(side, y)))
+    surface.blit(upright, upright.get_rect(center=(x, y + up + copysign(12, up))))
 
 
 def fastest(world: World, duration: float) -> float:

@@ -8,6 +8,8 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import bodies, grid, joints, lines, marks
+from sandbox.app.stage.forces import Arrow, Forces
+from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
@@ -28,6 +30,7 @@ class Shown:
     trail: bool = True
     ghosts: bool = True
     names: bool = True
+    components: bool = False
 
 
 class Stage:
@@ -51,15 +54,22 @@ class Stage:
         self._trail_key: object = None
         self._trail_drawn = 0
         self._fastest = 0.0
+        self._level: object = None
 
     def use(self, world: World) -> None:
         """Show another world."""
+        if world.level is not self._level:
+            self._level = world.level
+            self._forces = Forces(world.level)
+            self.shown.components = world.level.view.components
         self._world = world
         self._outlines = outlines(world.level, world.values)
         self._moving = [o for o in self._outlines.values() if o.moves]
         self._few = len(self._moving) <= NAMED
         self._duration = count_steps(world) * world.dt
         self._fastest = marks.fastest(world, self._duration)
+        landscape = world.level.view.landscape
+        self._relief = landscape and Relief(landscape, world)
         self._base_key = None
 
     def fit(self) -> None:
@@ -78,6 +88,8 @@ class Stage:
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
         surface.blit(self._canvas, (0, 0))
+        if self._relief:
+            self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
         self._draw_bodies(surface)
         self._draw_joints(surface, in_front=True)
@@ -99,6 +111,17 @@ class Stage:
             if outline.heavy and outline.covers((x - px, y - py), angle, reach):
                 return outline.name
         return None
+
+    def tip_at(self, pixel: XY) -> Arrow | None:
+        """Return the force whose tip a hand would take hold of at a pixel."""
+        if not (self.shown.arrows and self._few):
+            return None
+        return self._forces.tip_at(self._world, self.camera, pixel)
+
+    @property
+    def newton(self) -> float:
+        """How long a force of 1 N is drawn [px]."""
+        return self._forces.scale(self.camera)
 
     @property
     def _ghosts(self) -> bool:
@@ -122,6 +145,8 @@ class Stage:
             if not outline.moves:
                 bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
         self._draw_centers()
+        if self._relief:
+            self._relief.draw_curve(self._base, camera, self._pen)
         if self._ghosts:
             for formulas in self._world.level.ghosts.values():
                 marks.draw_ghost_path(
@@ -197,6 +222,7 @@ class Stage:
     def _draw_arrows(self, surface: pygame.Surface) -> None:
         if not self._few or not self._moving:
             return
+        self._forces.draw(surface, self.camera, self._pen, self._world)
         snapshot = self._world.snapshot
         speed = float(np.hypot(snapshot.velocity[:, 0], snapshot.velocity[:, 1]).max())
         self._fastest = max(self._fastest, speed)
@@ -207,6 +233,8 @@ class Stage:
         for outline in self._moving:
             vx, vy = snapshot.velocity[outline.row].tolist()
             position = self._state(outline)[0]
+            if self.shown.components:
+                marks.draw_components(surface, self.camera, self._pen, position, (vx, vy), seconds)
             marks.draw_arrow(surface, self.camera, position, (vx, vy), seconds)
         corner = self.camera.size[0] - 16.0, self.camera.size[1] - 66.0
         marks.draw_arrow_key(surface, self.camera, self._pen, seconds, corner)

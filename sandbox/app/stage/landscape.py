@@ -1,0 +1,114 @@
+"""A potential as a landscape: the curve, the body's point on it, and the line at its energy."""
+
+from collections.abc import Sequence
+from math import ceil, floor
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.camera import Camera
+from sandbox.app.stage import lines
+from sandbox.app.text import Pen
+from sandbox.app.wording import nice, number, quantity
+from sandbox.model.expressions import Array
+from sandbox.model.landscape import Landscape
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.measure import Meter
+from sandbox.physics.world import World
+
+TICKS = 3
+"""About how many energies are written at the axis."""
+
+
+class Relief:
+    """A landscape of a world, ready to be drawn.
+
+    The curve is the formula's; the point and the line are what is measured of the body.
+    """
+
+    def __init__(self, landscape: Landscape, world: World) -> None:
+        self._body, self._world = landscape.body, world
+        self._row = list(world.level.bodies).index(landscape.body)
+        names = self._names = (f"{self._body}.potential_energy", f"{self._body}.energy")
+        self._meter = Meter(world, names)
+        self._x, self._potential = landscape.curve(world.values)
+        self._heights = evaluate(landscape.y, world.values)
+        self._low = float(self._potential.min())
+        self._high = max(float(self._potential.max()), self._energies()[1])
+        if self._high <= self._low:
+            self._high = self._low + 1.0
+
+    def _energies(self) -> tuple[float, float]:
+        """Return the body's potential and whole energy [J]."""
+        measured = self._meter(self._world.snapshot)
+        potential, whole = (float(measured[name]) for name in self._names)
+        return potential, whole
+
+    def _height(self, energy: float) -> float:
+        """Return at what height of the plane an energy is drawn [m]."""
+        bottom, top = self._heights
+        return bottom + (top - bottom) * (energy - self._low) / (self._high - self._low)
+
+    def draw_curve(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+        """Draw what stays: the hill, and the axis of energies at its left."""
+        points = [
+            camera.to_screen((x, self._height(energy)))
+            for x, energy in zip(self._x.tolist(), self._potential.tolist(), strict=True)
+        ]
+        if not lines.near(points):
+            return
+        bottom = camera.to_screen((0.0, self._heights[0]))[1]
+        hill = [*points, (points[-1][0], bottom), (points[0][0], bottom)]
+        lines.fill(surface, theme.mix(theme.STAGE, theme.POTENTIAL, 0.14), hill)
+        lines.path(surface, theme.POTENTIAL, points, 2)
+        self._draw_axis(surface, camera, pen)
+
+    def _draw_axis(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+        left, right = float(self._x[0]), float(self._x[-1])
+        corner = camera.to_screen((left, self._heights[0]))
+        top = camera.to_screen((left, self._heights[1]))
+        end = camera.to_screen((right, self._heights[0]))
+        for tip in ((top[0], top[1] - 14), (end[0] + 14, end[1])):
+            lines.arrow(surface, theme.AXIS, corner, tip, 1)
+        _write(surface, pen, "U(x) / J", midbottom=(top[0], top[1] - 15))
+        _write(surface, pen, "x", midleft=(end[0] + 18, end[1]))
+        step = nice((self._high - self._low) / TICKS)
+        for i in range(ceil(self._low / step), floor(self._high / step) + 1):
+            x, y = camera.to_screen((left, self._height(i * step)))
+            lines.stroke(surface, theme.AXIS, (x - 4, y), (x, y), 1)
+            _write(surface, pen, number(i * step, 3), midright=(x - 6, y))
+
+    def draw_point(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+        """Draw what moves: the point, its kinetic energy up to the line, the turning points."""
+        potential, whole = self._energies()
+        place = float(self._world.snapshot.position[self._row, 0])
+        point, above = camera.path(((place, self._height(potential)), (place, self._height(whole))))
+        left, right = camera.path(
+            (x, self._height(whole)) for x in (float(self._x[0]), float(self._x[-1]))
+        )
+        if not lines.near((point, above, left, right)):
+            return
+        lines.dashed(surface, theme.TOTAL, (left, right), 7, 5)
+        lines.stroke(surface, theme.KINETIC, point, above, 3)
+        for x in turning_points(self._x, self._potential, whole):
+            turn = camera.to_screen((x, self._height(whole)))
+            pygame.draw.aacircle(surface, theme.TOTAL, turn, 5, 2)
+        pygame.draw.aacircle(surface, theme.STAGE, point, 8)
+        pygame.draw.aacircle(surface, theme.TEXT, point, 6)
+        text = pen.outlined(f"E = {quantity(whole, 'J', 3)}")
+        surface.blit(text, text.get_rect(midleft=(right[0] + 6, right[1])))
+
+
+def turning_points(x: Array, potential: Array, energy: float) -> Sequence[float]:
+    """Return the places at which a potential crosses an energy, between the given ones [m]."""
+    above = potential - energy
+    i = np.nonzero(np.signbit(above[:-1]) != np.signbit(above[1:]))[0]
+    share = above[i] / (above[i] - above[i + 1])
+    found: list[float] = (x[i] + share * (x[i + 1] - x[i])).tolist()
+    return found
+
+
+def _write(surface: pygame.Surface, pen: Pen, text: str, **place: XY) -> None:
+    image = pen.write(text, 12, theme.DIM)
+    surface.blit(image, image.get_rect(**place))
