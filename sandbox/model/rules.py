@@ -14,7 +14,15 @@ import numpy as np
 
 from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
+from sandbox.model.expressions import (
+    Array,
+    Expression,
+    ExpressionError,
+    Formula,
+    NonNegative,
+    Positive,
+    Values,
+)
 from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
 from sandbox.model.level import Level, span
 from sandbox.model.locating import Path
@@ -107,6 +115,29 @@ def _conditions(level: Level) -> Iterator[Condition]:
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
         last = "ends" if isinstance(joint, Pivot) else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+    for path, kinetic, static in _coefficients(level):
+        wrong = partial(_friction_fault, kinetic, static)
+        yield Condition(path, kinetic.names | static.names, wrong)
+
+
+def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative]]:
+    """Yield where two coefficients of friction stand, the kinetic and the static one."""
+    for name, body in level.bodies.items():
+        if body.friction is not None and body.static_friction is not None:
+            yield ("bodies", name, "static_friction"), body.friction, body.static_friction
+    for index, pair in enumerate(level.effects.friction.pairs if level.effects.friction else ()):
+        if pair.static is not None:
+            yield ("effects", "friction", "pairs", index, "static"), pair.coefficient, pair.static
+
+
+def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> str | None:
+    try:
+        sticks, slips = static(values), kinetic(values)
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    if sticks < slips:
+        return f"is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip"
+    return None
 
 
 def _value_fault(expression: Expression, values: Values) -> str | None:
