@@ -68,7 +68,11 @@ PARTS = (
             "newton/incline-that-holds",
         ),
     ),
-    Part(NEWTON, "static and kinetic friction apart"),
+    Part(
+        NEWTON,
+        "static and kinetic friction apart",
+        ("newton/breaking-loose", "newton/incline-breaks-loose"),
+    ),
     Part(NEWTON, "drag", ("newton/terminal-velocity", "newton/projectile-with-drag")),
     Part(ENERGY, "work along a straight and an oblique path"),
     Part(ENERGY, "braking distance grows as v²", ("energy/braking-distance",)),

@@ -278,6 +278,8 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
     """Friction and restitution: declared if used, used if declared, and only with contact."""
     effect = _surfaces(level).get(kind)
     given = [name for name, body in level.bodies.items() if getattr(body, kind) is not None]
+    if kind == "friction":
+        yield from _static_alone(level)
     if effect is None:
         yield from (_undeclared(("bodies", name, kind), kind, kind) for name in given)
         return
@@ -295,6 +297,13 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
                 " (1 leaves the other body's as it is, 0 is none)",
             )
     yield from _repeated_pairs(effect, kind)
+
+
+def _static_alone(level: Level) -> Iterator[Fault]:
+    for name, body in level.bodies.items():
+        if body.static_friction is not None and body.friction is None:
+            rule = "needs 'friction' beside it, the coefficient while the body slips"
+            yield Fault(("bodies", name, "static_friction"), rule)
 
 
 def _repeated_pairs(effect: Friction | Restitution, kind: str) -> Iterator[Fault]:

@@ -37,6 +37,8 @@ class FrictionPair(Pair):
     """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
 
     coefficient: NonNegative
+    static: NonNegative | None = None
+    """of surfaces that stick, until they slip; the same as when they slip if left out"""
 
 
 class Friction(Model):

@@ -14,7 +14,15 @@ import numpy as np
 
 from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
+from sandbox.model.expressions import (
+    Array,
+    Expression,
+    ExpressionError,
+    Formula,
+    NonNegative,
+    Positive,
+    Values,
+)
 from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
 from sandbox.model.landscape import Landscape
 from sandbox.model.level import Level, span
@@ -110,6 +118,9 @@ def _conditions(level: Level) -> Iterator[Condition]:
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
     if level.view.landscape:
         yield from _of_landscape(level.view.landscape)
+    for path, kinetic, static in _coefficients(level):
+        wrong = partial(_friction_fault, kinetic, static)
+        yield Condition(path, kinetic.names | static.names, wrong)
 
 
 def _of_landscape(landscape: Landscape) -> Iterator[Condition]:
@@ -118,6 +129,26 @@ def _of_landscape(landscape: Landscape) -> Iterator[Condition]:
         yield Condition((*path, axis), names_in(bounds), partial(_bounds_fault, bounds))
     names = names_in((landscape.potential, landscape.x)) - {landscape.potential.variable}
     yield Condition((*path, "potential"), names, partial(_curve_fault, landscape))
+
+
+def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative]]:
+    """Yield where two coefficients of friction stand, the kinetic and the static one."""
+    for name, body in level.bodies.items():
+        if body.friction is not None and body.static_friction is not None:
+            yield ("bodies", name, "static_friction"), body.friction, body.static_friction
+    for index, pair in enumerate(level.effects.friction.pairs if level.effects.friction else ()):
+        if pair.static is not None:
+            yield ("effects", "friction", "pairs", index, "static"), pair.coefficient, pair.static
+
+
+def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> str | None:
+    try:
+        sticks, slips = static(values), kinetic(values)
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    if sticks < slips:
+        return f"is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip"
+    return None
 
 
 def _value_fault(expression: Expression, values: Values) -> str | None:

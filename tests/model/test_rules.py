@@ -136,6 +136,11 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
         (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+        (touching, "bodies.ball.static_friction", 1, None),
+        (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient, 1"),
+        (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient, 1: what holds would slip when m = 1"),
+        (bare, "bodies.ball.static_friction", 1, "bodies.ball.static_friction: needs 'friction' beside it"),
+        (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "floor"], "coefficient": 1, "static": 0.5}]}, "effects.friction.pairs.0.static: is 0.5, less than the kinetic coefficient, 1"),
     ],
 )  # fmt: skip
 def test_a_contradiction_is_told_where_it_is(
