@@ -5,7 +5,7 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 `Condition`, and must hold at the corners of their ranges.
 """
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from itertools import chain, islice, product
 from typing import NamedTuple
@@ -13,13 +13,14 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.consistency import dangling, inconsistencies
+from sandbox.model.effects import Gravitation
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
 from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
 from sandbox.model.level import Level, span
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions, names_in
-from sandbox.model.shapes import Shape, fault
+from sandbox.model.shapes import Point, Shape, evaluate, fault
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
@@ -107,6 +108,12 @@ def _conditions(level: Level) -> Iterator[Condition]:
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
         last = "ends" if isinstance(joint, Pivot) else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+    if pull := level.effects.gravitation:
+        pulled = pull.bodies or [n for n, b in level.bodies.items() if b.type == "dynamic"]
+        places = {name: level.bodies[name].position for name in pulled}
+        names = names_in((pull.softening, *places.values()))
+        wrong = partial(_meeting_fault, pull, places)
+        yield Condition(("effects", "gravitation"), names, wrong)
 
 
 def _value_fault(expression: Expression, values: Values) -> str | None:
@@ -159,6 +166,23 @@ def _rod_fault(distance: float, long: float) -> str | None:
 def _string_fault(path: float, long: float) -> str | None:
     if long < path * (1 - 1e-12):
         return f"the string is {long:g} m long, but its path is {path:g} m"
+    return None
+
+
+def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Values) -> str | None:
+    """Without softening there is no force between bodies at one place."""
+    found: dict[tuple[float, float], str] = {}
+    try:
+        if pull.softening(values):
+            return None
+        for name, point in places.items():
+            x, y = evaluate(point, values)
+            other = found.setdefault((round(x, 9), round(y, 9)), name)
+            if other != name:
+                both = f"'{brief(other)}' and '{brief(name)}'"
+                return f"{both} attract each other but start at one place; give them 'softening'"
+    except ExpressionError:
+        return None  # the expression's own condition tells
     return None
 
 

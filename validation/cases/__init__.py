@@ -16,6 +16,7 @@ from validation.cases import (
     free_rotation,
     given_forces,
     glancing,
+    gravitation,
     incline,
     incline_limits,
     orbits,
@@ -27,6 +28,7 @@ from validation.cases import (
     table_pulley,
     throws,
     uniform_acceleration,
+    wells,
     work,
 )
 
@@ -46,6 +48,8 @@ PHENOMENA = (
     work,
     circular_orbit,
     orbits,
+    gravitation,
+    wells,
     collisions,
     glancing,
     center_of_mass,
