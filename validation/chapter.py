@@ -76,11 +76,16 @@ PARTS = (
     Part(NEWTON, "drag", ("newton/terminal-velocity", "newton/projectile-with-drag")),
     Part(ENERGY, "work along a straight and an oblique path"),
     Part(ENERGY, "braking distance grows as v²", ("energy/braking-distance",)),
-    Part(ENERGY, "the well of gravity near the Earth", ("kinematics/free-fall",)),
+    Part(
+        ENERGY,
+        "the well of gravity near the Earth",
+        ("kinematics/free-fall", "energy/well-gravity"),
+    ),
     Part(
         ENERGY,
         "the well of a spring",
         (
+            "energy/well-spring",
             "energy/spring-oscillator",
             "energy/damped-spring",
             "energy/critical-damping",
@@ -92,11 +97,18 @@ PARTS = (
         ENERGY,
         "the 1/r well",
         (
+            "energy/well-one-over-r",
             "energy/circular-orbit",
             "energy/kepler-ellipse",
             "energy/kepler-third-law",
             "energy/escape-velocity",
+            "energy/precession",
         ),
+    ),
+    Part(
+        ENERGY,
+        "bodies that attract each other",
+        ("energy/two-bodies", "energy/figure-eight"),
     ),
     Part(ENERGY, "ball down a straight ramp: 6.26 m/s", ("energy/ramp",)),
     Part(ENERGY, "ball down a curved ramp, a zigzag and a helix"),

@@ -5,7 +5,7 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 `Condition`, and must hold at the corners of their ranges.
 """
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from itertools import chain, islice, product
 from typing import NamedTuple
@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.consistency import dangling, inconsistencies
+from sandbox.model.effects import Gravitation
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import (
     Array,
@@ -121,6 +122,12 @@ def _conditions(level: Level) -> Iterator[Condition]:
     for path, kinetic, static in _coefficients(level):
         wrong = partial(_friction_fault, kinetic, static)
         yield Condition(path, kinetic.names | static.names, wrong)
+    if pull := level.effects.gravitation:
+        pulled = pull.bodies or [n for n, b in level.bodies.items() if b.type == "dynamic"]
+        places = {name: level.bodies[name].position for name in pulled}
+        names = names_in((pull.softening, *places.values()))
+        wrong = partial(_meeting_fault, pull, places)
+        yield Condition(("effects", "gravitation"), names, wrong)
 
 
 def _of_landscape(landscape: Landscape) -> Iterator[Condition]:
@@ -220,6 +227,23 @@ def _curve_fault(landscape: Landscape, values: Values) -> str | None:
     lost = x[~np.isfinite(potential)]
     shown = brief(str(landscape.potential.source))
     return f"'{shown}' has no finite value at x = {lost[0]:g} m" if len(lost) else None
+
+
+def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Values) -> str | None:
+    """Without softening there is no force between bodies at one place."""
+    found: dict[tuple[float, float], str] = {}
+    try:
+        if pull.softening(values):
+            return None
+        for name, point in places.items():
+            x, y = evaluate(point, values)
+            other = found.setdefault((round(x, 9), round(y, 9)), name)
+            if other != name:
+                both = f"'{brief(other)}' and '{brief(name)}'"
+                return f"{both} attract each other but start at one place; give them 'softening'"
+    except ExpressionError:
+        return None  # the expression's own condition tells
+    return None
 
 
 def _late(level: Level) -> Iterator[Fault]:

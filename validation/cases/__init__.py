@@ -16,6 +16,7 @@ from validation.cases import (
     free_rotation,
     given_forces,
     glancing,
+    gravitation,
     incline,
     incline_limits,
     orbits,
@@ -28,6 +29,7 @@ from validation.cases import (
     table_pulley,
     throws,
     uniform_acceleration,
+    wells,
     work,
 )
 
@@ -48,6 +50,8 @@ PHENOMENA = (
     work,
     circular_orbit,
     orbits,
+    gravitation,
+    wells,
     collisions,
     glancing,
     center_of_mass,
