@@ -1,6 +1,6 @@
 """The manifest of effects: what a level does not declare is not simulated, and costs nothing."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -105,6 +105,8 @@ class Force(Model):
     """[x, y] in N, over the parameters and the time t"""
     at: Point = (Expression(0), Expression(0))
     """[x, y] in m, the point that it acts on, from the centre of mass along the body's axes"""
+    frame: Literal["world", "body"] = "world"
+    """whose axes [x, y] lie along: `body` for a force that turns with the body, as a thruster's"""
 
 
 class Effects(Model):

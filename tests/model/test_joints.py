@@ -87,6 +87,7 @@ def test_what_makes_no_sense_is_told(made: dict[str, Any], told: str) -> None:
         ({"force": [{"body": "wall", "force": [1, 0]}]}, "effects.force.0.body: 'wall' is static, so no force moves it"),
         ({"force": [{"body": "blok", "force": [1, 0]}]}, "effects.force.0.body: unknown body 'blok'"),
         ({"force": [{"body": "ball", "force": [1, "s*t"]}]}, "effects.force.0.force.1: unknown parameter 's'"),
+        ({"force": [{"body": "ball", "force": [1, 0], "frame": "bodi"}]}, "effects.force.0.frame: must be 'world' or 'body'; did you mean 'body'?"),
         ({"rotation": {}}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
     ],
     ids=str,

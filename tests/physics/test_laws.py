@@ -97,6 +97,14 @@ EVERY = st.one_of(
     CONSERVATIVE,
     st.builds(Drag, st.floats(0, 3), st.floats(0, 3), st.just(np.array([0, 1]))),
     st.builds(SpringForce, ENDS, st.just(2.0), st.just(1.0), st.floats(0, 3)),
+    st.builds(
+        Push,
+        force=st.tuples(NUMBER.map(Formula), st.just(Formula("2*t"))),
+        values=st.just({}),
+        body=st.sampled_from([0, 1]),
+        point=XY,
+        turns=st.booleans(),
+    ),
 )
 
 
@@ -344,3 +352,74 @@ def test_two_stars_are_second_order() -> None:
     assert two_stars_error(60) < 1e-3  # 3.8e-4
     assert order(two_stars_error, 60) >= 1.9
     assert two_stars_error(60, "symplectic-euler") > 1e-3
+
+
+def couple(torque: float) -> list[Spec]:
+    """Two opposite forces on the rim of a disc of half a metre, that turn with it."""
+    pulls = ((0.5, torque), (-0.5, -torque))
+    return [
+        {"body": "wheel", "force": [0, pull], "at": [at, 0], "frame": "body"} for at, pull in pulls
+    ]
+
+
+def test_a_couple_that_turns_with_the_body_is_a_constant_torque() -> None:
+    """α = 3 N m over I = 2 kg m²: τ t² / 2I to rounding, and the centre stays where it was."""
+    wheel = disc(mass=2, moment=2)
+    world = build(level({"wheel": wheel}, {"force": couple(3), "rotation": {}}))
+    found = measured(world, 300, "wheel.angle", "wheel.position", "t")
+
+    assert worst(found["wheel.angle"], 0.75 * found["t"] ** 2) <= 1e-13  # 1e-15
+    assert np.abs(found["wheel.position"]).max() <= 1e-13
+
+
+def test_a_thruster_pushes_where_its_body_points() -> None:
+    """A body that spins evenly under a force F along itself: v = F / (m ω) (sin ωt, 1 − cos ωt)."""
+
+    def error(rate: float) -> float:
+        thrust = {"body": "ship", "force": [3, 0], "frame": "body"}
+        ship = disc(mass=2, angular_velocity=4)
+        effects = {"force": [thrust], "rotation": {}}
+        world = build(level({"ship": ship}, effects, stepping={"rate": rate}))
+        found = measured(world, round(2 * rate), "ship.velocity.x", "ship.velocity.y", "t")
+        turned = 4 * found["t"]
+        return max(
+            worst(found["ship.velocity.x"], 0.375 * np.sin(turned)),
+            worst(found["ship.velocity.y"], 0.375 * (1 - np.cos(turned))),
+        )
+
+    assert error(60) < 1e-3  # 3.7e-4
+    assert order(error, 60) >= 1.9  # 2.00
+
+
+def test_a_force_along_the_bodys_axes_looks_where_it_was_turned_at_the_start() -> None:
+    thrust = {"body": "ship", "force": [3, 1], "frame": "body"}
+    world = build(level({"ship": disc(mass=2, angle=np.pi / 2)}, {"force": [thrust]}))
+
+    assert world.snapshot.acceleration[0] == pytest.approx([-0.5, 1.5], rel=1e-12)
+
+
+def test_a_force_that_turns_with_its_body_stores_no_energy() -> None:
+    """Round and round it gives more: I ω² / 2 grows, and nothing pays for it."""
+    world = build(level({"wheel": disc()}, {"force": couple(3), "rotation": {}}))
+    found = measured(world, 120, "wheel.potential_energy", "wheel.kinetic_energy", "wheel.angle")
+
+    assert np.abs(found["wheel.potential_energy"]).max() == 0
+    assert worst(found["wheel.kinetic_energy"], 3 * found["wheel.angle"]) <= 1e-12
+
+
+def driven_error(rate: float) -> float:
+    """In the steady state 10 N/m, 1 kg/s and 2 N swing by Re X e^(iwt) from the first step on."""
+    drive = 2.0
+    swing = 2 / (10 - drive**2 + 1j * drive)
+    block = disc((swing.real, 0), velocity=[(1j * drive * swing).real, 0])
+    push = {"body": "block", "force": [f"2*cos({drive}*t)", 0]}
+    spring = {"type": "spring", "ends": [[-1.5, 0], "block"], "stiffness": 10}
+    joints = {"spring": {**spring, "length": 1.5, "damping": 1}}
+    scene = level({"block": block}, {"force": [push]}, joints=joints, stepping={"rate": rate})
+    found = measured(build(scene), round(6 * rate), "block.position.x", "t")
+    return worst(found["block.position.x"], (swing * np.exp(1j * drive * found["t"])).real)
+
+
+def test_a_driven_spring_in_its_steady_state_is_second_order() -> None:
+    assert driven_error(60) < 5e-4  # 1.6e-4
+    assert order(driven_error, 60) >= 1.9  # 2.01

@@ -59,7 +59,8 @@ def laws(effects: Effects, values: Values, names: Sequence[str], mass: Array) ->
         found.append(Drag(drag.linear(values), drag.quadratic(values), rows))
     for force in effects.force or ():
         point = evaluate(force.at, values)
-        found.append(Push(force.force, values, names.index(force.body), point))
+        turns = force.frame == "body"
+        found.append(Push(force.force, values, names.index(force.body), point, turns))
     return tuple(found)
 
 
