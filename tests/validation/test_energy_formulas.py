@@ -161,3 +161,9 @@ def test_equal_bodies_circle_faster_than_about_a_fixed_sun() -> None:
     assert energy.two_body_period(3, 3, 4, 2) == pytest.approx(
         energy.kepler_period(2, 12) / np.sqrt(2)
     )
+
+
+def test_a_push_across_the_path_does_no_work_and_one_at_60_degrees_half_of_it() -> None:
+    assert energy.work(200j, 3 + 0j) == 0
+    assert energy.work(200 + 0j, 3 + 0j) == 600
+    assert energy.work(200 * np.exp(1j * pi / 3), 3 + 0j) == pytest.approx(300)

@@ -1,13 +1,15 @@
 """Pendulums and springs: series, limits and the equations of motion."""
 
-from math import pi, sqrt
+from math import hypot, pi, sqrt
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
 from validation.formulas import lagrange
+from validation.formulas.arrays import Array
 
 positive = st.floats(0.01, 100)
 
@@ -42,3 +44,46 @@ def test_coupled_oscillators_that_start_alike_swing_alike() -> None:
 
     assert left == pytest.approx(right)
     assert left == pytest.approx(0.3 * np.cos(sqrt(20) * np.linspace(0, 3, 7)))
+
+
+@given(st.floats(0.1, 10), st.floats(0.1, 100), st.floats(0.1, 10), st.floats(0.1, 3))
+def test_a_driven_spring_answers_softly_below_and_against_the_drive_above_its_own_frequency(
+    mass: float, stiffness: float, damping: float, ratio: float
+) -> None:
+    """Slowly driven x = F / k; in tune F / (c ω), a quarter behind; fast −F / (m w²)."""
+    natural = sqrt(stiffness / mass)
+    slow, tuned, fast = (
+        lagrange.response(mass, stiffness, damping, share * natural) for share in (1e-6, 1, 1e6)
+    )
+    amplitude = abs(lagrange.response(mass, stiffness, damping, ratio * natural))
+    width = hypot(1 - ratio**2, ratio * damping * natural / stiffness)
+
+    assert slow == pytest.approx(1 / stiffness, rel=1e-3)
+    assert tuned == pytest.approx(-1j / (damping * natural))
+    assert fast == pytest.approx(-1 / (mass * (1e6 * natural) ** 2), rel=1e-3)
+    assert amplitude == pytest.approx(1 / stiffness / width)
+
+
+@given(st.floats(0.5, 3), st.floats(5, 40), st.floats(0.1, 3), st.floats(0.2, 8))
+def test_a_spring_driven_from_rest_obeys_newton_and_ends_in_the_steady_state(
+    mass: float, stiffness: float, damping: float, drive: float
+) -> None:
+    """x = F t² / 2m at first; later nothing is left of the free swing, which dies as e^(−ct/2m)."""
+
+    def swing(t: ArrayLike) -> Array:
+        return lagrange.started_oscillation(t, mass, stiffness, damping, 2, drive)
+
+    late = np.linspace(0, 5, 50) + 60 * mass / damping
+    steady = lagrange.driven_oscillation(late, mass, stiffness, damping, 2, drive)
+
+    assert swing([0, 1e-4]) == pytest.approx([0, 1e-8 / mass], rel=1e-2, abs=1e-12)
+    assert np.abs(swing(late) - steady).max() <= 1e-9 * 2 * np.abs(swing(late)).max()
+
+
+@given(positive, positive)
+def test_a_beam_tips_at_first_with_torque_over_moment(moment: float, torque: float) -> None:
+    """And with less and less: it takes longer than √(π I/τ), the time at the first acceleration."""
+    time = lagrange.tipping_time(moment, torque)
+
+    assert time == pytest.approx(1.8540746773013719 * sqrt(moment / torque))
+    assert time > sqrt(pi * moment / torque)

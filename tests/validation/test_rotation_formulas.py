@@ -83,3 +83,31 @@ def test_two_thirds_after_a_third() -> None:
 def test_a_thin_box_is_a_rod() -> None:
     assert rotation.box_moment(12, 1, 0) == pytest.approx(1)
     assert rotation.box_moment(2, 2, 0.8) == pytest.approx(2 * (4 + 0.64) / 12)
+
+
+@given(positive, positive, st.floats(-50, 50))
+def test_a_rod_obeys_the_parallel_axis_theorem(mass: float, length: float, off: float) -> None:
+    center = mass * length**2 / 12
+
+    assert rotation.rod_moment(mass, length) == pytest.approx(center)
+    assert rotation.rod_moment(mass, length, length / 2) == pytest.approx(4 * center)
+    assert rotation.rod_moment(mass, length, off) == pytest.approx(
+        center + mass * off**2, rel=1e-6, abs=1e-9 * mass * (abs(off) + length) ** 3 / length
+    )
+
+
+@given(st.floats(0, 10), st.floats(0, 10), angles)
+def test_a_torque_is_lever_arm_times_force_times_the_sine(
+    arm: float, force: float, angle: float
+) -> None:
+    push = complex(force * np.cos(angle), force * np.sin(angle))
+
+    assert rotation.torque(arm + 0j, push) == pytest.approx(arm * force * np.sin(angle))
+    assert rotation.torque(arm + 0j, force + 0j) == 0
+
+
+def test_a_hoop_has_twice_the_moment_of_a_disc() -> None:
+    hoop, disc = (rotation.round_moment(k, 2, 0.5) for k in (rotation.HOOP, rotation.DISC))
+
+    assert hoop == 2 * disc == pytest.approx(0.5)
+    assert rotation.spun_angle(3.0, hoop, 2.0) == pytest.approx(12)

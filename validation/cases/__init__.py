@@ -11,6 +11,7 @@ from validation.cases import (
     circular_motion,
     circular_orbit,
     collisions,
+    driven,
     first_law,
     free_fall,
     free_rotation,
@@ -28,6 +29,7 @@ from validation.cases import (
     static_friction,
     table_pulley,
     throws,
+    torques,
     uniform_acceleration,
     wells,
     work,
@@ -60,6 +62,8 @@ PHENOMENA = (
     free_rotation,
     pendulums,
     springs,
+    driven,
+    torques,
     given_forces,
 )
 

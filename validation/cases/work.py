@@ -1,11 +1,12 @@
-"""Work and kinetic energy: braking from twice the speed, and a ball down a ramp."""
+"""Work and kinetic energy: a refrigerator pushed, braking from twice the speed, a ramp."""
 
+from cmath import rect
 from collections.abc import Iterator
-from math import radians
+from math import pi, radians
 
-from sandbox.model.expressions import Expression, Values
-from sandbox.model.level import LandingEvent
-from validation.case import Case, Choices, Parameters
+from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.level import CrossingEvent, LandingEvent
+from validation.case import Case, Choices, Expected, Parameters
 from validation.formulas import energy, leapfrog
 
 BRAKING: Choices = (
@@ -18,6 +19,11 @@ RAMPS: Choices = (
     {"angle": 75.0, "height": 0.5, "g": 25.0},
     {"angle": 15.0, "height": 5.0, "g": 1.0, "mass": 10.0},
 )
+PUSHES: Choices = (
+    {},
+    {"F": 300.0, "phi": 80.0, "mu": 0.06, "m": 60.0},
+    {"F": 50.0, "phi": 10.0, "d": 1.0, "mu": 0.03, "m": 150.0},
+)
 DEFAULTS = {"speed": 50.0, "mu": 0.8, "g": 9.81}
 DT = 1 / 120  # s, the step of the braking cars
 KMH = 1 / 3.6  # m/s
@@ -26,6 +32,8 @@ LANDING = LandingEvent(event="landing", body="ball")
 
 def cases() -> Iterator[Case]:
     """Yield the cases of work and kinetic energy."""
+    for parameters in PUSHES:
+        yield from _pushed(parameters)
     for parameters in BRAKING:
         yield from _braking("slow", 1, parameters)
         yield from _braking("fast", 2, parameters)
@@ -101,3 +109,32 @@ def _ramp(parameters: Parameters) -> Iterator[Case]:
         because="heights and speeds exact to rounding; the normal force does no work",
         naive_misses=1e-3,
     )
+
+
+def _pushed(parameters: Parameters) -> Iterator[Case]:
+    for name, share, right in (("straight", 0, 0), ("oblique", 1, 0), ("across", 0, 1)):
+        yield Case(
+            name=f"refrigerator: energy of the {name} one after its way",
+            level="energy/refrigerator",
+            parameters=parameters,
+            quantity=f"{name}.kinetic_energy",
+            at=CrossingEvent(
+                event="crossing", quantity=f"{name}.position.x", value=Expression("d")
+            ),
+            expected=_worked(share, right),
+            tolerance=1e-12,
+            because="constant acceleration: samples and the cubic between them are exact",
+            naive_misses=5e-7 if name != "across" else None,
+        )
+
+
+def _worked(share: float, right: float) -> Expected:
+    """Return the energy after a push downwards by a share of φ, or by so many right angles."""
+
+    def expected(p: Values, _: Array) -> float:
+        push = rect(p["F"], -share * radians(p["phi"]) - right * pi / 2)
+        normal = p["m"] * 9.81 - push.imag
+        start = energy.kinetic_energy((p["m"], 2.5))
+        return start + energy.work(push - p["mu"] * normal, complex(p["d"]))
+
+    return expected

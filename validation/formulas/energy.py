@@ -174,3 +174,11 @@ def figure_eight(mass: float, constant: float, size: float, t: ArrayLike) -> Arr
     seconds = np.sqrt(size**3 / (constant * mass))
     start = np.concatenate((places, moves))
     return size * solution(slope, start, np.asarray(t, dtype=float) / seconds)[:6]
+
+
+def work(force: complex, way: complex) -> float:
+    """Return the work of a constant force along a straight way [J], both as x + iy [N, m].
+
+    The chapter, section 5: the dot product F · d = |F| |d| cos φ.
+    """
+    return (force.conjugate() * way).real

@@ -83,3 +83,48 @@ def skater_speed(t: ArrayLike, speed: float, draw: float) -> Array:
     """
     r = 1 - draw * np.asarray(t, dtype=float)
     return np.asarray(np.sqrt((speed / r) ** 2 + draw**2))
+
+
+def response(mass: float, stiffness: float, damping: float, drive: float) -> complex:
+    """Return how far a driven spring is drawn out for each newton, and how late [m/N].
+
+    m x'' + c x' + k x = e^(i w t), w the angular frequency of the drive, has the steady solution
+    x = X e^(i w t) with X = 1 / (k − m w² + i c w): its size is the amplitude, its argument the
+    phase.
+    """
+    return 1 / (stiffness - mass * drive**2 + 1j * damping * drive)
+
+
+def driven_oscillation(
+    t: ArrayLike, mass: float, stiffness: float, damping: float, force: float, drive: float
+) -> Array:
+    """Return the steady swing of a spring driven by F cos w t [m]."""
+    t = np.asarray(t, dtype=float)
+    swing = force * response(mass, stiffness, damping, drive) * np.exp(1j * drive * t)
+    return np.asarray(swing.real)
+
+
+def started_oscillation(
+    t: ArrayLike, mass: float, stiffness: float, damping: float, force: float, drive: float
+) -> Array:
+    """Return the swing of a spring driven by F cos w t from rest [m].
+
+    The steady swing, and a free one that at first takes its place and speed away: the two exponents
+    are the roots s, z of m s² + c s + k, complex or real but not equal.
+    """
+    t = np.asarray(t, dtype=float)
+    steady = force * response(mass, stiffness, damping, drive)
+    place, speed = -steady.real, (-1j * drive * steady).real
+    root = np.sqrt(complex(damping**2 - 4 * mass * stiffness))
+    s, z = (-damping + root) / (2 * mass), (-damping - root) / (2 * mass)
+    free = ((speed - z * place) * np.exp(s * t) - (speed - s * place) * np.exp(z * t)) / (s - z)
+    return driven_oscillation(t, mass, stiffness, damping, force, drive) + free.real
+
+
+def tipping_time(moment: float, torque: float) -> float:
+    """Return how long a beam takes to tip from level until it hangs [s].
+
+    I θ'' = τ cos θ, with τ the net torque of the weights while it is level: a pendulum that is let
+    go at a right angle, of the length I / m r where τ = m g r. Both > 0.
+    """
+    return pendulum_period(moment, torque, np.pi / 2) / 4

@@ -101,3 +101,36 @@ def slide_and_roll_way(factor: float, speed: float, mu: float, g: float, t: Arra
     t = np.asarray(t, dtype=float)
     slides = np.minimum(t, sliding_time(factor, speed, mu, g))
     return slides * (speed - mu * g * slides / 2) + (t - slides) * rolling_speed(factor, speed)
+
+
+def round_moment(factor: float, mass: float, r: float) -> float:
+    """Return the moment of inertia of a round body about its centre [kg m²]: k m r².
+
+    The chapter, section 8, its table.
+    """
+    return factor * mass * r**2
+
+
+def rod_moment(mass: float, length: float, off: float = 0.0) -> float:
+    """Return the moment of inertia of a thin rod about a point of it [kg m²].
+
+    ∫ x² dm from d − L/2 to d + L/2, with d the way from the centre to the point; m L² / 12 + m d²
+    by the parallel-axis theorem of the chapter's section 8. L > 0.
+    """
+    return mass * ((off + length / 2) ** 3 - (off - length / 2) ** 3) / (3 * length)
+
+
+def torque(arm: complex, force: complex) -> float:
+    """Return the torque of a force on an arm [N m], both as x + iy [m, N].
+
+    The chapter, section 8: the cross product r × F = |r| |F| sin φ.
+    """
+    return (arm.conjugate() * force).imag
+
+
+def spun_angle(torque: float, moment: float, t: ArrayLike) -> Array:
+    """Return the angle that a constant torque turns a body by, from rest [rad]: τ t² / (2 I).
+
+    The chapter, section 8: τ = I α; I > 0.
+    """
+    return torque / moment * np.asarray(t, dtype=float) ** 2 / 2
