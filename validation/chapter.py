@@ -142,7 +142,15 @@ PARTS = (
     Part(LAGRANGE, "cart and pendulum"),
     Part(LAGRANGE, "least action"),
     Part(CODE, "projectile: range 63.7 m", ("kinematics/projectile",)),
-    Part(CODE, "Euler against symplectic Euler on the pendulum"),
+    Part(
+        CODE,
+        "Euler against symplectic Euler on the pendulum",
+        (
+            "lagrange/euler-pendulum",
+            "lagrange/symplectic-pendulum",
+            "lagrange/leapfrog-pendulum",
+        ),
+    ),
 )
 
 

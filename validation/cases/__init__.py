@@ -8,6 +8,7 @@ from validation.cases import (
     atwood_push,
     bounces,
     center_of_mass,
+    chapter_code,
     circular_motion,
     circular_orbit,
     collisions,
@@ -61,6 +62,7 @@ PHENOMENA = (
     pendulums,
     springs,
     given_forces,
+    chapter_code,
 )
 
 
