@@ -139,7 +139,7 @@ PARTS = (
     Part(LAGRANGE, "double pendulum", ("lagrange/double-pendulum",)),
     Part(LAGRANGE, "bead on a wire, and on a rotating hoop"),
     Part(LAGRANGE, "coupled oscillators", ("lagrange/coupled-oscillators",)),
-    Part(LAGRANGE, "cart and pendulum"),
+    Part(LAGRANGE, "cart and pendulum", ("lagrange/cart-and-pendulum",)),
     Part(LAGRANGE, "least action"),
     Part(CODE, "projectile: range 63.7 m", ("kinematics/projectile",)),
     Part(

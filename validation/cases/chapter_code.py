@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import CrossingEvent
-from validation.case import Case, Choices
+from validation.case import SECOND_ORDER, Case, Choices
 from validation.formulas import document, lagrange
 
 PENDULUMS: Choices = (
@@ -46,6 +46,7 @@ def cases() -> Iterator[Case]:
             quantity="system.energy",
             expected=lambda p, _: lagrange.pendulum_energy(1.0, p["g"], -_drop(p)),
             tolerance=5e-4,
+            order=SECOND_ORDER,
             because="second order: (ω dt)² / 8 of the kinetic energy, 2.5e-4 at the most",
         )
         yield Case(
@@ -56,6 +57,7 @@ def cases() -> Iterator[Case]:
             at=BOTTOM,
             expected=lambda p, _: lagrange.pendulum_period(p["L"], p["g"], p["start"]) / 4,
             tolerance=2e-4,
+            order=SECOND_ORDER,
             because="second order: (ω dt)² / 24 for small swings, 5e-5",
             naive_misses=2e-3,
         )

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from validation.formulas.arrays import Array
+from validation.formulas.runge_kutta import solution
 
 
 def agm(a: float, b: float) -> float:
@@ -33,6 +34,34 @@ def physical_pendulum_period(length: float, g: float, amplitude: float) -> float
 def pendulum_energy(mass: float, g: float, *heights: float) -> float:
     """Return the energy of equal masses at rest at some heights [J]: Σ m g h."""
     return mass * g * sum(heights)
+
+
+def cart_pendulum(
+    t: ArrayLike, cart: float, bob: float, length: float, g: float, angle: float
+) -> tuple[Array, Array]:
+    """Return how far a cart has rolled [m] and the angle of its pendulum [rad], from rest.
+
+    L = (M + m) x'² / 2 + m l x' θ' cos θ + m l² θ'² / 2 + m g l cos θ (the chapter, section 9). The
+    first Lagrange equation says that (M + m) x' + m l θ' cos θ stays 0, the second then that
+    (M + m sin² θ) l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
+    """
+
+    def slope(y: Array) -> Array:
+        theta, omega = y
+        s, c = np.sin(theta), np.cos(theta)
+        force = -(cart + bob) * g * s - bob * length * omega**2 * s * c
+        return np.array([omega, force / ((cart + bob * s**2) * length)])
+
+    theta = solution(slope, np.array([angle, 0.0]), t)[0]
+    return bob * length / (cart + bob) * (np.sin(angle) - np.sin(theta)), theta
+
+
+def cart_pendulum_frequency(cart: float, bob: float, length: float, g: float) -> float:
+    """Return how fast a pendulum on a free cart swings if it swings little [rad/s].
+
+    The equation above without squares: ω² = g (M + m) / (M l).
+    """
+    return float(np.sqrt(g * (cart + bob) / (cart * length)))
 
 
 def oscillator_period(mass: float, stiffness: float) -> float:
