@@ -140,7 +140,7 @@ PARTS = (
     Part(LAGRANGE, "bead on a wire, and on a rotating hoop"),
     Part(LAGRANGE, "coupled oscillators", ("lagrange/coupled-oscillators",)),
     Part(LAGRANGE, "cart and pendulum", ("lagrange/cart-and-pendulum",)),
-    Part(LAGRANGE, "least action"),
+    Part(LAGRANGE, "least action", ("lagrange/least-action",)),
     Part(CODE, "projectile: range 63.7 m", ("kinematics/projectile",)),
     Part(
         CODE,

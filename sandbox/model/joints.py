@@ -1,7 +1,7 @@
 """What ties bodies together.
 
-Rods, ropes, strings, pivots and rails are exact: they hold to rounding at every step, whatever they carry.
-A spring is a force.
+Rods, ropes, strings, pivots and rails are exact: they hold to rounding at every step, whatever they
+carry. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping

@@ -20,6 +20,7 @@ from validation.cases import (
     gravitation,
     incline,
     incline_limits,
+    least_action,
     orbits,
     pendulums,
     projectile,
@@ -62,6 +63,7 @@ PHENOMENA = (
     pendulums,
     springs,
     given_forces,
+    least_action,
     chapter_code,
 )
 
