@@ -76,3 +76,14 @@ def test_a_pendulum_on_a_cart_keeps_its_energy_and_swings_as_it_should(
     _, theta = lagrange.cart_pendulum(pi / 2 / omega, cart, bob, 1, 9.81, 1e-3)
 
     assert theta == pytest.approx(0, abs=1e-8)
+
+
+def test_weakly_coupled_oscillators_change_places_after_half_a_beat() -> None:
+    slow, fast = lagrange.mode_frequencies(1, 10, 0.1)
+    swings = lagrange.coupled_oscillations(
+        pi / (fast - slow) + np.linspace(-1, 1, 99), 1, 10, (0.3, 0), 0.1
+    )
+    left, right = np.abs(swings).max(axis=1)
+
+    assert left < 0.01
+    assert right == pytest.approx(0.3, rel=1e-2)

@@ -92,14 +92,29 @@ def damped_oscillation(
     return np.asarray((amplitude * (s * np.exp(z * t) - z * np.exp(s * t)) / (s - z)).real)
 
 
-def coupled_oscillations(
-    t: ArrayLike, mass: float, stiffness: float, start: tuple[float, float]
-) -> Array:
-    """Return the two displacements of masses between three equal springs [m]: (2, ...).
+def mode_frequencies(mass: float, stiffness: float, coupling: float) -> tuple[float, float]:
+    """Return how fast two coupled masses swing together and against each other [rad/s].
 
-    m x'' = −K x with K = k [[2, −1], [−1, 2]]; by the eigenvectors of K.
+    Together the spring between them, c, does nothing; against each other its middle stands still,
+    and each half of it is twice as stiff: √(k / m), √((k + 2 c) / m).
     """
-    matrix = stiffness / mass * np.array([[2.0, -1.0], [-1.0, 2.0]])
+    together, against = stiffness / mass, (stiffness + 2 * coupling) / mass
+    return float(np.sqrt(together)), float(np.sqrt(against))
+
+
+def coupled_oscillations(
+    t: ArrayLike,
+    mass: float,
+    stiffness: float,
+    start: tuple[float, float],
+    coupling: float | None = None,
+) -> Array:
+    """Return the two displacements of masses in a row of three springs [m]: (2, ...).
+
+    m x'' = −K x with K = [[k + c, −c], [−c, k + c]], c = k if left out; by the eigenvectors of K.
+    """
+    c = stiffness if coupling is None else coupling
+    matrix = np.array([[stiffness + c, -c], [-c, stiffness + c]]) / mass
     squares, modes = np.linalg.eigh(matrix)
     swings = np.cos(np.sqrt(squares)[:, None] * np.asarray(t, dtype=float))
     return np.asarray(modes @ ((modes.T @ np.array(start))[:, None] * swings))
