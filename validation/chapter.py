@@ -154,11 +154,19 @@ PARTS = (
     Part(LAGRANGE, "pendulum", ("lagrange/simple-pendulum", "lagrange/large-pendulum")),
     Part(LAGRANGE, "double pendulum", ("lagrange/double-pendulum",)),
     Part(LAGRANGE, "bead on a wire, and on a rotating hoop"),
-    Part(LAGRANGE, "coupled oscillators", ("lagrange/coupled-oscillators",)),
-    Part(LAGRANGE, "cart and pendulum"),
-    Part(LAGRANGE, "least action"),
+    Part(LAGRANGE, "coupled oscillators", ("lagrange/coupled-oscillators", "lagrange/beats")),
+    Part(LAGRANGE, "cart and pendulum", ("lagrange/cart-and-pendulum",)),
+    Part(LAGRANGE, "least action", ("lagrange/least-action",)),
     Part(CODE, "projectile: range 63.7 m", ("kinematics/projectile",)),
-    Part(CODE, "Euler against symplectic Euler on the pendulum"),
+    Part(
+        CODE,
+        "Euler against symplectic Euler on the pendulum",
+        (
+            "lagrange/euler-pendulum",
+            "lagrange/symplectic-pendulum",
+            "lagrange/leapfrog-pendulum",
+        ),
+    ),
 )
 
 

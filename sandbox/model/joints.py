@@ -1,7 +1,7 @@
 """What ties bodies together.
 
-Rods, ropes, strings and pivots are exact: they hold to rounding at every step, whatever they carry.
-A spring is a force.
+Rods, ropes, strings, pivots and rails are exact: they hold to rounding at every step, whatever they
+carry. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
@@ -86,6 +86,16 @@ class Pivot(Model):
     """the points that it keeps together"""
 
 
+class Rail(Model):
+    """A smooth, straight rail: it pushes across, and never along."""
+
+    type: Literal["rail"]
+    ends: tuple[End, End]
+    """what runs on it, and what it goes through"""
+    direction: Point
+    """[x, y], the way it goes, of any length; it does not turn"""
+
+
 class Spring(Model):
     """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
 
@@ -100,7 +110,7 @@ class Spring(Model):
     """kg/s, c"""
 
 
-Joint = Annotated[Rod | Rope | Pulley | Pivot | Spring, Field(discriminator="type")]
+Joint = Annotated[Rod | Rope | Pulley | Pivot | Rail | Spring, Field(discriminator="type")]
 
 
 def points(joint: Joint) -> tuple[End, ...]:

@@ -29,6 +29,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "kinetic_energy": "J",
         "potential_energy": "J",
         "energy": "J",
+        "action": "J·s",
         "contact.normal": "N",
         "contact.friction": "N",
     },
@@ -37,6 +38,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "kinetic_energy": "J",
         "potential_energy": "J",
         "energy": "J",
+        "action": "J·s",
         "angular_momentum": "kg·m²/s",
     },
 }
@@ -68,6 +70,11 @@ class Quantity:
     attribute: str
     component: Component | None
     unit: str
+
+    @property
+    def adds_up(self) -> bool:
+        """Whether it is an integral over time, from the start of a run."""
+        return self.attribute == "action"
 
 
 TIME = Quantity("t", "time", "t", "t", None, "s")

@@ -17,6 +17,7 @@ from sandbox.model.joints import (
     Held,
     Pivot,
     Pulley,
+    Rail,
     Rod,
     Rope,
     Spring,
@@ -37,7 +38,7 @@ from sandbox.physics.pulley import PulleyString
 if TYPE_CHECKING:
     from sandbox.physics.exact.equations import Condition, Equation
 
-Exact = Rod | Rope | Pulley | Pivot
+Exact = Rod | Rope | Pulley | Pivot | Rail
 
 
 class Joints:
@@ -182,6 +183,9 @@ def _rows(
     match spec:
         case Pivot():
             return [Row(name, reaches, 0.0, along=direction) for direction in (1 + 0j, 1j)]
+        case Rail(direction=direction):
+            way = complex(*evaluate(direction, values))
+            return [Row(name, reaches, 0.0, along=1j * way / abs(way))]
         case Rod(length=None):
             return [Row(name, reaches, span)]
         case Rod(length=Formula() as length) if "t" in length.names:

@@ -41,7 +41,10 @@ class Meter:
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
 
     def __call__(self, snapshot: Snapshot) -> dict[str, Array]:
-        """Return every quantity: a number for one snapshot, one for each instant of a stack."""
+        """Return every quantity: a number for one snapshot, one for each instant of a stack.
+
+        An integral over time begins with the first instant; it is 0 for one snapshot.
+        """
         return {name: measure(snapshot) for name, measure in self._measurements.items()}
 
     def _bind(self, quantity: Quantity) -> Measurement:
@@ -92,6 +95,7 @@ class Meter:
             "kinetic_energy": self._kinetic,
             "potential_energy": self._potential,
             "energy": self._energy,
+            "action": self._action,
             "contact.normal": lambda s: s.normal,
             "contact.friction": lambda s: s.friction,
         }
@@ -111,6 +115,7 @@ class Meter:
             "kinetic_energy": lambda s: self._kinetic(s).sum(axis=-1),
             "potential_energy": lambda s: self._potential(s).sum(axis=-1),
             "energy": lambda s: self._energy(s).sum(axis=-1),
+            "action": lambda s: self._action(s).sum(axis=-1),
             "angular_momentum": self._angular_momentum,
         }
 
@@ -136,6 +141,15 @@ class Meter:
 
     def _energy(self, s: Snapshot) -> Array:
         return self._kinetic(s) + self._potential(s)
+
+    def _action(self, s: Snapshot) -> Array:
+        """∫ (T − U) dt by trapezoids from step to step: second order."""
+        lagrangian = self._kinetic(s) - self._potential(s)
+        action = np.zeros_like(lagrangian)
+        if s.t.ndim:
+            between = (lagrangian[1:] + lagrangian[:-1]) / 2
+            action[1:] = np.cumsum(np.diff(s.t)[:, None] * between, axis=0)
+        return action
 
     def _angular_momentum(self, s: Snapshot) -> Array:
         """L = Σ m (x vy − y vx) + I ω, about the origin."""

@@ -70,6 +70,7 @@ class Recorder:
         self._meter = Meter(world, dict.fromkeys(names))
         self._names = list(world.scene.bodies)
         self._fresh: list[Snapshot] = []  # not yet measured
+        self._last: list[Snapshot] = []  # the last that was, from which integrals go on
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._contacts: dict[Pair, int] = {}
@@ -91,8 +92,15 @@ class Recorder:
     def _measure(self) -> None:
         """Measure what is fresh, and let go of its snapshots."""
         if self._fresh:
-            stack = Snapshot.stack(self._fresh)
-            self._measured.append((stack.t, self._meter(stack)))
+            known = len(self._last)
+            stack = Snapshot.stack([*self._last, *self._fresh])
+            columns = self._meter(stack)
+            for name, quantity in self._meter.quantities.items():
+                if known and quantity.adds_up:
+                    columns[name] = columns[name] + self._measured[-1][1][name][-1]
+            fresh = {name: column[known:] for name, column in columns.items()}
+            self._measured.append((stack.t[known:], fresh))
+            self._last = self._fresh[-1:]
             self._fresh.clear()
 
     @property

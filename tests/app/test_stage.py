@@ -195,6 +195,7 @@ TIES: tuple[tuple[dict[str, object], Color], ...] = (
     ({"type": "spring", "stiffness": 1}, theme.SPRING),
     ({"type": "spring", "stiffness": 1, "length": 0}, theme.SPRING),
     ({"type": "pulley", "over": [[-2, 4]]}, theme.STRING),
+    ({"type": "rail", "direction": [1, 0], "ends": ["ball", [-4, 5]]}, theme.SURFACE_EDGE),
     ({"type": "pivot", "ends": [[-4, 5], {"body": "ball", "at": [-4, 0]}]}, theme.STRING),
 )
 

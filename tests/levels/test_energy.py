@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.joints import Pivot, Pulley, Rod, Spring
+from sandbox.model.joints import Pivot, Pulley, Rail, Rod, Spring
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.errors import SimulationError
@@ -17,13 +17,25 @@ from sandbox.physics.world import build
 STRIDE = 5
 """Steps from one look to the next; no motion is so quick that its extremes fall between."""
 
-CONSERVATIVE = {"gravity", "contact", "restitution", "rotation", "attraction", "force"}
+CONSERVATIVE = {
+    "gravity",
+    "contact",
+    "restitution",
+    "rotation",
+    "attraction",
+    "gravitation",
+    "force",
+}
 
 ENDS = {
     "newton/compound-pulley": "the wheel is drawn up to the peg",
     "energy/escape-velocity": "the slow one falls back into the centre, where 1/r has no end",
+    "energy/well-one-over-r": "the probe falls back into the centre",
 }
 """Levels whose scene is over when their time is."""
+
+BOUNDS = {"lagrange/leapfrog-pendulum": 5e-5}
+"""Of the scale of a scene; 1e-5 where nothing else is said. That level takes the chapter's step."""
 
 NOTHING = 1e-9
 """J, the scale of a scene in which nothing moves."""
@@ -55,7 +67,7 @@ def _lossless(joint: object, level: Level) -> bool:
             return length is None or "t" not in length.names
         case Spring(damping=damping):
             return damping(level.defaults) == 0
-    return isinstance(joint, Pivot | Pulley)
+    return isinstance(joint, Pivot | Pulley | Rail)
 
 
 NAMES = [name for name in catalog.names() if conservative(load(catalog.find(name)))]
@@ -86,5 +98,5 @@ def test_energy_stays_within_its_bound_and_does_not_grow(name: str) -> None:
     error = np.abs(total - total[0]) / scale
     tenth = len(error) // 10 + 1
 
-    assert error.max() <= 1e-5
+    assert error.max() <= BOUNDS.get(name, 1e-5)
     assert error[-tenth:].max() <= max(1.5 * error[:tenth].max(), 1e-12)

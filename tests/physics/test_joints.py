@@ -1,6 +1,6 @@
 """Joints: rods, ropes, pulleys, pivots and springs, as the textbooks say."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import cos, log2, pi, sin, sqrt
 from typing import Any
 
@@ -447,3 +447,57 @@ def test_bodies_put_elsewhere_by_hand_go_on_with_rods_that_fit() -> None:
     found = measured(world, 100, "arm.length")
 
     assert worst(found["arm.length"], 2.0) <= 1e-12
+
+
+def cart_error(rate: float) -> float:
+    """A cart of 2 kg with a pendulum of 1 kg, against Lagrange's two equations: M(q) q'' = f."""
+
+    def lagrangian(_t: float, y: Array) -> Array:
+        _, a, u, w = y
+        matrix = [[3.0, cos(a)], [cos(a), 1.0]]
+        return np.array([u, w, *np.linalg.solve(matrix, [w**2 * sin(a), -G * sin(a)])])
+
+    start = np.array([0.0, 2.0, 0, 0])
+    x, a = solve_ivp(lagrangian, (0, 2), start, "DOP853", rtol=1e-12, atol=1e-12).y[:2, -1]
+    bodies = {"cart": disc(mass=2), "bob": disc((sin(2), -cos(2)))}
+    ties = {"rail": rail("cart", (0, 0), (1, 0)), "rod": rod("cart", "bob")}
+    end = build(level(bodies, GRAVITY, joints=ties, stepping={"rate": rate})).advance(
+        round(2 * rate)
+    )
+    places = np.array([[x, 0], [x + sin(a), -cos(a)]])
+    return float(np.abs(end.position - places).max())
+
+
+def rail(runs: object, through: Sequence[float], direction: Sequence[float]) -> Spec:
+    return {"type": "rail", "ends": [runs, list(through)], "direction": list(direction)}
+
+
+def test_a_cart_with_a_pendulum_follows_its_lagrange_equations() -> None:
+    assert cart_error(1000) < 1e-4
+    assert order(cart_error, 500) >= 1.9
+
+
+@given(st.floats(-1.5, 1.5), st.floats(0.1, 10))
+def test_a_rail_carries_across_and_not_along(slope: float, mass: float) -> None:
+    """g sin θ along it, and it carries m g cos θ."""
+    way = (cos(slope), sin(slope))
+    ties = {"rail": rail("bead", (-way[0], -way[1]), way)}
+    world = build(level({"bead": disc(mass=mass)}, GRAVITY, joints=ties))
+    end = world.advance(60)
+    slid = -G * sin(slope) / 2
+
+    assert end.position[0] == pytest.approx([slid * way[0], slid * way[1]], abs=1e-12)
+    assert end.tension[0] == pytest.approx(mass * G * cos(slope), abs=1e-10 * mass)
+
+
+def test_a_rail_may_hold_a_point_of_a_body_that_turns() -> None:
+    """Then it is a pendulum of 0.5 m on a cart without mass: nothing moves its centre along."""
+    stick = disc((0, -0.5), radius=0.2, angle=1.0)
+    ties = {"rail": rail({"body": "stick", "at": [0, 0.5]}, (0, 0), (1, 0))}
+    stick["position"] = [0, -0.5 * cos(1)]
+    world = build(level({"stick": stick}, {**GRAVITY, "rotation": {}}, joints=ties))
+    found = measured(world, 120, "stick.position.x", "stick.position.y", "stick.angle")
+
+    assert np.abs(found["stick.position.x"]).max() < 1e-12
+    assert found["stick.position.y"] == pytest.approx(-0.5 * np.cos(found["stick.angle"]))
+    assert np.ptp(found["stick.angle"]) > 1.9

@@ -5,7 +5,9 @@ import pytest
 
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantities
+from sandbox.physics import trace
 from sandbox.physics.measure import Meter
+from sandbox.physics.trace import simulate
 from sandbox.physics.world import build
 from tests.physics.scenes import GRAVITY, G, atwood, box, disc, fixed, level, run
 
@@ -55,7 +57,7 @@ def test_a_quantity_is_what_its_definition_says(name: str) -> None:
 
 @pytest.mark.parametrize("scene", [SCENE, atwood(1, 2)], ids=["turning", "string"])
 def test_every_quantity_is_the_same_on_a_run_as_on_each_of_its_states(scene: Level) -> None:
-    names = [quantity.name for quantity in quantities(scene)]
+    names = [quantity.name for quantity in quantities(scene) if not quantity.adds_up]
     world = build(scene)
     meter = Meter(world, names)
     states = [world.snapshot, *(world.advance() for _ in range(5))]
@@ -81,3 +83,38 @@ def test_angular_momentum_stays_where_nothing_turns_the_system() -> None:
     momentum = Meter(world, ["system.angular_momentum"])(run(world, 60))["system.angular_momentum"]
 
     assert np.ptp(momentum) <= 1e-13 * abs(momentum[0])
+
+
+FALL = level({"ball": disc(mass=3, velocity=[4, 5])}, GRAVITY, stepping={"rate": 100})
+
+
+def test_the_action_is_the_integral_of_kinetic_less_potential_energy() -> None:
+    """S = m (v² t / 2 − vy g t² + g² t³ / 3) of a throw; a trapezoid adds m g² dt² t / 6 to it."""
+    found = simulate(FALL, duration=1, record=["ball.action", "system.action"])
+    t = found.t
+    action = 3 * (41 * t / 2 - 5 * G * t**2 + G**2 * t**3 / 3)
+    excess = 3 * G**2 * 0.01**2 * t / 6
+
+    assert found.columns["ball.action"] == pytest.approx(action + excess, rel=1e-12)
+    assert found.columns["system.action"] == pytest.approx(found.columns["ball.action"])
+    assert found.units["ball.action"] == "J·s"
+
+
+def test_an_integral_does_not_care_in_which_pieces_a_run_is_measured(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    record = ["ball.action", "ball.position.y"]
+    whole = simulate(FALL, duration=1, record=record).columns
+    monkeypatch.setattr(trace, "MANY", 7)
+    pieces = simulate(FALL, duration=1, record=record).columns
+
+    assert pieces["ball.action"] == pytest.approx(whole["ball.action"], rel=1e-12)
+    assert np.array_equal(pieces["ball.position.y"], whole["ball.position.y"])
+
+
+def test_the_action_of_what_moves_freely_is_that_of_its_kinetic_energy() -> None:
+    scene = level({"ball": disc(mass=3, velocity=[4, 0])}, {})
+    meter = Meter(build(scene), ["ball.action"])
+
+    assert meter(run(build(scene), 60))["ball.action"][-1] == pytest.approx(3 * 16 / 2)
+    assert meter(build(scene).snapshot)["ball.action"] == 0

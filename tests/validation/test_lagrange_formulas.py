@@ -87,3 +87,48 @@ def test_a_beam_tips_at_first_with_torque_over_moment(moment: float, torque: flo
 
     assert time == pytest.approx(1.8540746773013719 * sqrt(moment / torque))
     assert time > sqrt(pi * moment / torque)
+
+
+@given(st.floats(0.1, 10), st.floats(1, 20), st.floats(1, 20), st.floats(-2, 2), st.integers(1, 4))
+def test_whatever_strays_from_the_true_way_has_more_action(
+    mass: float, up: float, g: float, stray: float, waves: int
+) -> None:
+    """By m a² n² π² / (4 t1): the quadrature against the calculus of variations."""
+    landing = 2 * up / g
+    true, other = (
+        float(lagrange.action_of_throw(landing, mass, (3.0, up), g, a, waves)) for a in (0, stray)
+    )
+    more = lagrange.more_action(mass, stray, waves, landing)
+
+    assert more >= 0
+    assert other - true == pytest.approx(more, rel=1e-6, abs=1e-9 * (abs(true) + 1))
+
+
+def test_a_pendulum_on_a_cart_of_infinite_mass_is_a_pendulum() -> None:
+    quarter = lagrange.pendulum_period(1, 9.81, 1.2) / 4
+    x, theta = lagrange.cart_pendulum([0, quarter], 1e12, 1, 1, 9.81, 1.2)
+
+    assert theta == pytest.approx([1.2, 0], abs=1e-9)
+    assert x == pytest.approx([0, 0], abs=1e-9)
+
+
+@given(st.floats(0.2, 5), st.floats(0.2, 5))
+def test_a_pendulum_on_a_cart_keeps_its_energy_and_swings_as_it_should(
+    cart: float, bob: float
+) -> None:
+    """After a quarter of the period of small swings it is at the bottom, all energy in motion."""
+    omega = lagrange.cart_pendulum_frequency(cart, bob, 1, 9.81)
+    _, theta = lagrange.cart_pendulum(pi / 2 / omega, cart, bob, 1, 9.81, 1e-3)
+
+    assert theta == pytest.approx(0, abs=1e-8)
+
+
+def test_weakly_coupled_oscillators_change_places_after_half_a_beat() -> None:
+    slow, fast = lagrange.mode_frequencies(1, 10, 0.1)
+    swings = lagrange.coupled_oscillations(
+        pi / (fast - slow) + np.linspace(-1, 1, 99), 1, 10, (0.3, 0), 0.1
+    )
+    left, right = np.abs(swings).max(axis=1)
+
+    assert left < 0.01
+    assert right == pytest.approx(0.3, rel=1e-2)

@@ -8,6 +8,7 @@ from validation.cases import (
     atwood_push,
     bounces,
     center_of_mass,
+    chapter_code,
     circular_motion,
     circular_orbit,
     collisions,
@@ -20,6 +21,7 @@ from validation.cases import (
     gravitation,
     incline,
     incline_limits,
+    least_action,
     orbits,
     pendulums,
     projectile,
@@ -67,6 +69,8 @@ PHENOMENA = (
     driven,
     torques,
     given_forces,
+    least_action,
+    chapter_code,
 )
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import CrossingEvent
-from validation.case import Case, Choices, Expected, Parameters
+from validation.case import SECOND_ORDER, Case, Choices, Expected, Parameters
 from validation.formulas import energy
 
 G = 4.0  # m³/(kg s²), in the levels of two and of three bodies
@@ -59,6 +59,7 @@ def _two(parameters: Parameters) -> Iterator[Case]:
         quantity="heavy.position.y",
         expected=_heavy,
         tolerance=2e-4,
+        order=SECOND_ORDER,
         because="second order: (ω dt)² / 3 a radian, 4e-5 in a turn",
         naive_misses=5e-4,
     )
@@ -78,6 +79,7 @@ def _eight(parameters: Parameters) -> Iterator[Case]:
             quantity=f"{body}.position.x",
             expected=_star(row),
             tolerance=5e-4,
+            order=SECOND_ORDER,
             because="second order, 7.2e-5 at the most; an eight is stable, and forgives",
             naive_misses=2e-3,
         )
@@ -104,6 +106,7 @@ def _turning(parameters: Parameters) -> Iterator[Case]:
         quantity="planet.position.y",
         expected=_revolving_height,
         tolerance=1e-3,
+        order=SECOND_ORDER,
         because="as its distance; a hundredth of three turns' advance is 5e-3 rad or more",
         naive_misses=3e-3,
     )

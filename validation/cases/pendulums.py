@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sandbox.model.expressions import Expression, Values
+from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import CrossingEvent
 from validation.case import SECOND_ORDER, Case, Parameters
 from validation.formulas import lagrange
@@ -20,6 +20,7 @@ def cases() -> Iterator[Case]:
     """Yield the cases of the pendulums."""
     yield from _simple()
     yield from _physical()
+    yield from _on_a_cart()
     yield Case(
         name="double pendulum: energy at every step",
         level="lagrange/double-pendulum",
@@ -91,6 +92,65 @@ def _physical() -> Iterator[Case]:
             because=SECOND,
             naive_misses=2e-4,
         )
+
+
+def _on_a_cart() -> Iterator[Case]:
+    swings: tuple[Parameters, ...] = (
+        {},
+        {"M": 1.0, "m": 2.0, "l": 0.8, "angle": 60.0},
+        {"M": 4.0, "m": 0.5, "l": 1.5, "angle": 1.0},
+    )
+    for parameters in swings:
+        yield Case(
+            name="cart and pendulum: place of the cart at every step",
+            level="lagrange/cart-and-pendulum",
+            parameters=parameters,
+            quantity="cart.position.x",
+            expected=_cart,
+            tolerance=3e-4,
+            order=SECOND_ORDER,
+            because=SECOND,
+            naive_misses=1e-3,
+        )
+        yield Case(
+            name="cart and pendulum: place of the bob at every step",
+            level="lagrange/cart-and-pendulum",
+            parameters=parameters,
+            quantity="bob.position.x",
+            expected=lambda p, t: -p["M"] / p["m"] * _cart(p, t),
+            tolerance=3e-4,
+            order=SECOND_ORDER,
+            because=SECOND,
+            naive_misses=1e-3,
+        )
+        yield Case(
+            name="cart and pendulum: momentum along the rail",
+            level="lagrange/cart-and-pendulum",
+            parameters=parameters,
+            quantity="system.momentum.x",
+            expected=lambda _p, _t: 0.0,
+            tolerance=1e-12,
+            because="rail and rod give nothing along the rail that they do not take: rounding",
+        )
+    yield Case(
+        name="cart and pendulum: a quarter of its period, swinging little",
+        level="lagrange/cart-and-pendulum",
+        parameters={"angle": 1.0},
+        quantity="t",
+        at=CrossingEvent(event="crossing", quantity="bob.position.x", direction="down"),
+        expected=lambda p, _: (
+            np.pi / 2 / lagrange.cart_pendulum_frequency(p["M"], p["m"], p["l"], 9.81)
+        ),
+        tolerance=1e-4,
+        because="(θ²/16 and more: the cart moves) of a swing of one degree: 5.6e-5",
+        naive_misses=1e-3,
+    )
+
+
+def _cart(p: Values, t: Array) -> Array:
+    """Return where the cart is: the centre of mass stays at 0."""
+    start = -p["m"] * p["l"] * float(np.sin(_amplitude(p))) / (p["M"] + p["m"])
+    return start + lagrange.cart_pendulum(t, p["M"], p["m"], p["l"], 9.81, _amplitude(p))[0]
 
 
 def _amplitude(p: Values) -> float:

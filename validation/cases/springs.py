@@ -4,7 +4,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
+from sandbox.model.expressions import Array, Expression, Values
+from sandbox.model.level import CrossingEvent
 from validation.case import SECOND_ORDER, Case, Expected, Parameters
 from validation.formulas import lagrange
 
@@ -14,6 +15,7 @@ SECOND = "second order: a phase of (ω dt)² / 24 a radian, 1e-4 over the run at
 def cases() -> Iterator[Case]:
     """Yield the cases of the springs."""
     yield from _alone()
+    yield from _modes()
     for index, body in enumerate(("left", "right")):
         yield Case(
             name=f"coupled oscillators: the {body} one",
@@ -25,6 +27,48 @@ def cases() -> Iterator[Case]:
             because=SECOND,
             naive_misses=5e-4,
         )
+
+
+def _modes() -> Iterator[Case]:
+    """Yield a quarter of each mode's period, and the beats of the two."""
+    for name, b in (("together", 0.3), ("against each other", -0.3)):
+        yield Case(
+            name=f"coupled oscillators: a quarter period {name}",
+            level="lagrange/coupled-oscillators",
+            parameters={"a": 0.3, "b": b},
+            quantity="t",
+            at=CrossingEvent(event="crossing", quantity="left.position.x", value=Expression(-0.5)),
+            expected=_quarter(b < 0),
+            tolerance=1e-5,
+            order=SECOND_ORDER,
+            because="second order: (ω dt)² / 24",
+        )
+    beats: tuple[Parameters, ...] = ({}, {"k": 12.0, "c": 2.0}, {"k": 8.0, "c": 4.0, "a": 0.1})
+    for parameters in beats:
+        for index, body in enumerate(("left", "right")):
+            yield Case(
+                name=f"beats: the {body} one",
+                level="lagrange/beats",
+                parameters=parameters,
+                quantity=f"{body}.position.x",
+                expected=_beating(index),
+                tolerance=2e-4,
+                order=SECOND_ORDER,
+                because="second order: (ω dt)² / 24 a radian, over thirty radians or more",
+                naive_misses=2e-4,
+            )
+
+
+def _quarter(against: bool) -> Expected:
+    return lambda p, _: np.pi / 2 / lagrange.mode_frequencies(p["m"], p["k"], p["k"])[against]
+
+
+def _beating(index: int) -> Expected:
+    def expected(p: Values, t: Array) -> Array:
+        swing = lagrange.coupled_oscillations(t, 1.0, p["k"], (p["a"], 0.0), p["c"])[index]
+        return np.asarray(1.2 * index - 0.6 + swing)
+
+    return expected
 
 
 def _alone() -> Iterator[Case]:

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from validation.formulas.arrays import Array
+from validation.formulas.runge_kutta import solution
 
 
 def agm(a: float, b: float) -> float:
@@ -35,6 +36,34 @@ def pendulum_energy(mass: float, g: float, *heights: float) -> float:
     return mass * g * sum(heights)
 
 
+def cart_pendulum(
+    t: ArrayLike, cart: float, bob: float, length: float, g: float, angle: float
+) -> tuple[Array, Array]:
+    """Return how far a cart has rolled [m] and the angle of its pendulum [rad], from rest.
+
+    L = (M + m) x'² / 2 + m l x' θ' cos θ + m l² θ'² / 2 + m g l cos θ (the chapter, section 9). The
+    first Lagrange equation says that (M + m) x' + m l θ' cos θ stays 0, the second then that
+    (M + m sin² θ) l θ'' = −(M + m) g sin θ − m l θ'² sin θ cos θ. Solved by Runge and Kutta.
+    """
+
+    def slope(y: Array) -> Array:
+        theta, omega = y
+        s, c = np.sin(theta), np.cos(theta)
+        force = -(cart + bob) * g * s - bob * length * omega**2 * s * c
+        return np.array([omega, force / ((cart + bob * s**2) * length)])
+
+    theta = solution(slope, np.array([angle, 0.0]), t)[0]
+    return bob * length / (cart + bob) * (np.sin(angle) - np.sin(theta)), theta
+
+
+def cart_pendulum_frequency(cart: float, bob: float, length: float, g: float) -> float:
+    """Return how fast a pendulum on a free cart swings if it swings little [rad/s].
+
+    The equation above without squares: ω² = g (M + m) / (M l).
+    """
+    return float(np.sqrt(g * (cart + bob) / (cart * length)))
+
+
 def oscillator_period(mass: float, stiffness: float) -> float:
     """Return the period of a spring [s], whatever its amplitude: 2 π √(m / k)."""
     return float(2 * np.pi * np.sqrt(mass / stiffness))
@@ -63,14 +92,29 @@ def damped_oscillation(
     return np.asarray((amplitude * (s * np.exp(z * t) - z * np.exp(s * t)) / (s - z)).real)
 
 
-def coupled_oscillations(
-    t: ArrayLike, mass: float, stiffness: float, start: tuple[float, float]
-) -> Array:
-    """Return the two displacements of masses between three equal springs [m]: (2, ...).
+def mode_frequencies(mass: float, stiffness: float, coupling: float) -> tuple[float, float]:
+    """Return how fast two coupled masses swing together and against each other [rad/s].
 
-    m x'' = −K x with K = k [[2, −1], [−1, 2]]; by the eigenvectors of K.
+    Together the spring between them, c, does nothing; against each other its middle stands still,
+    and each half of it is twice as stiff: √(k / m), √((k + 2 c) / m).
     """
-    matrix = stiffness / mass * np.array([[2.0, -1.0], [-1.0, 2.0]])
+    together, against = stiffness / mass, (stiffness + 2 * coupling) / mass
+    return float(np.sqrt(together)), float(np.sqrt(against))
+
+
+def coupled_oscillations(
+    t: ArrayLike,
+    mass: float,
+    stiffness: float,
+    start: tuple[float, float],
+    coupling: float | None = None,
+) -> Array:
+    """Return the two displacements of masses in a row of three springs [m]: (2, ...).
+
+    m x'' = −K x with K = [[k + c, −c], [−c, k + c]], c = k if left out; by the eigenvectors of K.
+    """
+    c = stiffness if coupling is None else coupling
+    matrix = np.array([[stiffness + c, -c], [-c, stiffness + c]]) / mass
     squares, modes = np.linalg.eigh(matrix)
     swings = np.cos(np.sqrt(squares)[:, None] * np.asarray(t, dtype=float))
     return np.asarray(modes @ ((modes.T @ np.array(start))[:, None] * swings))
@@ -128,3 +172,30 @@ def tipping_time(moment: float, torque: float) -> float:
     go at a right angle, of the length I / m r where τ = m g r. Both > 0.
     """
     return pendulum_period(moment, torque, np.pi / 2) / 4
+
+
+def action_of_throw(
+    t: ArrayLike, mass: float, speeds: tuple[float, float], g: float, stray: float, waves: int
+) -> Array:
+    """Return the action from the start of a way that strays from a throw's [J s].
+
+    ∫ (T − V) dt of the chapter's section 9, along y + η with η = a sin(n π t / t1), t1 = 2 v / g
+    the time of landing, by Gauss's quadrature of 40 points, whatever leads a body that way.
+    """
+    (across, up), t = speeds, np.asarray(t, dtype=float)
+    k = waves * np.pi * g / (2 * up)
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    s = t[..., None] * (nodes + 1) / 2
+    rising = up - g * s + stray * k * np.cos(k * s)
+    height = up * s - g * s**2 / 2 + stray * np.sin(k * s)
+    lagrangian = mass * (across**2 + rising**2) / 2 - mass * g * height
+    return np.asarray(lagrangian @ weights * t / 2)
+
+
+def more_action(mass: float, stray: float, waves: int, duration: float) -> float:
+    """Return by how much the action of such a way is greater [J s]: m a² n² π² / (4 t1).
+
+    What is linear in η vanishes, for the true way obeys Lagrange's equation; V is linear in y, so
+    that nothing but ∫ m η'² / 2 dt is left. It is positive, whatever a and n.
+    """
+    return float(mass * (stray * waves * np.pi) ** 2 / (4 * duration))

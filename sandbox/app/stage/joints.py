@@ -8,7 +8,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines, strings
-from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, Spring
+from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring
 from sandbox.model.shapes import XY
 
 COILS = 9
@@ -38,6 +38,8 @@ def draw_joint(
             _pins(surface, corners)
         case Pivot():
             _pivot(surface, corners[0])
+        case Rail():
+            lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 3)
 
 
 def _rope(surface: pygame.Surface, a: XY, b: XY, slack: bool) -> None:

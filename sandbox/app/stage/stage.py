@@ -13,8 +13,9 @@ from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Pivot
+from sandbox.model.joints import Pivot, Rail
 from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.anchor import Plane
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import World
 
@@ -202,9 +203,19 @@ class Stage:
             if isinstance(joint, Pivot) is not in_front:
                 continue
             places = [anchor.look(snapshot)[0] for anchor in paths[name]]
+            if isinstance(joint, Rail):
+                places = self._far_along(joint, places[1])
             path = [(float(place.real), float(place.imag)) for place in places]
             slack = snapshot.tension[row] == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
+
+    def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
+        """Return two points of a rail so far apart that the picture shows none of them [m]."""
+        (x, y), seen = self.camera.center, max(self.camera.size) / self.camera.scale
+        way = complex(*evaluate(rail.direction, self._world.values))
+        way /= abs(way)
+        here = through + way * ((complex(x, y) - through) * way.conjugate()).real
+        return [here - seen * way, here + seen * way]
 
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self._moving) > bodies.FEW

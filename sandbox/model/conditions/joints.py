@@ -7,9 +7,10 @@ import numpy as np
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Positive, Values
-from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
-from sandbox.model.level import Level, span
+from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, bodies_of
+from sandbox.model.level import Level, place, span
 from sandbox.model.parts import names_in
+from sandbox.model.shapes import evaluate
 
 NEAR = 1e-9
 """How far apart two lengths may be that are meant to be the same, of the whole or in m."""
@@ -20,7 +21,7 @@ def conditions(level: Level) -> Iterator[Condition]:
     for name, joint in level.joints.items():
         held = [level.bodies[body] for body in bodies_of(joint)]
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
-        last = "ends" if isinstance(joint, Pivot) else "length"
+        last = "ends" if isinstance(joint, Pivot | Rail) else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
 
 
@@ -34,6 +35,19 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
             return _string_fault(distance, length(values))
         case Pivot() if distance > NEAR:
             return f"a pivot's two points must be one, but they are {distance:g} m apart"
+        case Rail():
+            return _rail_fault(joint, level, values)
+    return None
+
+
+def _rail_fault(rail: Rail, level: Level, values: Values) -> str | None:
+    way = complex(*evaluate(rail.direction, values))
+    if not abs(way) > NEAR:
+        return "a rail needs a 'direction' that is not [0, 0]"
+    runs, through = (place(end, level.bodies, values) for end in rail.ends)
+    off = abs(((runs - through) * way.conjugate()).imag) / abs(way)
+    if off > NEAR:
+        return f"what runs on a rail must start on it, but it is {off:g} m beside it"
     return None
 
 
