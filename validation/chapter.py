@@ -38,8 +38,8 @@ PARTS = (
     Part(NEWTON, "first law", ("newton/first-law", "newton/friction-brings-to-rest")),
     Part(NEWTON, "second law: one force, several masses", ("newton/second-law",)),
     Part(NEWTON, "third law: two skaters push off", ("newton/third-law",)),
-    Part(NEWTON, "mass that changes: a rocket"),
-    Part(NEWTON, "mass that changes: sand on a conveyor belt"),
+    Part(NEWTON, "mass that changes: a rocket", ("newton/rocket", "newton/rocket-launch")),
+    Part(NEWTON, "mass that changes: sand on a conveyor belt", ("newton/cart-under-hopper",)),
     Part(
         NEWTON,
         "the Atwood machine",

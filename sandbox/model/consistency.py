@@ -7,7 +7,7 @@ from keyword import iskeyword
 from sandbox.model.effects import Friction, Restitution
 from sandbox.model.errors import brief
 from sandbox.model.expressions import RESERVED, Formula, NonNegative
-from sandbox.model.joints import End, Held, Joint, bodies_of, body_of, points
+from sandbox.model.joints import End, Held, Joint, Spring, bodies_of, body_of, points
 from sandbox.model.level import (
     ApexEvent,
     Body,
@@ -128,6 +128,14 @@ def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
             yield ("effects", name, "bodies", index), body
     for index, force in enumerate(level.effects.force or ()):
         yield ("effects", "force", index, "body"), force.body
+    yield from _names_of_flows(level)
+
+
+def _names_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield the bodies whose mass changes."""
+    for kind in ("thrust", "accretion"):
+        for index, flow in enumerate(getattr(level.effects, kind) or ()):
+            yield ("effects", kind, index, "body"), flow.body
 
 
 def _lists(level: Level) -> Iterator[tuple[str, tuple[str, ...]]]:
@@ -243,6 +251,16 @@ def _landscape(level: Level) -> Iterator[Fault]:
         yield Fault(("parameters", place), rule)
 
 
+def _flows(level: Level) -> Iterator[Fault]:
+    """Exact joints are solved with the masses of the start, so they hold nothing that changes."""
+    changing = {name for _, name in _names_of_flows(level)}
+    for name, joint in level.joints.items():
+        for body in changing.intersection(bodies_of(joint)):
+            if not isinstance(joint, Spring):
+                rule = f"'{brief(body)}' changes its mass, so only a spring can hold it"
+                yield Fault(("joints", name, "ends"), rule)
+
+
 def _effects(level: Level) -> Iterator[Fault]:
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
@@ -340,6 +358,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _joints,
     _laws,
     _landscape,
+    _flows,
     _effects,
     _rotation,
 )

@@ -21,6 +21,7 @@ from tests.model.levels import (
     touching,
 )
 
+BURNING = {"body": "ball", "exhaust": [0, -5], "rate": "m", "propellant": "m/2"}
 HILL = {"body": "ball", "potential": "m*x**2", "x": [-1, 1], "y": [-3, "-m/2"]}
 CONTACT_EVENT = {"event": "contact", "bodies": ["ball", "floor"]}
 
@@ -142,6 +143,16 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
         (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+        (bare, "effects.thrust", [BURNING], None),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "0.5*m + 1"}], "effects.thrust.0.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "m - 1"}], "effects.thrust.0.propellant: 'm - 1' is 0, but must be greater than 0 when m = 1"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "1.5"}], "effects.thrust.0.propellant: 'ball' burns 1.5 kg, but all its mass is 1 kg when m = 1"),
+        (bare, "effects.thrust", 2 * [{**BURNING, "propellant": "0.5*m"}], "effects.thrust.1.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "body": "bal"}], "effects.thrust.0.body: unknown body 'bal'; did you mean 'ball'?"),
+        (touching, "effects.thrust", [{**BURNING, "body": "floor"}], "effects.thrust.0.body: 'floor' is static, so no force moves it"),
+        (touching, "effects.accretion", [{"body": "floor", "rate": 1}], "effects.accretion.0.body: 'floor' is static"),
+        (bare, "effects.accretion", [{"body": "ball", "rate": 1}], None),
+        (hanging, "effects.thrust", [BURNING], "joints.string.ends: 'ball' changes its mass, so only a spring can hold it"),
         (touching, "bodies.ball.static_friction", 1, None),
         (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient, 1"),
         (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient, 1: what holds would slip when m = 1"),
