@@ -137,6 +137,15 @@ class Accretion(Model):
     """[x, y] in m/s, w, at which it comes"""
 
 
+class Belt(Model):
+    """A body whose surface runs along it: friction carries along what touches it."""
+
+    body: str
+    """which; it stands still, or moves as told"""
+    velocity: Point
+    """[x, y] in m/s of its surface, along the body's axes; only what lies along a side counts"""
+
+
 class Effects(Model):
     """Everything that acts in a level."""
 
@@ -158,6 +167,8 @@ class Effects(Model):
     """A fluid slows bodies down."""
     force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None
     """Given forces act on bodies."""
+    belt: Annotated[tuple[Belt, ...], Field(min_length=1)] | None = None
+    """Surfaces run."""
     thrust: Annotated[tuple[Thrust, ...], Field(min_length=1)] | None = None
     """Rockets burn their own mass."""
     accretion: Annotated[tuple[Accretion, ...], Field(min_length=1)] | None = None

@@ -11,6 +11,7 @@ from math import inf
 
 import numpy as np
 import pymunk
+from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level, Stepping
@@ -107,6 +108,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
             _skip_ids(space, level)
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
+        _run_belts(level, values, bodies)
         pair_callbacks = _pairs(space, level, values)
         if not as_it_comes:
             _settle(space, level, values, 1 / stepping.rate)
@@ -239,6 +241,15 @@ def _surfaces(
         if effects.restitution and spec.restitution is not None:
             shape.elasticity = spec.restitution(values)
     return shapes
+
+
+def _run_belts(level: Level, values: Values, bodies: dict[str, pymunk.Body]) -> None:
+    """Let the surfaces of belts run; pymunk takes only what lies along a contact."""
+    for belt in level.effects.belt or ():
+        body = bodies[belt.body]
+        along = Vec2d(*evaluate(belt.velocity, values)).rotated(body.angle)
+        for shape in body.shapes:
+            shape.surface_velocity = along
 
 
 def _outline(

@@ -139,3 +139,12 @@ def test_an_incline_holds_to_the_static_angle_and_slides_by_the_kinetic_coeffici
     assert newton.sticking_acceleration(np.arctan(0.75), 10, 0.6, 0.4) == pytest.approx(
         10 * (0.6 - 0.4 * 0.8)
     )
+
+
+def test_a_belt_drives_a_block_up_to_its_own_speed() -> None:
+    t = np.linspace(0, 2, 2001)
+    v = np.gradient(newton.carried_way(2.0, 0.4, 10, t), t)
+
+    assert v[1:499] == pytest.approx(4 * t[1:499])
+    assert v[502:] == pytest.approx(2)
+    assert newton.belt_momentum(2, 3, 4) == 24

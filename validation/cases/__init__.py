@@ -6,6 +6,7 @@ from validation.case import Case
 from validation.cases import (
     atwood,
     atwood_push,
+    belts,
     bounces,
     center_of_mass,
     changing_mass,
@@ -49,6 +50,7 @@ PHENOMENA = (
     incline_limits,
     static_friction,
     table_pulley,
+    belts,
     work,
     circular_orbit,
     orbits,

@@ -222,3 +222,22 @@ def filling_cart(
     t = np.asarray(t, dtype=float)
     mass = start + rate * t
     return mass, (start * speed + force * t) / mass
+
+
+def carried_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
+    """Return how far a belt has carried a block that was put on it at rest [m].
+
+    Friction drives it, μ g, until it has the belt's speed v, at v/μg; from there on it lies v²/2μg
+    behind the belt.
+    """
+    t = np.asarray(t, dtype=float)
+    driven = np.minimum(t, speed / (mu * g))
+    return mu * g * driven**2 / 2 + speed * (t - driven)
+
+
+def belt_momentum(speed: float, rate: float, t: float) -> float:
+    """Return the momentum that a belt has given to what falls on it at a rate [kg m/s].
+
+    F t = v (dm/dt) t: the chapter, section 4, when mass isn't constant; `rate` is dm/dt [kg/s].
+    """
+    return speed * rate * t
