@@ -1,6 +1,6 @@
 """The manifest of effects: what a level does not declare is not simulated, and costs nothing."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -57,6 +57,9 @@ class Restitution(Model):
     """Bodies bounce: the speed of separation over that of approach, the product of a pair's."""
 
     pairs: tuple[RestitutionPair, ...] = ()
+    impacts: Literal["together", "sequence"] = "together"
+    """of bodies that touch: pymunk solves them `together`; hard bodies collide in `sequence`, the
+    fastest approach first"""
 
 
 class Rotation(Model):
@@ -128,6 +131,11 @@ class Effects(Model):
     """A fluid slows bodies down."""
     force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None
     """Given forces act on bodies."""
+
+    @property
+    def in_sequence(self) -> bool:
+        """Whether impacts come one after the other."""
+        return self.restitution is not None and self.restitution.impacts == "sequence"
 
     @property
     def declared(self) -> tuple[str, ...]:
