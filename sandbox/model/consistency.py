@@ -343,6 +343,9 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
         return
     if level.effects.contact is None:
         yield Fault(("effects", kind), f"'{kind}' needs the effect 'contact'")
+    if kind == "friction" and level.effects.in_sequence:
+        rule = "impacts in 'sequence' do not rub; leave out 'friction', or let them be 'together'"
+        yield Fault(("effects", "restitution", "impacts"), rule)
     paired = {name for pair in effect.pairs for name in pair.bodies}
     if not given and not paired:
         yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")

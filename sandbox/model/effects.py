@@ -57,6 +57,9 @@ class Restitution(Model):
     """Bodies bounce: the speed of separation over that of approach, the product of a pair's."""
 
     pairs: tuple[RestitutionPair, ...] = ()
+    impacts: Literal["together", "sequence"] = "together"
+    """of bodies that touch: pymunk solves them `together`; hard bodies collide in `sequence`, the
+    fastest approach first"""
 
 
 class Rotation(Model):
@@ -175,6 +178,11 @@ class Effects(Model):
     """Rockets burn their own mass."""
     accretion: Annotated[tuple[Accretion, ...], Field(min_length=1)] | None = None
     """Bodies gather matter."""
+
+    @property
+    def in_sequence(self) -> bool:
+        """Whether impacts come one after the other."""
+        return self.restitution is not None and self.restitution.impacts == "sequence"
 
     @property
     def declared(self) -> tuple[str, ...]:

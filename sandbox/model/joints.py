@@ -108,6 +108,8 @@ class Spring(Model):
     """m, l0, where it is slack; the distance at the start if left out"""
     damping: NonNegative = NonNegative(0)
     """kg/s, c"""
+    pushes_only: bool = False
+    """whether it lets go beyond its length l0, as a bumper that is only touched"""
 
 
 Joint = Annotated[Rod | Rope | Pulley | Pivot | Rail | Spring, Field(discriminator="type")]

@@ -31,7 +31,15 @@ _CONTACT_INTEGERS = (
     | ArbiterFields.IS_FIRST_CONTACT
     | ArbiterFields.CONTACT_COUNT
 )
-_CONTACT_FIELDS = _CONTACT_INTEGERS | ArbiterFields.TOTAL_IMPULSE | ArbiterFields.NORMAL
+_CONTACT_FIELDS = (
+    _CONTACT_INTEGERS
+    | ArbiterFields.TOTAL_IMPULSE
+    | ArbiterFields.NORMAL
+    | ArbiterFields.POINT_A_1
+    | ArbiterFields.POINT_B_1
+    | ArbiterFields.POINT_A_2
+    | ArbiterFields.POINT_B_2
+)
 
 Integers = NDArray[np.intp]
 Booleans = NDArray[np.bool_]
@@ -50,6 +58,10 @@ class Contacts(NamedTuple):
         (k, 2), the unit normal, from the first body to the second.
     normal, friction
         (k,), the size of the impulse along the normal and across it [N s].
+    touches
+        (k,), at how many points they touch, one or two.
+    points
+        (k, 2, 2), where those are; the second is nowhere if there is but one [m].
     """
 
     bodies: Integers
@@ -57,6 +69,8 @@ class Contacts(NamedTuple):
     direction: Array
     normal: Array
     friction: Array
+    touches: Integers
+    points: Array
 
 
 NO_CONTACTS = Contacts(
@@ -65,6 +79,8 @@ NO_CONTACTS = Contacts(
     np.empty((0, 2)),
     np.empty(0),
     np.empty(0),
+    np.empty(0, dtype=np.intp),
+    np.empty((0, 2, 2)),
 )
 
 
@@ -116,16 +132,21 @@ class Batch:
         integers = np.frombuffer(self._contacts.int_buf(), dtype=np.uintp).reshape(-1, 4)
         if not len(integers):
             return NO_CONTACTS
-        floats = np.frombuffer(self._contacts.float_buf()).reshape(-1, 4)
+        floats = np.frombuffer(self._contacts.float_buf()).reshape(-1, 12)
         live = integers[:, 3] > 0  # pymunk remembers pairs for some steps after they part
         bodies = self._order[np.searchsorted(self._ids, integers[live, :2])]
-        impulse, direction = floats[live, :2], floats[live, 2:]
+        impulse, direction = floats[live, :2], floats[live, 2:4]
+        on_surfaces = floats[live, 4:].reshape(-1, 2, 2, 2)
+        points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         normal = np.abs(np.sum(impulse * direction, axis=1))
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
         # pymunk's order depends on where its objects lie in memory, and sums on the order
-        o = np.lexsort((friction, normal, bodies[:, 1], bodies[:, 0]))
-        first = integers[live, 2] > 0
-        return Contacts(bodies[o], first[o], direction[o], normal[o], friction[o])
+        keys = (*points[:, 0].T, friction, normal, bodies[:, 1], bodies[:, 0])
+        o = np.lexsort(keys)
+        first, touches = integers[live, 2] > 0, integers[live, 3].astype(np.intp)
+        return Contacts(
+            bodies[o], first[o], direction[o], normal[o], friction[o], touches[o], points[o]
+        )
 
 
 def _table(rows: int, columns: int) -> tuple[Array, Buffer]:

@@ -77,6 +77,8 @@ class Scene:
         The joints, in the level's order.
     pair_callbacks
         How many callbacks the pairs with coefficients of their own make, with a contact each.
+    restitution
+        (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
     gravity, laws
         What acts on the bodies: gravity is pymunk's own, the laws need a hook.
     """
@@ -90,6 +92,7 @@ class Scene:
     agility: np.ndarray
     joints: Joints
     pair_callbacks: int
+    restitution: np.ndarray | None
     gravity: Gravity | None
     laws: tuple[Law, ...]
 
@@ -101,7 +104,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.iterations = stepping.iterations
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
-    pair_callbacks = 0
+    pair_callbacks, coefficients = 0, None
     if level.effects.contact:
         hair = 0.0 if as_it_comes else HAIR
         if not as_it_comes:
@@ -109,7 +112,10 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
         _run_belts(level, values, bodies)
-        pair_callbacks = _pairs(space, level, values)
+        if level.effects.in_sequence and not as_it_comes:
+            coefficients = _sequence(space, level, values)
+        else:
+            pair_callbacks = _pairs(space, level, values)
         if not as_it_comes:
             _settle(space, level, values, 1 / stepping.rate)
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
@@ -133,6 +139,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         agility=np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1),
         joints=joints,
         pair_callbacks=pair_callbacks,
+        restitution=coefficients,
         gravity=field,
         laws=(
             *laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate),
@@ -307,6 +314,25 @@ def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> Non
         correction = 0.0 if level.effects.restitution else CORRECTION
     space.collision_bias = (1 - correction) ** (1 / dt)
     space.collision_slop = contact.slop(values)
+
+
+def _sequence(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:
+    """Take the bounces from pymunk's solver, and return the pairs' coefficients: (n, n).
+
+    Discs stand proud too: those that touch must be in contact, whatever the last digit says.
+    """
+    for shape in space.shapes:
+        shape.elasticity = 0.0
+        if isinstance(shape, pymunk.Circle):
+            shape.unsafe_set_radius(shape.radius + HAIR)
+    effect, names = level.effects.restitution, list(level.bodies)
+    assert effect is not None
+    own = [body.restitution(values) if body.restitution else 0.0 for body in level.bodies.values()]
+    coefficients = np.outer(own, own)
+    for pair in effect.pairs:
+        a, b = (names.index(name) for name in pair.bodies)
+        coefficients[a, b] = coefficients[b, a] = pair.coefficient(values)
+    return coefficients
 
 
 def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:

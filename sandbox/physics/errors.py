@@ -26,3 +26,14 @@ class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the worl
     def __init__(self, joint: str, reason: str) -> None:
         self.joint = joint
         super().__init__(reason)
+
+
+class EndlessImpacts(Exception):  # noqa: N818 (as above)
+    """Elastic bodies that collide in one moment more often than can be followed."""
+
+    def __init__(self, body: int) -> None:
+        self.body = body
+        super().__init__(
+            "elastic bodies that touch collide too often to be followed: their masses are too far"
+            " apart, or they are wedged in; let their 'restitution' be less than 1"
+        )

@@ -45,7 +45,7 @@ def impacts(
     struck = contacts.first & (_parting(contacts, before) < -adds)
     if not struck.any():
         return np.flatnonzero(struck), pull[:0]
-    hit = np.flatnonzero(_reached(contacts, struck, mass > 0))
+    hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0))
     rests = _parting(contacts, after) <= NEGLIGIBLE * adds
     return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
 
@@ -57,17 +57,27 @@ def _parting(contacts: Contacts, rate: Array) -> Array:
     return difference
 
 
-def _reached(contacts: Contacts, struck: Booleans, moving: Booleans) -> Booleans:
-    """Return which bodies touch, directly or through others that move, what was struck: (n,)."""
-    pairs = contacts.bodies[moving[contacts.bodies].all(axis=1)]
-    reached = np.zeros_like(moving)
-    reached[contacts.bodies[struck]] = True
-    reached &= moving
+def reached(bodies: Integers, struck: Booleans, moving: Booleans) -> Booleans:
+    """Return which bodies touch, directly or through others that move, what was struck: (n,).
+
+    Parameters
+    ----------
+    bodies
+        (k, 2), the pairs that touch.
+    struck
+        (k,), which of them are struck.
+    moving
+        (n,), which bodies can move.
+    """
+    pairs = bodies[moving[bodies].all(axis=1)]
+    touched = np.zeros_like(moving)
+    touched[bodies[struck]] = True
+    touched &= moving
     count = 0
-    while (now := int(reached.sum())) > count:
+    while (now := int(touched.sum())) > count:
         count = now
-        reached[pairs[reached[pairs].any(axis=1)]] = True
-    return reached
+        touched[pairs[touched[pairs].any(axis=1)]] = True
+    return touched
 
 
 def _held_up(contacts: Contacts, rests: Booleans, pull: Array, fixed: Booleans) -> Array:

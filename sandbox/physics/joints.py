@@ -173,7 +173,8 @@ def _holder(end: End, bodies: Mapping[str, pymunk.Body], values: Values) -> pymu
 
 def _spring(spec: Spring, path: tuple[Anchor, ...], distance: float, values: Values) -> SpringForce:
     length = distance if spec.length is None else spec.length(values)
-    return SpringForce((path[0], path[-1]), spec.stiffness(values), length, spec.damping(values))
+    ends, stiffness = (path[0], path[-1]), spec.stiffness(values)
+    return SpringForce(ends, stiffness, length, spec.damping(values), spec.pushes_only)
 
 
 def _rows(

@@ -18,11 +18,12 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
-from sandbox.physics.errors import JointFailure, SimulationError
+from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
 from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
+from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
 
 MAX_KICKS = 500
@@ -95,6 +96,7 @@ class World:
         self._kicks_after = 1  # steps from the last to the time of the next kick
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
+        self._sequence = self._make_sequence()
         self._hook = self._make_hook()
         self._hand: pymunk.PivotJoint | None = None
         self.contacts: Contacts = NO_CONTACTS
@@ -148,16 +150,31 @@ class World:
             self.snapshot = self._observe(before)
         return self.snapshot
 
+    def _make_sequence(self) -> Sequence | None:
+        scene = self.scene
+        if scene.restitution is None:
+            return None
+        together = self._joints.together
+        return Sequence(self._batch, scene.restitution, scene.agility, together, self.dt)
+
     def _make_hook(self) -> Hook | None:
         strings = self._joints.strings.values()
         before = [string.warm_start for string in strings] if self.level.effects.contact else []
         if (self.scene.laws or self._pulling) and not self._early:
             before.insert(0, self._apply_forces)
+        if self._sequence:
+            before.append(self._collide)
         after = self._joints.solvers(lambda: (self.steps + self._kicks_after + 1) * self.dt)
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
             return None
         return Hook(self._space, dynamic, before, after)
+
+    def _collide(self) -> None:
+        """Let one impact come after the other, if that is how the level wants them."""
+        assert self._sequence
+        self._sequence.collide(self._smooth, start=self._kicks_after == 0)
+        self._older = self._older + self._sequence.last.jump
 
     def _apply_forces(self) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
@@ -211,7 +228,8 @@ class World:
         with self._held():
             after = self._settle(start, kick)
             self.contacts = self._read_contacts()
-            acceleration = (after - start) / kick
+            begun = start + self._sequence.last.jump if self._sequence else start
+            acceleration = (after - begun) / kick
             state = self._batch.state()
             snapshot = self._snapshot(state, start, acceleration, self.contacts, kick)
             if self.level.effects.contact:
@@ -221,7 +239,7 @@ class World:
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
         if self._guesses:
-            self._older = start + (start - after)
+            self._older = begun + (begun - after)
         self._check_finite(snapshot)
         return snapshot
 
@@ -267,7 +285,12 @@ class World:
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
             velocity = (before + after) / 2
-            if contacts.first.any():
+            if self._sequence:
+                struck = self._sequence.last
+                hit = np.flatnonzero(struck.jump.any(axis=1))
+                acceleration[hit] = (after - struck.velocity)[hit] / (self.dt / 2)
+                velocity[hit] = struck.velocity[hit]
+            elif contacts.first.any():
                 hit, onwards = impacts(
                     contacts, before, after, self._smooth, self.scene.mass, self.dt
                 )
@@ -288,6 +311,8 @@ class World:
         friction: Array = self._untouched
         if len(contacts.bodies):
             normal = _sums(contacts, contacts.normal / kick, len(normal))
+            if self._sequence:
+                normal = normal + self._sequence.last.impulse / kick
             friction = _sums(contacts, contacts.friction / kick, len(friction))
         motion = Instant(
             np.array(self.t), state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2]
@@ -316,6 +341,9 @@ class World:
         self._ended = error
         if isinstance(error, JointFailure):
             self._ended = SimulationError(error.joint, self.t, str(error))
+        elif isinstance(error, EndlessImpacts):
+            body = list(self.scene.bodies)[error.body]
+            self._ended = SimulationError(body, self.t, str(error))
         raise self._ended from error
 
     def grab(self, body: str, point: tuple[float, float]) -> None:

@@ -151,16 +151,17 @@ def test_all_run_the_same_in_another_process() -> None:
 
 
 def test_pays_only_for_what_it_declares(level: Level) -> None:
-    """No shape without contact, no callback without a force law or a string."""
+    """No shape without contact, no callback without a force law, a string or a sequence."""
     world = build(level)
     effects = level.effects
     forces = ("attraction", "gravitation", "drag", "force", "thrust", "accretion")
     laws = set(effects.declared).intersection(forces)
     pairs = effects.friction.pairs if effects.friction else ()
     sticky = any(body.static_friction for body in level.bodies.values())
+    sequence = effects.in_sequence
 
     assert bool(world.scene.space.shapes) == (effects.contact is not None)
-    assert bool(world.hooks) == bool(level.joints or laws or pairs or sticky)
+    assert bool(world.hooks) == bool(level.joints or laws or pairs or sticky or sequence)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:

@@ -16,7 +16,7 @@ from sandbox.model.level import Level
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.interpolation import crossing
 from sandbox.physics.world import build
-from tests.physics.scenes import GRAVITY, G, Spec, disc, level, measured, run, table, worst
+from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, table, worst
 
 
 def rod(*ends: object, **rest: object) -> Spec:
@@ -247,6 +247,36 @@ def test_a_spring_swings_creeps_or_rests_as_its_damping_says(damping: float) -> 
 
     assert error(60) < 1e-2  # 1e-3 to 2e-3
     assert order(error, 120) >= 1.9
+
+
+def test_a_spring_that_pushes_only_turns_a_body_round_and_lets_it_go() -> None:
+    """Half a swing: F = v √(k m) at the most, for π √(m / k), and nothing before and after."""
+    scene = level(
+        {"cart": box((0, 0), mass=2, velocity=[1, 0])},
+        {},
+        joints={"bumper": spring(400, [2, 0], "cart", length=1, pushes_only=True)},
+        stepping={"rate": 1000},
+    )
+    found = measured(build(scene), 2500, "bumper.tension", "cart.velocity.x", "system.energy", "t")
+    touches = found["bumper.tension"] < 0
+
+    assert found["bumper.tension"].min() == pytest.approx(-sqrt(800), rel=1e-4)  # 3e-5
+    assert found["bumper.tension"].max() == 0
+    assert touches.sum() / 1000 == pytest.approx(pi * sqrt(2 / 400), abs=1e-3)
+    assert found["cart.velocity.x"][-1] == pytest.approx(-1, rel=1e-4)
+    assert worst(found["system.energy"], 1) <= 2e-4  # 5e-5
+
+
+def test_a_spring_that_pushes_only_hangs_free_where_it_has_let_go() -> None:
+    scene = level(
+        {"cart": box((3, 0))},
+        {},
+        joints={"bumper": spring(400, [0, 0], "cart", length=1, pushes_only=True)},
+    )
+    world = build(scene)
+    start, end = world.scene.joints.springs["bumper"].span(world.snapshot)
+
+    assert (complex(start), complex(end)) == (0, 1)
 
 
 def test_a_spring_keeps_its_energy_and_tells_its_tension() -> None:

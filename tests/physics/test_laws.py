@@ -62,7 +62,7 @@ CONSERVATIVE = st.one_of(
         body=st.sampled_from([0, 1]),
         point=XY,
     ),
-    st.builds(SpringForce, ENDS, st.floats(0, 10), st.floats(0, 3), st.just(0.0)),
+    st.builds(SpringForce, ENDS, st.floats(0, 10), st.floats(0, 3), st.just(0.0), st.booleans()),
 )
 
 
@@ -108,7 +108,7 @@ def test_a_force_is_minus_the_slope_of_its_potential(law: Law, somewhere: Array)
 EVERY = st.one_of(
     CONSERVATIVE,
     st.builds(Drag, st.floats(0, 3), st.floats(0, 3), st.just(np.array([0, 1]))),
-    st.builds(SpringForce, ENDS, st.just(2.0), st.just(1.0), st.floats(0, 3)),
+    st.builds(SpringForce, ENDS, st.just(2.0), st.just(1.0), st.floats(0, 3), st.booleans()),
     st.builds(
         Push,
         force=st.tuples(NUMBER.map(Formula), st.just(Formula("2*t"))),

@@ -102,3 +102,28 @@ def test_a_swelling_push_gives_the_area_under_it(force: float, lasts: float) -> 
     area = np.trapezoid(force * np.sin(np.pi * t / lasts) ** 2, t)
 
     assert momentum.swelling_push_momentum(force, lasts) == pytest.approx(area, rel=1e-12)
+
+
+@given(st.integers(0, 5), st.floats(0.1, 5))
+def test_a_cradle_keeps_momentum_and_energy(come: int, speed: float) -> None:
+    after = momentum.cradle_velocities(come, 5, speed)
+
+    assert after.sum() == pytest.approx(come * speed)
+    assert (after**2).sum() == pytest.approx(come * speed**2)
+    assert (np.diff(after) >= 0).all()
+
+
+@given(positive, positive, positive)
+def test_a_bumper_gives_the_impulse_of_half_a_sine(mass: float, speed: float, k: float) -> None:
+    """The mean of a half sine is 2/π of its peak; the impulse is 2 m v."""
+    mean = momentum.bumper_peak_force(mass, speed, k) * 2 / pi
+
+    assert mean * momentum.bumper_time(mass, k) == pytest.approx(2 * mass * speed)
+
+
+@given(positive, positive, positive)
+def test_recoil_keeps_no_momentum_and_all_the_energy(m1: float, m2: float, stored: float) -> None:
+    v1, v2 = momentum.recoil_velocities(m1, m2, stored)
+
+    assert m1 * v1 == pytest.approx(-m2 * v2)
+    assert energy.kinetic_energy((m1, v1), (m2, v2)) == pytest.approx(stored)

@@ -92,3 +92,34 @@ def swelling_push_momentum(force: float, lasts: float) -> float:
     The chapter, section 7, the impulse ∫ F dt: the mean of sin² over a whole swelling is 1/2.
     """
     return force * lasts / 2
+
+
+def cradle_velocities(come: int, count: int, speed: float) -> Array:
+    """Return the velocities of a row of equal elastic balls after so many came in [m/s].
+
+    Each collision of two equal masses swaps their velocities (the chapter, section 7): one after
+    the other they carry each incoming velocity to the far end. 0 ≤ come ≤ count.
+    """
+    return np.where(np.arange(count) >= count - come, speed, 0.0)
+
+
+def bumper_peak_force(mass: float, speed: float, stiffness: float) -> float:
+    """Return the greatest force of a spring that stops a body [N].
+
+    All of m v² / 2 is k x² / 2 where the body stands, and the force is k x: v √(k m).
+    """
+    return speed * float(np.sqrt(stiffness * mass))
+
+
+def bumper_time(mass: float, stiffness: float) -> float:
+    """Return how long a spring that only pushes touches a body [s]: half a period, π √(m / k)."""
+    return float(np.pi * np.sqrt(mass / stiffness))
+
+
+def recoil_velocities(m1: float, m2: float, energy: float) -> tuple[float, float]:
+    """Return the velocities of two bodies at rest that an energy has driven apart [m/s].
+
+    Both get the same momentum p (the chapter, section 7), and p² / 2 m1 + p² / 2 m2 is the energy.
+    """
+    p = float(np.sqrt(2 * energy * m1 * m2 / (m1 + m2)))
+    return -p / m1, p / m2

@@ -199,10 +199,13 @@ class Stage:
         """Draw the pivots, which go through bodies, or all others, which end behind them."""
         world = self._world
         snapshot, paths = world.snapshot, world.scene.joints.paths
+        springs = world.scene.joints.springs
         for row, (name, joint) in enumerate(world.level.joints.items()):
             if isinstance(joint, Pivot) is not in_front:
                 continue
-            places = [anchor.look(snapshot)[0] for anchor in paths[name]]
+            spring = springs.get(name)
+            ends = spring.span(snapshot) if spring else None
+            places = ends or [anchor.look(snapshot)[0] for anchor in paths[name]]
             if isinstance(joint, Rail):
                 places = self._far_along(joint, places[1])
             path = [(float(place.real), float(place.imag)) for place in places]

@@ -94,6 +94,14 @@ class ExactJoints:
         if here.turning is not None:
             wrench[:, 2] -= (self.tension @ here.turning)[:-1]
 
+    def stiff(self) -> Array:
+        """Return the gradients of what can push as well as pull: (m, n, 3)."""
+        place, _ = self._coordinates()
+        here, rows = self._look(place), ~self._pulls_only
+        plane = here.gradient[rows, :-1]
+        turning = np.zeros(plane.shape) if here.turning is None else here.turning[rows, :-1]
+        return np.stack((plane.real, plane.imag, turning), axis=2)
+
     def solve(self, until: float) -> None:
         """Find the impulses that keep the joints through the next drift, and apply them.
 

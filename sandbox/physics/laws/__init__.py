@@ -82,6 +82,7 @@ def laws(
         found.append(Thrust(flow, evaluate(thrust.exhaust, values), step))
     for accretion, flow in zip(
         effects.accretion or (), accretion_flows(effects, values, names), strict=True
+    ):
         found.append(Accretion(flow, evaluate(accretion.velocity, values), step))
     return tuple(found)
 

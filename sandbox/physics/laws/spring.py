@@ -13,6 +13,8 @@ from sandbox.physics.motion import Motion
 class SpringForce:
     """F = −k (l − l0) − c dl/dt along the line between its ends, U = k (l − l0)² / 2.
 
+    One that pushes only does nothing where it is longer than l0, and never pulls.
+
     Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
     """
 
@@ -20,6 +22,7 @@ class SpringForce:
     stiffness: float  # N/m, k
     length: float  # m, l0
     damping: float  # kg/s, c
+    pushes_only: bool = False
 
     @property
     def needs_velocity(self) -> bool:
@@ -33,7 +36,14 @@ class SpringForce:
     def stored(self, motion: Motion) -> Array:
         """Return k (l − l0)² / 2 [J]."""
         (a, _, _), (b, _, _) = (end.look(motion) for end in self.ends)
-        return np.asarray(self.stiffness * (np.abs(b - a) - self.length) ** 2 / 2)
+        return np.asarray(self.stiffness * self._stretch(np.abs(b - a)) ** 2 / 2)
+
+    def span(self, motion: Motion) -> tuple[Plane, Plane]:
+        """Return where it begins and ends [m]: one that has let go keeps its length l0."""
+        (a, _, _), (b, _, _) = (end.look(motion) for end in self.ends)
+        longest = self.length if self.pushes_only else np.inf
+        length = np.maximum(np.abs(b - a), 1e-300)
+        return a, a + (b - a) * np.minimum(1.0, longest / length)
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add the pull on both ends, and its torques."""
@@ -62,5 +72,13 @@ class SpringForce:
         length = np.abs(span)
         direction = span / np.maximum(length, 1e-300)  # none where the ends meet
         stretching = ((moves_b - moves_a) * direction.conj()).real
-        pull = self.stiffness * (length - self.length) + self.damping * stretching
+        stretch = self._stretch(length)
+        pull = self.stiffness * stretch + self.damping * stretching
+        if self.pushes_only:
+            pull = np.where(stretch < 0, np.minimum(pull, 0.0), 0.0)
         return pull, direction, (arm_a, arm_b)
+
+    def _stretch(self, length: Array) -> Array:
+        """Return by how much it is longer than l0, as far as that matters to it [m]."""
+        stretch = length - self.length
+        return np.minimum(stretch, 0.0) if self.pushes_only else stretch
