@@ -167,3 +167,24 @@ def test_a_push_across_the_path_does_no_work_and_one_at_60_degrees_half_of_it() 
     assert energy.work(200j, 3 + 0j) == 0
     assert energy.work(200 + 0j, 3 + 0j) == 600
     assert energy.work(200 * np.exp(1j * pi / 3), 3 + 0j) == pytest.approx(300)
+
+
+@given(st.floats(1, 10), st.floats(0.1, 5), st.floats(0.1, 10))
+def test_a_repelled_body_turns_later_than_without_repulsion_and_as_newton_says(
+    r: float, speed: float, k: float
+) -> None:
+    """The time over u, dt = √(a³/k) (1 + cosh u) du, by a sum of small steps of dr / v."""
+    near = energy.closest_approach(r, speed, k)
+    u = np.linspace(0, np.sqrt(r - near), 4001)  # r = near + u², for v = 0 at the start
+    middle = near + ((u[1:] + u[:-1]) / 2) ** 2
+    v = np.sqrt(2 * k * (1 / near - 1 / middle))
+    steps = (u[1:] + u[:-1]) * np.diff(u) / v
+
+    assert near < r
+    assert energy.repelled_time(r, speed, k) == pytest.approx(steps.sum(), rel=1e-5)
+
+
+def test_a_body_twice_as_fast_comes_from_far_away_four_times_as_near() -> None:
+    slow, fast = (energy.closest_approach(1e9, speed, 2.0) for speed in (1.0, 2.0))
+
+    assert slow == pytest.approx(4 * fast)

@@ -1,12 +1,12 @@
-"""Drag, given forces, a movable pulley, and a skater who draws in the arms."""
+"""Drag, given forces, a movable pulley, a skater who draws in the arms, and a star that shrinks."""
 
 from collections.abc import Iterator
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
+from sandbox.model.expressions import Array, Expression, Values
 from validation.case import SECOND_ORDER, Case, Choices, Expected
-from validation.formulas import lagrange, momentum, newton
+from validation.formulas import lagrange, momentum, newton, rotation
 
 FALLS: Choices = ({}, {"m": 5.0, "c": 0.1}, {"c": 1.0, "g": 25.0})
 PULLEYS: Choices = ({}, {"m": 0.5, "M": 10.0}, {"m": 5.0, "M": 0.5, "g": 1.0})
@@ -15,6 +15,8 @@ FORCES: Choices = (
     {"m": 0.5, "F1x": -6.0, "F1y": 6.0, "F2x": 6.0, "F2y": 6.0},
     {"m": 10.0, "F1x": 0.3, "F1y": -5.7, "F2x": 0.0, "F2y": 0.0},
 )
+STARS: Choices = ({}, {"spin": 0.8, "n": 4.0}, {"spin": 0.2, "n": 1.5})
+RING = 2.0  # m
 SECOND = "second order though the force needs the velocity: (dt/τ)² of the scale, 1e-4"
 
 
@@ -35,6 +37,7 @@ def cases() -> Iterator[Case]:
     yield from _thrown()
     yield from _pushed()
     yield from _pulleys()
+    yield from _collapsing()
     yield Case(
         name="skater: angular momentum",
         level="rotation/skater",
@@ -120,3 +123,24 @@ def _pulleys() -> Iterator[Case]:
             because="the string is straight: one Newton step solves it, to rounding",
             naive_misses=1e-3,
         )
+
+
+def _collapsing() -> Iterator[Case]:
+    for parameters in STARS:
+        yield Case(
+            name="collapsing star: angular velocity, from I ω before and after",
+            level="rotation/collapsing-star",
+            parameters=parameters,
+            quantity="east.speed",
+            at=Expression(2.5),
+            expected=_spun_up,
+            tolerance=1e-12,
+            because="impulses along the spokes have no torque about the centre",
+        )
+
+
+def _spun_up(p: Values, _: Array) -> float:
+    """Return the speed on the rim [m/s]: I ω = I' ω', with the moments of two rings."""
+    size = RING / p["n"]
+    before, after = (rotation.round_moment(rotation.HOOP, 8.0, r) for r in (RING, size))
+    return before * p["spin"] / after * size

@@ -1,4 +1,4 @@
-"""Throws side by side: complementary angles, twice the speed, and one component at a time."""
+"""Throws side by side: several angles, twice the speed, and one component at a time."""
 
 from collections.abc import Callable, Iterator
 from math import pi, radians
@@ -19,6 +19,12 @@ COMPONENTS: Choices = (
     {"angle": 15.0, "speed": 20.0, "g": 2.0},
     {"angle": 85.0, "speed": 5.0, "g": 25.0},
 )
+FANS: Choices = ({}, {"speed": 30.0, "g": 2.0}, {"speed": 5.0, "g": 25.0})
+UPWARDS: Choices = (
+    {},
+    {"up": 20.0, "ahead": 12.0, "g": 2.0},
+    {"up": 4.0, "ahead": 1.0, "g": 25.0},
+)
 STARTS = {"low": 1.2, "high": -1.2}  # m
 
 EXACT = "samples on a parabola, and a cubic between them; some hundred roundings, at most 6e-14"
@@ -34,6 +40,10 @@ def cases() -> Iterator[Case]:
         yield from _apex("fast", 2, parameters)
     for parameters in COMPONENTS:
         yield from _components(parameters)
+    for parameters in FANS:
+        yield from _fan(parameters)
+    for parameters in UPWARDS:
+        yield from _upwards(parameters)
 
 
 def _range(ball: str, angle: Callable[[Values], float], parameters: Parameters) -> Iterator[Case]:
@@ -130,3 +140,35 @@ def _components(parameters: Parameters) -> Iterator[Case]:
         tolerance=1e-13,
         because="Pythagoras over two sums of equal kicks; pymunk's own is as good",
     )
+
+
+def _fan(parameters: Parameters) -> Iterator[Case]:
+    for degrees in (15, 30, 45, 60, 75):
+        yield Case(
+            name=f"best angle: range at {degrees}°",
+            level="kinematics/best-angle",
+            parameters=parameters,
+            quantity=f"a{degrees}.position.x",
+            at=LandingEvent(event="landing", body=f"a{degrees}"),
+            expected=lambda p, _, degrees=degrees: (  # type: ignore[misc]
+                kinematics.projectile_range(p["speed"], radians(degrees), p["g"])
+            ),
+            tolerance=3e-13,
+            because=EXACT,
+            naive_misses=5e-4,
+        )
+
+
+def _upwards(parameters: Parameters) -> Iterator[Case]:
+    for ball in ("straight", "slow", "fast"):
+        yield Case(
+            name=f"time of flight: {ball}",
+            level="kinematics/time-of-flight",
+            parameters=parameters,
+            quantity="t",
+            at=LandingEvent(event="landing", body=ball),
+            expected=lambda p, _: kinematics.flight_time(p["up"], pi / 2, p["g"]),
+            tolerance=3e-13,
+            because=EXACT,
+            naive_misses=5e-4,
+        )

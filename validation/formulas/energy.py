@@ -182,3 +182,23 @@ def work(force: complex, way: complex) -> float:
     The chapter, section 5: the dot product F · d = |F| |d| cos φ.
     """
     return (force.conjugate() * way).real
+
+
+def closest_approach(r: float, speed: float, k: float) -> float:
+    """Return how near a body comes that runs straight at a centre which repels it as k / r² [m].
+
+    The chapter, section 5: v² / 2 + k / r is the same everywhere, and all of it potential where the
+    body turns; k, r > 0.
+    """
+    return k / (speed**2 / 2 + k / r)
+
+
+def repelled_time(r: float, speed: float, k: float) -> float:
+    """Return how long it takes to come there [s].
+
+    A straight orbit is a hyperbola of eccentricity 1 about the far focus: with a = k / 2E it is
+    r = a (1 + cosh u), t = √(a³ / k) (u + sinh u) from the turning point.
+    """
+    a = closest_approach(r, speed, k) / 2
+    u = float(np.arccosh(r / a - 1))
+    return float(np.sqrt(a**3 / k)) * (u + float(np.sinh(u)))
