@@ -43,6 +43,7 @@ def conservative(level: Level) -> bool:
         level.stepping.scheme == "leapfrog"
         and set(effects.declared) <= CONSERVATIVE
         and (effects.contact is None or bouncing)
+        and not any(force.frame == "body" for force in effects.force or ())
         and not any("t" in f.names for force in effects.force or () for f in force.force)
         and all(_lossless(joint, level) for joint in level.joints.values())
     )

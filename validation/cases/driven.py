@@ -6,7 +6,7 @@ from math import sqrt
 import numpy as np
 
 from sandbox.model.expressions import Array, Expression, Values
-from validation.case import Case, Choices, Expected
+from validation.case import SECOND_ORDER, Case, Choices, Expected
 from validation.formulas import lagrange
 
 DRIVES: Choices = (
@@ -47,6 +47,7 @@ def cases() -> Iterator[Case]:
                 expected=_driven(swing),
                 tolerance=_bound(fastest, p["k"]),
                 because=SECOND,
+                order=SECOND_ORDER,
                 naive_misses=2e-4 + _bound(fastest, p["k"]),
             )
     for parameters in SPRINGS:
@@ -60,6 +61,7 @@ def cases() -> Iterator[Case]:
                 expected=_in_row(ratio),
                 tolerance=_bound(ratio, stiffness),
                 because=SECOND,
+                order=SECOND_ORDER,
                 naive_misses=1e-4 + _bound(ratio, stiffness),
             )
         yield Case(
@@ -73,6 +75,7 @@ def cases() -> Iterator[Case]:
             ),
             tolerance=_bound(1.0, stiffness),
             because=SECOND,
+            order=SECOND_ORDER,
         )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sandbox.model.level import CrossingEvent
-from validation.case import Case, Choices
+from validation.case import SECOND_ORDER, Case, Choices
 from validation.formulas import energy
 
 LEVEL = "energy/repulsion"
@@ -27,6 +27,7 @@ def cases() -> Iterator[Case]:
                 ),
                 tolerance=2e-5,
                 because=SECOND,
+                order=SECOND_ORDER,
                 naive_misses=2.5e-5,
             )
             yield Case(
@@ -40,6 +41,7 @@ def cases() -> Iterator[Case]:
                 ),
                 tolerance=2e-5,
                 because=SECOND,
+                order=SECOND_ORDER,
                 naive_misses=5e-5,
             )
         yield Case(

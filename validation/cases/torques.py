@@ -6,7 +6,7 @@ from math import radians
 
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import CrossingEvent
-from validation.case import Case, Choices, Expected
+from validation.case import SECOND_ORDER, Case, Choices, Expected
 from validation.formulas import lagrange, rotation
 
 PUSHES: Choices = (
@@ -52,6 +52,7 @@ def cases() -> Iterator[Case]:
                 expected=_door(push),
                 tolerance=1e-12 if door in ("hinge", "along") else 2e-4,
                 because="no torque" if door in ("hinge", "along") else PINNED,
+                order=None if door in ("hinge", "along") else SECOND_ORDER,
                 naive_misses=None if door in ("hinge", "along") else 1e-3,
             )
     for parameters in COUPLES:
@@ -64,6 +65,7 @@ def cases() -> Iterator[Case]:
                 expected=_spun(moment),
                 tolerance=3e-4 if body == "pinned" else 1e-12,
                 because=PINNED if body == "pinned" else EXACT,
+                order=SECOND_ORDER if body == "pinned" else None,
                 naive_misses=5e-4,
             )
     for parameters in PINS:
@@ -76,6 +78,7 @@ def cases() -> Iterator[Case]:
                 expected=_spun(moment),
                 tolerance=1e-12 if body == "center" else 3e-4,
                 because=EXACT if body == "center" else PINNED,
+                order=None if body == "center" else SECOND_ORDER,
                 naive_misses=5e-4,
             )
     yield from _beam()
@@ -162,6 +165,7 @@ def _beam() -> Iterator[Case]:
             expected=lambda p, _: lagrange.tipping_time(_inertia(p), abs(_net(p))),
             tolerance=1e-4,
             because="second order: (ω dt)² / 24 and some, 2e-5 at the most",
+            order=SECOND_ORDER,
             naive_misses=2e-4,
         )
         yield Case(
@@ -173,6 +177,7 @@ def _beam() -> Iterator[Case]:
             expected=_turning,
             tolerance=1e-4,
             because="second order: (ω dt)² / 24 and some; pymunk's own keeps the energy as well",
+            order=SECOND_ORDER,
         )
 
 
