@@ -6,10 +6,12 @@ import pygame
 import pytest
 
 from sandbox.app import theme
-from sandbox.app.stage.forces import Arrow
+from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.model.shapes import XY
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import build
 from tests.app import scenes
 from tests.app.person import Person
 
@@ -198,3 +200,15 @@ def test_a_velocity_is_taken_apart_into_its_components(person: Person) -> None:
     person.press(pygame.K_c, "c")
     assert not {theme.ACROSS, theme.UPWARDS} & colors()
     assert theme.ARROW in colors()
+
+
+def test_a_force_that_turns_with_its_body_is_drawn_turned_and_cannot_be_dragged() -> None:
+    """A quarter turn of the door: the push along its normal points to the left."""
+    level = load(catalog.find("rotation/door"))
+    world = build(level)
+    world.advance(count_steps(world))
+    arrow = next(a for a in Forces(level).arrows(world) if a.row == 2)
+
+    assert arrow.newtons == pytest.approx((-12, 0), abs=0.2)
+    assert arrow.tail == pytest.approx((3, 0.9), abs=0.02)
+    assert not arrow.handles

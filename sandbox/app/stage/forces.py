@@ -90,12 +90,15 @@ class Forces:
         """Yield the forces as they are now."""
         snapshot = world.snapshot
         for force, row, handles in zip(self._forces, self._rows, self._handles, strict=True):
-            x, y = (float(part.over(world.values, snapshot.t)) for part in force.force)
             turn = complex(np.exp(1j * float(snapshot.angle[row])))
+            newtons = complex(*(float(part.over(world.values, snapshot.t)) for part in force.force))
+            if force.frame == "body":
+                newtons *= turn
             arm = complex(*evaluate(force.at, world.values)) * turn
             px, py = snapshot.position[row].tolist()
             name = _shared(*handles.values()) if len(handles) == 2 else ""
-            yield Arrow(row, (px + arm.real, py + arm.imag), (x, y), handles, name)
+            tail = px + arm.real, py + arm.imag
+            yield Arrow(row, tail, (newtons.real, newtons.imag), handles, name)
 
     def tip_at(self, world: World, camera: Camera, pixel: XY) -> Arrow | None:
         """Return the force whose tip a hand would take hold of at a pixel."""
@@ -160,7 +163,9 @@ def _shared(x: str, y: str) -> str:
 
 
 def _handles(force: Force, level: Level) -> Mapping[int, str]:
-    """Return the components that are parameters, nothing more."""
+    """Return the components that are parameters, nothing more, of a force that keeps its axes."""
+    if force.frame == "body":
+        return {}
     sources = ((axis, str(part.source).strip()) for axis, part in enumerate(force.force))
     return {axis: source for axis, source in sources if source in level.parameters}
 
