@@ -168,12 +168,11 @@ def test_a_break_of_fifteen_discs_keeps_energy_and_momentum() -> None:
     assert (np.hypot(*flight.velocity[-1].T) > 1e-3).sum() > 8, "it goes through the triangle"
 
 
-@pytest.mark.parametrize("e", [0, 0.1, 0.5])
-@pytest.mark.parametrize("count", [5, 50])
-def test_balls_that_hardly_bounce_go_on_together(e: float, count: int) -> None:
+@pytest.mark.parametrize(("count", "e"), [(5, 0), (5, 0.1), (50, 0), (50, 0.5)])
+def test_balls_that_hardly_bounce_go_on_together(count: int, e: float) -> None:
     """They would collide for ever; at last none approaches, and all have the same velocity."""
     first = np.arange(count) == 0
-    end = build(row(np.ones(count), 3.0 * first, e * (count == 50))).advance(60)
+    end = build(row(np.ones(count), 3.0 * first, e)).advance(60)
 
     assert np.abs(end.velocity[:, 0] - 3 / count).max() <= 1e-12  # 1e-14
 
@@ -191,7 +190,7 @@ def test_elastic_impacts_without_end_are_told() -> None:
 
 
 def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None:
-    """Against all choices of contacts that push, tried one by one."""
+    """They push, nothing approaches then, and what parts is not pushed (Kuhn and Tucker)."""
     random = np.random.default_rng(5)
     for _ in range(100):
         k = int(random.integers(1, 6))
@@ -206,10 +205,9 @@ def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None
 @pytest.mark.parametrize("degrees", [0, 40])
 def test_a_box_that_lands_flat_on_two_corners_does_not_turn(degrees: float) -> None:
     angle = radians(degrees)
-    away = 1.25
     ground = fixed({"type": "segment", "start": [-9, 0], "end": [9, 0]}, angle=angle, restitution=1)
     up = np.array([-sin(angle), cos(angle)])
-    falling = box((up * away).tolist(), angle=angle, velocity=(-2 * up).tolist(), restitution=0.8)
+    falling = box((1.25 * up).tolist(), angle=angle, velocity=(-2 * up).tolist(), restitution=0.8)
     world = build(level({"box": falling, "ground": ground}, {**SEQUENCE, "rotation": {}}))
     flight = run(world, 60)
 

@@ -14,7 +14,7 @@ BUMPERS: Choices = (
     {"m": 3.0, "v": 0.5},
 )
 RECOIL: Choices = ({}, {"M": 2.0, "m": 0.5, "k": 200.0, "s": 0.2}, {"M": 20.0, "m": 5.0, "s": 0.5})
-SECOND = "second order: (ω dt)² / 8 and less, with ω dt up to 0.024"
+SECOND = "second order: (ω dt)² / 8 and less, with ω dt up to 0.015"
 
 
 def cases() -> Iterator[Case]:
