@@ -156,8 +156,14 @@ def _check(card: Card, reading: Reading) -> None:
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
         card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=INDENT)
-    elif reading.measured is None or reading.expected is None or result.error is None:
+    elif reading.measured is None:
         card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
+    elif reading.expected is None or result.error is None:
+        ahead = reading.expected
+        expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
+        until = (wording.occasion(check), color)
+        now = wording.quantity(reading.measured, result.unit)
+        card.columns(((now, theme.DIM), (expected, theme.TEXT), until), 13)
     else:
         expected = wording.quantity(reading.expected, result.unit)
         measured = wording.measured(reading.measured, reading.expected, result.unit)

@@ -52,7 +52,8 @@ def render(
     stage = Stage(pen, (size[0] - SIDE, size[1]))
     stage.use(session.world)
     stage.fit()
-    stage.draw(picture.subsurface((0, 0, size[0] - SIDE, size[1])), session.trail)
+    view = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
+    stage.draw(view, session.trail, session.milestones())
     _write(picture, session, pen)
     return picture
 

@@ -8,7 +8,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from time import perf_counter
 
+from sandbox.app import milestones
 from sandbox.app.grading import Grading, Reading
+from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
@@ -71,7 +73,7 @@ class Session:
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
-        self._recorder = Recorder(world, needed(self.level))
+        self._recorder = Recorder(world, [*needed(self.level), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
         self._owed = 0.0  # steps
         self._meter = Meter(world, _ENERGIES)
@@ -170,6 +172,13 @@ class Session:
     def readings(self) -> tuple[Reading, ...]:
         """Return how the checks stand."""
         return self._grading.readings(hurried=self.playing)
+
+    def milestones(self) -> tuple[Milestone, ...]:
+        """Return what has happened; nothing that counts once a hand has touched the run."""
+        if self.world.disturbed:
+            return ()
+        self.readings()
+        return self._grading.milestones
 
     def energies(self) -> Energies:
         """Return the energies of now."""

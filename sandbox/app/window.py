@@ -292,7 +292,7 @@ class Window:
         area = layout.stage.clip(surface.get_rect())
         if self.session is not None and area:
             view = surface.subsurface(area)
-            self.stage.draw(view, self.session.trail)
+            self.stage.draw(view, self.session.trail, self.session.milestones())
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             self._draw_banner(self.session)

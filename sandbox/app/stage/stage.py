@@ -1,5 +1,6 @@
 """The picture of a world, on any surface."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +8,7 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
+from sandbox.app.milestones import Milestone
 from sandbox.app.stage import bodies, grid, joints, lines, marks
 from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.app.stage.landscape import Relief
@@ -83,7 +85,10 @@ class Stage:
             self._base, self._canvas = pygame.Surface(size), pygame.Surface(size)
             self._base_key = None
 
-    def draw(self, surface: pygame.Surface, trail: Trail | None = None) -> None:
+    def draw(
+        self, surface: pygame.Surface, trail: Trail | None = None,
+        milestones: Sequence[Milestone] = (),
+    ) -> None:  # fmt: skip
         """Draw the world as it is now on a surface of the stage's size."""
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
@@ -95,6 +100,9 @@ class Stage:
         self._draw_joints(surface, in_front=True)
         if self._ghosts:
             self._draw_ghosts(surface)
+        if self._few:
+            for milestone in milestones:
+                marks.draw_milestone(surface, self.camera, self._pen, milestone)
         if self.shown.arrows:
             self._draw_arrows(surface)
         if self.shown.names and self._few:
