@@ -12,7 +12,7 @@ from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level, Parameter
 
-GAP = 6  # px
+GAP = 3  # px
 INDENT = 24  # px
 COLUMNS = (0.4, 0.4, 0.2)
 """How wide measured, expected and error are."""
@@ -143,7 +143,6 @@ def checks(
             _check(card, reading)
     if left_out:
         card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
-    card.y += 14
     return card.drawn()
 
 
@@ -205,8 +204,10 @@ def _badge(verdict: str, color: Color) -> pygame.Surface:
     return sign
 
 
-def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
-    """Draw the energies as bars, and what has become of their sum."""
+def energy(
+    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface | None = None
+) -> pygame.Surface:
+    """Draw the energies as bars, or above a graph, and what has become of their sum."""
     card = Card(pen, width)
     card.heading("Energy")
     rows = (
@@ -214,13 +215,13 @@ def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfa
         ("potential", now.potential, theme.POTENTIAL),
         ("total", now.total, theme.TOTAL),
     )
-    scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
-    for name, value, color in rows:
-        card.put(pen.write(name, 13, theme.DIM), 0)
-        text = pen.write(wording.quantity(value, "J", 4), 13)
-        card.put(text, width - text.width)
-        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
-        card.y += pen.height(13) + 1
+    if graph is None:
+        scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
+        _bars(card, rows, scale)
+    else:
+        _legend(card, rows)
+        card.put(graph, 0)
+        card.y += graph.height + 3
     drift = now.total - start.total
     relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
     text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
@@ -228,6 +229,26 @@ def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfa
     card.put(text, width - text.width)
     card.y += text.height
     return card.drawn()
+
+
+def _bars(card: Card, rows: Sequence[tuple[str, float, Color]], scale: float) -> None:
+    """Add a bar an energy."""
+    pen, width = card.pen, card.width
+    for name, value, color in rows:
+        card.put(pen.write(name, 13, theme.DIM), 0)
+        text = pen.write(wording.quantity(value, "J", 4), 13)
+        card.put(text, width - text.width)
+        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
+        card.y += pen.height(13) + 1
+
+
+def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
+    """Add the energies beside each other, in the colours of their lines."""
+    pen, column = card.pen, card.width // len(rows)
+    for i, (name, value, color) in enumerate(rows):
+        card.put(pen.write(name, 12, color), i * column)
+        card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
+    card.y += pen.height(12) + pen.height(13)
 
 
 def _bar(width: int, share: float, color: Color) -> pygame.Surface:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import cards, theme, wording
+from sandbox.app import cards, graph, theme, wording
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -20,6 +20,7 @@ TELLING = 0.4
 
 SIDE = 340  # px, the column of words
 MARGIN = 16  # px
+GRAPH = 90  # px, its height
 
 
 def render(
@@ -96,7 +97,8 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     ):
         picture.blit(part, (left, y))
         y += part.height + 8
-    foot = cards.energy(pen, width, session.start_energies, session.energies())
+    drawn = graph.energies((width, GRAPH), session.history, session.duration)
+    foot = cards.energy(pen, width, session.start_energies, session.energies(), drawn)
     end = picture.height - foot.height - MARGIN
     picture.blit(_checks(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))
