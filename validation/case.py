@@ -3,7 +3,6 @@
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,8 +13,8 @@ from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.model.quantities import quantity
 from sandbox.physics.checks import relative_error, samples
-from sandbox.physics.trace import Trace, count_steps, needed_at, simulate
-from sandbox.physics.world import build
+from sandbox.physics.trace import Trace, needed_at, simulate
+from validation.timing import step_seconds
 
 Expected = Callable[[Values, Array], ArrayLike]
 """A closed form, of all parameters and the times that count [s]."""
@@ -25,8 +24,11 @@ Parameters = Mapping[str, float]
 
 Choices = tuple[Parameters, ...]
 
-TIMING_STEPS = 120
-TIMING_REPEATS = 5
+SECOND_ORDER = 1.9
+"""The power of the step by which an error of second order is seen to fall, at the least."""
+
+HALVINGS = 3
+"""How often the step is halved, down to the level's own, to see by which power the error falls."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,6 +58,9 @@ class Case:
     naive_misses
         By how much naive pymunk must be off at least: proof that the case can fail. None where
         pymunk does as well by itself.
+    order
+        The power of the step by which the error must fall at least, as the step is halved three
+        times down to the level's own; None where nothing but rounding is left.
     """
 
     name: str
@@ -68,6 +73,7 @@ class Case:
     at: Instant | None = None
     duration: float | None = None
     naive_misses: float | None = None
+    order: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,9 +91,11 @@ class Outcome:
     error, naive_error
         See `relative_error`; infinite if the event never came.
     passed
-        Whether the error is within its bound, and the naive one beyond its own.
+        Whether the error is within its bound, the naive one beyond its own, and the order reached.
     step_seconds, naive_step_seconds
         What one step costs [s].
+    order
+        The power of the step by which the error falls; None if the case does not claim any.
     """
 
     name: str
@@ -103,6 +111,7 @@ class Outcome:
     naive_error: float
     step_seconds: float
     naive_step_seconds: float
+    order: float | None
 
 
 def run(cases: Iterable[Case]) -> Iterator[Outcome]:
@@ -153,6 +162,13 @@ class _Runs:
             step_seconds(self.level, self.values, naive(self.level)),
         )
 
+    @cached_property
+    def coarser(self) -> tuple[Trace, ...]:
+        """The same run with twice the step, four times the step, and so on."""
+        stepping = self.level.stepping
+        rates = [stepping.rate / 2**i for i in range(1, HALVINGS + 1)]
+        return tuple(self._simulate(stepping.model_copy(update={"rate": rate})) for rate in rates)
+
     def _simulate(self, stepping: Stepping) -> Trace:
         return simulate(self.level, self.values, self._duration, self.record, stepping)
 
@@ -162,23 +178,12 @@ def naive(level: Level) -> Stepping:
     return Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
 
 
-def step_seconds(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return the least time that a step took [s], in fresh worlds over the level's duration."""
-    best = float("inf")
-    for _ in range(TIMING_REPEATS):
-        world = build(level, values, stepping)
-        steps = min(count_steps(world), TIMING_STEPS)
-        start = perf_counter()
-        for _ in range(steps):
-            world.step()
-        best = min(best, (perf_counter() - start) / steps)
-    return best
-
-
 def _outcome(case: Case, runs: _Runs) -> Outcome:
     measured, expected, error = _compare(case, runs.ours)
     _, _, naive_error = _compare(case, runs.theirs)
     proven = case.naive_misses is None or naive_error > case.naive_misses
+    order = None if case.order is None else _order(case, runs, error)
+    converges = order is None or case.order is None or order >= case.order
     return Outcome(
         name=case.name,
         level=case.level,
@@ -189,11 +194,20 @@ def _outcome(case: Case, runs: _Runs) -> Outcome:
         expected=expected,
         error=error,
         tolerance=case.tolerance,
-        passed=error <= case.tolerance and proven,
+        passed=error <= case.tolerance and proven and converges,
         naive_error=naive_error,
         step_seconds=runs.seconds[0],
         naive_step_seconds=runs.seconds[1],
+        order=order,
     )
+
+
+def _order(case: Case, runs: _Runs, error: float) -> float:
+    """Return the slope of the error over the step, both logarithmic; NaN if there is none."""
+    errors = np.array([error, *(_compare(case, trace)[2] for trace in runs.coarser)])
+    if not (np.isfinite(errors) & (errors > 0)).all():
+        return float("nan")
+    return float(np.polyfit(np.arange(len(errors)), np.log2(errors), 1)[0])
 
 
 def _compare(case: Case, trace: Trace) -> tuple[float, float, float]:

@@ -30,7 +30,7 @@ JsonFile = Annotated[
     Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
 ]
 
-HEADINGS = ("measured", "expected", "error", "bound", "naive error", "step", "naive")
+HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 
 @app.callback()
@@ -60,6 +60,32 @@ def run_cases(json_file: JsonFile = None) -> None:
     for name in failed:
         typer.echo(f"failed: {name}", err=True)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
+    if failed:
+        raise typer.Exit(1)
+
+
+@app.command()
+def cost(
+    levels: Annotated[
+        list[str] | None, typer.Argument(metavar="[LEVEL]...", help="All levels if left out.")
+    ] = None,
+    json_file: JsonFile = None,
+    output: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Also draw a diagram for every level there.")
+    ] = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Fewer rates and shorter runs.")] = False,
+) -> None:
+    """Show what accuracy costs in time: error against seconds for every scheme and rate.
+
+    Exit status 1 if a level does not run at its own rate.
+    """
+    from validation.cost.command import measure  # what one command needs need not slow all
+
+    try:
+        failed = measure(levels or [], json_file, output, quick=quick)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
     if failed:
         raise typer.Exit(1)
 
@@ -102,6 +128,7 @@ def _table(cases: list[Case], outcomes: list[Outcome]) -> Table:
             f"{outcome.expected:.7g}",
             f"{outcome.error:.1e}",
             f"{outcome.tolerance:.0e}",
+            "" if outcome.order is None else f"{outcome.order:.2f}",
             f"{outcome.naive_error:.1e}",
             f"{outcome.step_seconds * 1e6:.1f} µs",
             f"{outcome.naive_step_seconds * 1e6:.1f} µs",

@@ -11,6 +11,7 @@ from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level, Parameter
+from sandbox.physics.comparison import Difference
 
 GAP = 3  # px
 INDENT = 24  # px
@@ -143,6 +144,25 @@ def checks(
             _check(card, reading)
     if left_out:
         card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
+    return card.drawn()
+
+
+def compared(pen: Pen, width: int, told: str, differences: Sequence[Difference]) -> pygame.Surface:
+    """Draw what a change of the effects makes of the checks' quantities."""
+    card = Card(pen, width)
+    card.heading(told[0].upper() + told[1:])
+    card.text("dashed: as the level declares it", 12, theme.GHOST)
+    card.columns([(name, theme.DIM) for name in ("as declared", "changed", "change")], 12)
+    for difference in differences:
+        if difference.before is difference.after is None:
+            continue  # not yet
+        card.y += GAP
+        card.text(difference.label or difference.quantity, 14, bold=True, indent=INDENT)
+        numbers = (difference.before, difference.after)
+        values = ["–" if n is None else wording.quantity(n, difference.unit) for n in numbers]
+        part = difference.relative
+        values.append("" if part is None else f"{100 * part:+.3g} %")
+        card.columns([(value, theme.TEXT) for value in values], 13)
     return card.drawn()
 
 

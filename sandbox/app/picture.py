@@ -1,5 +1,6 @@
 """A still picture of a level, drawn without a window."""
 
+from dataclasses import dataclass
 from io import BytesIO
 from math import ceil
 from pathlib import Path
@@ -13,6 +14,8 @@ from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
+from sandbox.physics.comparison import differences
+from sandbox.physics.trace import needed, simulate
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
@@ -23,8 +26,22 @@ MARGIN = 16  # px
 GRAPH = 90  # px, its height
 
 
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """Another run that is drawn dashed over a picture's own, and held against it."""
+
+    level: Level
+    """the same bodies, with effects more or less"""
+    told: str
+    """what makes the picture's own level differ from it, such as `without drag`"""
+
+
 def render(
-    level: Level, values: Values, at: float | None = None, size: tuple[int, int] = SIZE
+    level: Level,
+    values: Values,
+    at: float | None = None,
+    size: tuple[int, int] = SIZE,
+    beside: Beside | None = None,
 ) -> pygame.Surface:
     """Run a level up to a time and draw it, with its checks.
 
@@ -38,6 +55,8 @@ def render(
         When [s]; a telling moment if left out. The last step is the first not before it.
     size
         Of the picture [px].
+    beside
+        What the run is compared with; then the differences stand in place of the checks.
 
     Raises
     ------
@@ -53,9 +72,14 @@ def render(
     stage = Stage(pen, (size[0] - SIDE, size[1]))
     stage.use(session.world)
     stage.fit()
-    view = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
-    stage.draw(view, session.trail, session.milestones())
-    _write(picture, session, pen)
+    stage.shown.ghosts = beside is None
+    drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
+    stage.draw(drawn, session.trail, () if beside else session.milestones())
+    if beside:
+        other = Session(beside.level, values)
+        _run(other, session.t)
+        stage.draw_beside(drawn, other.world, other.trail)
+    _write(picture, session, pen, beside)
     return picture
 
 
@@ -65,6 +89,7 @@ def save_picture(
     path: Path,
     at: float | None = None,
     size: tuple[int, int] = SIZE,
+    beside: Beside | None = None,
 ) -> None:
     """Draw a level into a PNG file, whole or not at all; see `render`.
 
@@ -74,7 +99,7 @@ def save_picture(
         If the run has to stop before that time, or the file cannot be written.
     """
     png = BytesIO()
-    pygame.image.save(render(level, values, at, size), png, "x.png")
+    pygame.image.save(render(level, values, at, size, beside), png, "x.png")
     write_atomically(path, png.getvalue())
 
 
@@ -85,7 +110,7 @@ def _run(session: Session, at: float) -> None:
             raise session.failure
 
 
-def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
+def _write(picture: pygame.Surface, session: Session, pen: Pen, beside: Beside | None) -> None:
     """Fill the column of words; the energy stands at its foot."""
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
@@ -100,7 +125,8 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     drawn = graph.energies((width, GRAPH), session.history, session.duration)
     foot = cards.energy(pen, width, session.start_energies, session.energies(), drawn)
     end = picture.height - foot.height - MARGIN
-    picture.blit(_checks(session, pen, width, end - y), (left, y))
+    checks = _compared(session, pen, width, beside) if beside else None
+    picture.blit(checks or _checks(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))
     picture.blit(foot, (left, end))
 
@@ -114,3 +140,12 @@ def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface
             break
         drawn = cards.checks(pen, width, readings[:count], left_out=len(readings) - count)
     return drawn
+
+
+def _compared(session: Session, pen: Pen, width: int, beside: Beside) -> pygame.Surface:
+    """Draw how the run differs from the one beside it, up to now."""
+    runs = (
+        simulate(level, session.values, session.t, needed(beside.level))
+        for level in (beside.level, session.level)
+    )
+    return cards.compared(pen, width, beside.told, differences(*runs))

@@ -31,6 +31,25 @@ SetOption = Annotated[
         show_default=False,
     ),
 ]
+WithoutOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--without",
+        metavar="EFFECT",
+        help="Switch an effect that the level declares off, and what makes no sense without it."
+        " Can be repeated.",
+        show_default=False,
+    ),
+]
+WithOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--with",
+        metavar="EFFECT[.SETTING=VALUE]",
+        help="Switch an effect on, or set it: --with drag.linear=0.1. Can be repeated.",
+        show_default=False,
+    ),
+]
 
 
 @app.callback(invoke_without_command=True)
@@ -111,15 +130,36 @@ def simulate(
             show_default=False,
         ),
     ] = None,
+    without: WithoutOption = None,
+    with_: WithOption = None,
 ) -> None:
     """Run a level and write it as a CSV file.
 
     No window is opened. The comments at the top of the file say all that is needed to run it
     again. What the level's checks found is printed, and the exit status is 1 if one failed.
+
+    With --without or --with the changed run is written, and what is printed is how it differs from
+    the level as it is, in the quantities of its checks and in time.
     """
     from sandbox.cli.simulating import simulate
 
-    raise typer.Exit(simulate(level, output, set_ or [], duration, rate, record or []))
+    raise typer.Exit(
+        simulate(
+            level, output, set_ or [], duration, rate, record or [], without or [], with_ or []
+        )
+    )
+
+
+@app.command()
+def effects(level: LevelArgument, set_: SetOption = None) -> None:
+    """Switch each effect of a level off in turn, and rank them by what they change.
+
+    Shown is the quantity, of the level's checks and of where its bodies are, that the effect
+    changes most, and what the effect costs a step. An effect that changes nothing is named.
+    """
+    from sandbox.cli.weighing import weigh
+
+    weigh(level, set_ or [])
 
 
 @app.command()
@@ -134,11 +174,16 @@ def render(
         float | None,
         typer.Option(metavar="S", help="The time that is shown, in seconds.", show_default=False),
     ] = None,
+    without: WithoutOption = None,
+    with_: WithOption = None,
 ) -> None:
-    """Draw a level as a PNG picture, without a window."""
+    """Draw a level as a PNG picture, without a window.
+
+    With --without or --with the changed run is drawn, over the level as it is: dashed.
+    """
     from sandbox.cli.rendering import render
 
-    render(level, output, set_ or [], at)
+    render(level, output, set_ or [], at, without or [], with_ or [])
 
 
 @app.command()

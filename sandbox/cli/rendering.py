@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 
 from sandbox.cli import usage
+from sandbox.cli.varying import vary
 from sandbox.model.loading import choose
 
 
@@ -18,8 +19,15 @@ def go_headless() -> None:
     os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"
 
 
-def render(argument: str, output: Path, pairs: Sequence[str], at: float | None) -> None:
-    """Draw a level as it is at a time."""
+def render(
+    argument: str,
+    output: Path,
+    pairs: Sequence[str],
+    at: float | None,
+    off: Sequence[str] = (),
+    on: Sequence[str] = (),
+) -> None:
+    """Draw a level as it is at a time; with effects switched off or on, over the level as it is."""
     settings = usage.settings(pairs)
     if output.suffix.lower() != ".png":
         raise usage.UsageError(f"--output {output}: the picture is a PNG; its name must end so")
@@ -28,8 +36,13 @@ def render(argument: str, output: Path, pairs: Sequence[str], at: float | None) 
         raise usage.UsageError(f"--at {at:g}: must be a finite time, at least 0")
     source, level = usage.open_level(argument)
     values = choose(level, settings)
+    varied = vary(level, off, on)
     go_headless()
-    from sandbox.app.picture import save_picture
+    from sandbox.app.picture import Beside, save_picture
 
-    save_picture(level, values, output, at=at)
-    typer.echo(f"{output}: {source}")
+    if varied:
+        beside = Beside(level, varied.change.told)
+        save_picture(varied.level, values, output, at=at, beside=beside)
+    else:
+        save_picture(level, values, output, at=at)
+    typer.echo(f"{output}: {source}" + (f" {varied.change.told}" if varied else ""))

@@ -7,13 +7,15 @@ import typer
 from pydantic import ValidationError
 from rich.console import Console
 
-from sandbox.cli import usage, verdicts
+from sandbox.cli import usage, varying, verdicts
+from sandbox.cli.varying import Varied, vary
 from sandbox.model import wording
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import trace as traces
 from sandbox.physics.checks import grade
+from sandbox.physics.comparison import Difference, costs, differences
 from sandbox.physics.export import write_csv
 from sandbox.physics.trace import Trace, needed
 
@@ -25,8 +27,13 @@ def simulate(
     duration: float | None,
     rate: float | None,
     record: Sequence[str],
+    off: Sequence[str] = (),
+    on: Sequence[str] = (),
 ) -> int:
-    """Run a level, write it, say what its checks found, and return the exit status."""
+    """Run a level, write it, say what its checks found, and return the exit status.
+
+    With effects switched off or on, that run is written, and held against the level as it is.
+    """
     settings = usage.settings(pairs)
     usage.output_file(output)
     if duration is not None:
@@ -35,13 +42,35 @@ def simulate(
     values = choose(level, settings)
     names = chosen(level, record)
     stepping = stepping_at(level, rate)
+    varied = vary(level, off, on)
     with Console(stderr=True).status(f"Simulating {source} ..."):
         recorded = dict.fromkeys([*names, *needed(level)])
         trace = traces.simulate(level, values, duration, recorded, stepping)
-    write_csv(output, trace, source, names)
+        if varied:
+            changed = traces.simulate(varied.level, values, duration, recorded, stepping)
+            cost = costs((level, varied.level), values, stepping)
+    if not varied:
+        write_csv(output, trace, source, names)
+        _say(output, source, trace, names)
+        return report(trace)
+    write_csv(output, changed, source, names, change=varied.change)
+    _say(output, f"{source} {varied.change.told}", changed, names)
+    _compare(varied, differences(trace, changed), cost[1] - cost[0])
+    return 0
+
+
+def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
     steps = f"{len(trace.t) - 1} steps at {trace.stepping.rate:g} Hz to t = {trace.t[-1]:.6g} s"
     typer.echo(f"{output}: {source}, {steps}, {len(names) + 1} columns")
-    return report(trace)
+
+
+def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
+    """Say what a change of the effects makes of the quantities that the checks name."""
+    if found:
+        for line in varying.differences(found):
+            typer.echo(line)
+    said = [*varying.summary(found), varying.seconds(cost)]
+    typer.echo(f"{varied.change.told}: {'; '.join(said)}")
 
 
 def chosen(level: Level, record: Sequence[str]) -> list[str]:

@@ -10,13 +10,14 @@ from sandbox.model.files import check_writable
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
+from sandbox.model.variants import EffectError
 
 
 class UsageError(SandboxError):
     """Something typed on the command line that cannot be meant."""
 
 
-MISUSES = (UsageError, QuantityError, ValueRangeError)
+MISUSES = (UsageError, QuantityError, ValueRangeError, EffectError)
 """The errors that say so."""
 
 

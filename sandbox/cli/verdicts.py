@@ -2,10 +2,10 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from sandbox.cli.columns import aligned
 from sandbox.model.expressions import Expression
 from sandbox.physics.checks import Result
 
-_GAP = "  "
 _HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
 
 
@@ -17,10 +17,7 @@ def failed(result: Result, *, complete: bool) -> bool:
 def lines(results: Sequence[Result], *, complete: bool) -> Iterator[str]:
     """Yield a header and one line a check, in columns."""
     rows = [_HEADER, *(_row(result, complete=complete) for result in results)]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for row in rows:
-        cells = (cell.ljust(width) for cell, width in zip(row, widths, strict=True))
-        yield _GAP.join(cells).rstrip()
+    yield from aligned(rows)
 
 
 def worst(results: Iterable[Result]) -> float | None:

@@ -123,11 +123,18 @@ def _names_in_joints(level: Level) -> Iterator[tuple[Path, str]]:
 
 def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
     """Yield the bodies that an effect acts on."""
-    drag, forces = level.effects.drag, level.effects.force
-    for index, body in enumerate((drag and drag.bodies) or ()):
-        yield ("effects", "drag", "bodies", index), body
-    for index, force in enumerate(forces or ()):
+    for name, bodies in _lists(level):
+        for index, body in enumerate(bodies):
+            yield ("effects", name, "bodies", index), body
+    for index, force in enumerate(level.effects.force or ()):
         yield ("effects", "force", index, "body"), force.body
+
+
+def _lists(level: Level) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Yield the effects that may name the bodies they act on, with those they name."""
+    drag, gravitation = level.effects.drag, level.effects.gravitation
+    yield "drag", (drag and drag.bodies) or ()
+    yield "gravitation", (gravitation and gravitation.bodies) or ()
 
 
 def _end_names(path: Path, end: End) -> Iterator[tuple[Path, str]]:
@@ -213,8 +220,13 @@ def _laws(level: Level) -> Iterator[Fault]:
     for path, name in _names_in_effects(level):
         if name in level.bodies and (kind := level.bodies[name].type) != "dynamic":
             yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
-    if drag and drag.bodies and len(set(drag.bodies)) < len(drag.bodies):
-        yield Fault(("effects", "drag", "bodies"), "a body is named twice")
+    for effect, bodies in _lists(level):
+        if len(set(bodies)) < len(bodies):
+            yield Fault(("effects", effect, "bodies"), "a body is named twice")
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    if level.effects.gravitation and len(dynamic) == 1:
+        rule = "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+        yield Fault(("effects", "gravitation"), rule)
 
 
 def _landscape(level: Level) -> Iterator[Fault]:
@@ -278,6 +290,8 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
     """Friction and restitution: declared if used, used if declared, and only with contact."""
     effect = _surfaces(level).get(kind)
     given = [name for name, body in level.bodies.items() if getattr(body, kind) is not None]
+    if kind == "friction":
+        yield from _static_alone(level)
     if effect is None:
         yield from (_undeclared(("bodies", name, kind), kind, kind) for name in given)
         return
@@ -295,6 +309,13 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
                 " (1 leaves the other body's as it is, 0 is none)",
             )
     yield from _repeated_pairs(effect, kind)
+
+
+def _static_alone(level: Level) -> Iterator[Fault]:
+    for name, body in level.bodies.items():
+        if body.static_friction is not None and body.friction is None:
+            rule = "needs 'friction' beside it, the coefficient while the body slips"
+            yield Fault(("bodies", name, "static_friction"), rule)
 
 
 def _repeated_pairs(effect: Friction | Restitution, kind: str) -> Iterator[Fault]:

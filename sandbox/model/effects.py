@@ -37,6 +37,8 @@ class FrictionPair(Pair):
     """The coefficient of one pair of bodies, instead of the product of the two bodies' own."""
 
     coefficient: NonNegative
+    static: NonNegative | None = None
+    """of surfaces that stick, until they slip; the same as when they slip if left out"""
 
 
 class Friction(Model):
@@ -62,12 +64,25 @@ class Rotation(Model):
 
 
 class Attraction(Model):
-    """Newtonian attraction to a fixed centre: F = −mu m r / |r|³, U = −mu m / |r|."""
+    """Attraction to a fixed centre: |F| = mu m / r^p; Newton's, U = −mu m / r, if p is left out."""
 
     mu: Expression
-    """m³/s², the gravitational parameter of the centre; negative to repel"""
+    """m³/s² (with a power p: m^(p + 1)/s²), the strength of the centre; negative to repel"""
     center: Point = (Expression(0), Expression(0))
     """m"""
+    power: Expression = Expression(2)
+    """p: 3 for a force that falls as 1/r³, −1 for one that grows as a spring's"""
+
+
+class Gravitation(Model):
+    """Bodies attract each other: |F| = G m1 m2 r / s³, U = −G m1 m2 / s, s² = r² + softening²."""
+
+    constant: Expression
+    """m³/(kg s²), G; negative to repel"""
+    softening: NonNegative = NonNegative(0)
+    """m, below which the attraction of two bodies no longer grows; 0 is Newton's law"""
+    bodies: Annotated[tuple[str, ...], Field(min_length=2)] | None = None
+    """those that attract each other; all dynamic bodies if left out"""
 
 
 class Drag(Model):
@@ -107,6 +122,8 @@ class Effects(Model):
     """Bodies turn."""
     attraction: Annotated[tuple[Attraction, ...], Field(min_length=1)] | None = None
     """Fixed centres attract or repel."""
+    gravitation: Gravitation | None = None
+    """Bodies attract or repel each other."""
     drag: Drag | None = None
     """A fluid slows bodies down."""
     force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None

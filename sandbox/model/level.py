@@ -67,6 +67,8 @@ class Body(Model):
     """rad/s, counter-clockwise, at the start"""
     friction: NonNegative | None = None
     """coefficient; a pair's is the product of its bodies' own"""
+    static_friction: NonNegative | None = None
+    """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None

@@ -2,45 +2,24 @@
 
 Every rule is a generator of `Fault`: a path into the level and what is wrong there. They are all
 run, so that an author sees all mistakes at once. What depends on the values of the parameters is a
-`Condition`, and must hold at the corners of their ranges.
+`Condition` (see `sandbox.model.conditions`), and must hold at the corners of their ranges.
 """
 
-from collections.abc import Callable, Collection, Iterator
-from functools import partial
+from collections.abc import Collection, Iterator
 from itertools import chain, islice, product
-from typing import NamedTuple
 
 import numpy as np
 
+from sandbox.model.conditions import conditions
 from sandbox.model.consistency import dangling, inconsistencies
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Positive, Values
-from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
-from sandbox.model.landscape import Landscape
-from sandbox.model.level import Level, span
+from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
+from sandbox.model.level import Level
 from sandbox.model.locating import Path
-from sandbox.model.parts import Fault, expressions, names_in
-from sandbox.model.shapes import Point, Shape, evaluate, fault
+from sandbox.model.parts import Fault, expressions
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
-
-
-MAX_STEPS = 10_000_000
-"""How long a run may be: some minutes of computing."""
-
-NEAR = 1e-9
-"""How far apart two lengths may be that are meant to be the same, of the whole or in m."""
-
-
-class Condition(NamedTuple):
-    """What must hold for every choice of the parameters."""
-
-    path: Path
-    names: frozenset[str]
-    """The parameters that it depends on."""
-    broken: Callable[[Values], str | None]
-    """Say what is wrong for the given parameters, if anything is."""
 
 
 def faults(level: Level) -> list[Fault]:
@@ -56,8 +35,8 @@ def _most(found: Iterator[Fault]) -> list[Fault]:
 
 def broken(level: Level, values: Values) -> Iterator[Fault]:
     """Yield every part of a level that the given parameters make impossible."""
-    for condition in _conditions(level):
-        if condition.names and (rule := condition.broken(values)):
+    for condition in conditions(level):
+        if condition.names and (rule := condition.fault(values)):
             yield Fault(condition.path, rule)
 
 
@@ -87,108 +66,12 @@ def corners(level: Level, names: Collection[str] | None = None) -> Iterator[Valu
 
 def _values(level: Level) -> Iterator[Fault]:
     """Every condition holds over the whole ranges of the parameters."""
-    for path, names, wrong in _conditions(level):
-        for values in corners(level, names):
-            if rule := wrong(values):
-                used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(names))
-                yield Fault(path, f"{rule} when {used}" if used else rule)
+    for condition in conditions(level):
+        for values in corners(level, condition.names):
+            if rule := condition.fault(values):
+                used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
+                yield Fault(condition.path, f"{rule} when {used}" if used else rule)
                 break
-
-
-def _conditions(level: Level) -> Iterator[Condition]:
-    for path, expression in expressions(level):
-        if expression.names and not isinstance(expression, Formula):
-            yield Condition(path, expression.names, partial(_value_fault, expression))
-    yield Condition(("duration",), level.duration.names, partial(_too_long, level))
-    for name, body in level.bodies.items():
-        wrong = partial(_shape_fault, body.shape)
-        yield Condition(("bodies", name, "shape"), names_in(body.shape), wrong)
-    for name, joint in level.joints.items():
-        held = [level.bodies[body] for body in bodies_of(joint)]
-        names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
-        last = "ends" if isinstance(joint, Pivot) else "length"
-        yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
-    if level.view.landscape:
-        yield from _of_landscape(level.view.landscape)
-
-
-def _of_landscape(landscape: Landscape) -> Iterator[Condition]:
-    path = ("view", "landscape")
-    for axis, bounds in (("x", landscape.x), ("y", landscape.y)):
-        yield Condition((*path, axis), names_in(bounds), partial(_bounds_fault, bounds))
-    names = names_in((landscape.potential, landscape.x)) - {landscape.potential.variable}
-    yield Condition((*path, "potential"), names, partial(_curve_fault, landscape))
-
-
-def _value_fault(expression: Expression, values: Values) -> str | None:
-    try:
-        expression(values)
-    except ExpressionError as error:
-        return str(error)
-    return None
-
-
-def _too_long(level: Level, values: Values) -> str | None:
-    try:
-        steps = level.duration(values) * level.stepping.rate
-    except ExpressionError:
-        return None  # the expression's own condition tells
-    return f"that takes {steps:.1g} steps; {MAX_STEPS:,} are allowed" if steps > MAX_STEPS else None
-
-
-def _shape_fault(shape: Shape, values: Values) -> str | None:
-    try:
-        return fault(shape, values)
-    except ExpressionError:
-        return None  # the expression's own condition tells
-
-
-def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
-    try:
-        distance = span(joint, level.bodies, values)
-        match joint:
-            case Rod(length=length):
-                long = distance if length is None else float(length.over(values, np.zeros(())))
-                return _rod_fault(distance, long)
-            case Rope(length=Positive() as length) | Pulley(length=Positive() as length):
-                return _string_fault(distance, length(values))
-            case Pivot() if distance > NEAR:
-                return f"a pivot's two points must be one, but they are {distance:g} m apart"
-    except ExpressionError:
-        return None  # the expression's own condition tells
-    return None
-
-
-def _rod_fault(distance: float, long: float) -> str | None:
-    if not distance > NEAR:
-        return "a rod cannot be 0 m long; a pivot keeps two points together"
-    if not abs(long - distance) <= NEAR * distance:
-        return f"the rod is {long:g} m long at the start, but its ends are {distance:g} m apart"
-    return None
-
-
-def _string_fault(path: float, long: float) -> str | None:
-    if long < path * (1 - 1e-12):
-        return f"the string is {long:g} m long, but its path is {path:g} m"
-    return None
-
-
-def _bounds_fault(bounds: Point, values: Values) -> str | None:
-    try:
-        low, high = evaluate(bounds, values)
-    except ExpressionError:
-        return None  # the expression's own condition tells
-    return None if low < high else f"must go up, but goes from {low:g} m to {high:g} m"
-
-
-def _curve_fault(landscape: Landscape, values: Values) -> str | None:
-    try:
-        x, potential = landscape.curve(values)
-    except ExpressionError as error:
-        return str(error)
-    lost = x[~np.isfinite(potential)]
-    shown = brief(str(landscape.potential.source))
-    return f"'{shown}' has no finite value at x = {lost[0]:g} m" if len(lost) else None
 
 
 def _late(level: Level) -> Iterator[Fault]:

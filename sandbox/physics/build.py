@@ -30,6 +30,7 @@ from sandbox.physics.batch import Batch
 from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
+from sandbox.physics.sticking import Sticking, sticking
 
 HAIR = 1e-9
 """m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
@@ -50,6 +51,9 @@ CORRECTION = 0.2
 """The share of an overlap that a step takes back, where the level has nothing else to say."""
 
 
+Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
+
+
 @dataclass(frozen=True, slots=True)
 class Scene:
     """A level's objects in pymunk, and what must be known of them to run and to measure.
@@ -66,8 +70,8 @@ class Scene:
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     joints
         The joints, in the level's order.
-    named_pairs
-        How many pairs have coefficients of their own, each a callback a contact.
+    pair_callbacks
+        How many callbacks the pairs with coefficients of their own make, with a contact each.
     gravity, laws
         What acts on the bodies: gravity is pymunk's own, the laws need a hook.
     """
@@ -79,7 +83,7 @@ class Scene:
     moment: np.ndarray
     agility: np.ndarray
     joints: Joints
-    named_pairs: int
+    pair_callbacks: int
     gravity: Gravity | None
     laws: tuple[Law, ...]
 
@@ -91,14 +95,14 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.iterations = stepping.iterations
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
-    named_pairs = 0
+    pair_callbacks = 0
     if level.effects.contact:
         hair = 0.0 if as_it_comes else HAIR
         if not as_it_comes:
             _skip_ids(space, level)
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
-        named_pairs = _pairs(space, level, values)
+        pair_callbacks = _pairs(space, level, values)
         if not as_it_comes:
             _settle(space, level, values, 1 / stepping.rate)
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
@@ -119,7 +123,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         moment=moment,
         agility=np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1),
         joints=joints,
-        named_pairs=named_pairs,
+        pair_callbacks=pair_callbacks,
         gravity=field,
         laws=(*laws(level.effects, values, list(bodies), mass), *joints.springs.values()),
     )
@@ -285,7 +289,7 @@ def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> Non
 
 
 def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:
-    """Give the pairs that the level names their own coefficients, and return how many there are."""
+    """Give pairs coefficients of their own, and return how many callbacks a contact each makes."""
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
     coefficients: dict[tuple[str, str], dict[str, float]] = {}
     for attribute in ("friction", "restitution"):
@@ -293,16 +297,30 @@ def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:
         for pair in effect.pairs if effect else ():
             a, b = sorted(pair.bodies)
             coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
-    for (a, b), chosen in coefficients.items():
-        space.on_collision(kinds[a], kinds[b], pre_solve=_setter(chosen))
-    return len(coefficients)
+    sticky = sticking(level, values)
+    for a, b in coefficients | sticky:
+        chosen, stick = coefficients.get((a, b), {}), sticky.get((a, b))
+        space.on_collision(
+            kinds[a], kinds[b], pre_solve=_setter(chosen, stick), post_solve=_judge(stick)
+        )
+    return len(coefficients | sticky) + len(sticky)
 
 
-def _setter(
-    coefficients: dict[str, float],
-) -> Callable[[pymunk.Arbiter, pymunk.Space, object], None]:
+def _setter(coefficients: dict[str, float], stick: Sticking | None) -> Collision:
     def choose(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
         for attribute, value in coefficients.items():
             setattr(arbiter, attribute, value)
+        if stick:
+            stick.choose(arbiter)
 
     return choose
+
+
+def _judge(stick: Sticking | None) -> Collision | None:
+    if stick is None:
+        return None
+
+    def judge(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
+        stick.judge(arbiter)
+
+    return judge

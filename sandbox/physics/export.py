@@ -4,6 +4,7 @@ import platform
 import shlex
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pymunk
@@ -11,8 +12,19 @@ import pymunk
 from sandbox import __version__
 from sandbox.model.errors import brief
 from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
 from sandbox.model.loading import digest
 from sandbox.physics.trace import Trace
+
+
+class Change(NamedTuple):
+    """How the level of a run differs from the one that its source holds."""
+
+    original: Level
+    told: str
+    """such as `without drag`"""
+    options: tuple[str, ...]
+    """those of the command line that make the change"""
 
 
 def write_csv(
@@ -22,6 +34,7 @@ def write_csv(
     names: Iterable[str] | None = None,
     *,
     disturbed: bool = False,
+    change: Change | None = None,
 ) -> None:
     """Write a run as a CSV file, whole or not at all.
 
@@ -29,7 +42,7 @@ def write_csv(
     ----------
     path
         The file; its folder must be there.
-    trace, source, names, disturbed
+    trace, source, names, disturbed, change
         As for `to_csv`.
 
     Raises
@@ -37,11 +50,16 @@ def write_csv(
     SandboxError
         If the file cannot be written.
     """
-    write_atomically(path, to_csv(trace, source, names, disturbed=disturbed))
+    write_atomically(path, to_csv(trace, source, names, disturbed=disturbed, change=change))
 
 
 def to_csv(
-    trace: Trace, source: str, names: Iterable[str] | None = None, *, disturbed: bool = False
+    trace: Trace,
+    source: str,
+    names: Iterable[str] | None = None,
+    *,
+    disturbed: bool = False,
+    change: Change | None = None,
 ) -> str:
     """Return a run as CSV: comments that tell how to get it again, a header, a line an instant.
 
@@ -57,14 +75,16 @@ def to_csv(
         Which of the recorded quantities to write, and in which order; all if left out.
     disturbed
         Whether a hand has touched the scene, so that nobody can run it again.
+    change
+        What was run instead of the level of that source.
     """
     chosen = trace.columns if names is None else names
     columns = [name for name in dict.fromkeys(chosen) if name != "t"]
     header = ["t [s]", *(f"{name} [{trace.units[name]}]" for name in columns)]
     rows = zip(*(values.tolist() for values in _arrays(trace, columns)), strict=True)
     lines = [
-        *(f"# {key}: {brief(text, len(text))}" for key, text in _provenance(trace, source)),
-        f"# {_again(trace, source, columns, disturbed=disturbed)}",
+        *(f"# {key}: {brief(text, len(text))}" for key, text in _provenance(trace, source, change)),
+        f"# {_again(trace, source, columns, change, disturbed=disturbed)}",
         ",".join(header),
         *(",".join(map(repr, row)) for row in rows),
     ]
@@ -77,11 +97,13 @@ def _arrays(trace: Trace, columns: list[str]) -> Iterator[np.ndarray]:
         yield trace.columns[name]
 
 
-def _provenance(trace: Trace, source: str) -> Iterator[tuple[str, str]]:
+def _provenance(trace: Trace, source: str, change: Change | None) -> Iterator[tuple[str, str]]:
     level, stepping = trace.level, trace.stepping
     yield "level", source
     yield "title", level.title
-    yield "hash", digest(level)
+    yield "hash", digest(change.original if change else level)
+    if change:
+        yield "change", change.told
     yield "parameters", ", ".join(_parameters(trace)) or "none"
     yield "rate", f"{stepping.rate!r} Hz"
     yield "iterations", str(stepping.iterations)
@@ -103,14 +125,16 @@ def _versions() -> Iterator[tuple[str, str]]:
     yield "sandbox", __version__
 
 
-def _again(trace: Trace, source: str, columns: list[str], *, disturbed: bool) -> str:
+def _again(
+    trace: Trace, source: str, columns: list[str], change: Change | None, *, disturbed: bool
+) -> str:
     """Return the command that gives the same file, or why there is none."""
     level, stepping = trace.level, trace.stepping
     if disturbed:
         return "not repeatable: a hand has moved the bodies"
     if stepping.model_copy(update={"rate": level.stepping.rate}) != level.stepping:
         return "not repeatable by a command: the level says another scheme, or other iterations"
-    command = ["python", "-m", "sandbox", "simulate", source]
+    command = ["python", "-m", "sandbox", "simulate", source, *(change.options if change else ())]
     for name, value in trace.values.items():
         if value != level.defaults[name]:
             command += ["--set", f"{name}={float(value)!r}"]

@@ -6,7 +6,7 @@ five times as fast. All other exact joints are solved together.
 
 from collections.abc import Callable, Iterator, Mapping
 from itertools import pairwise
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 import pymunk
@@ -28,10 +28,14 @@ from sandbox.model.level import Level, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.physics.anchor import Anchor
 from sandbox.physics.batch import Batch
-from sandbox.physics.exact import ExactJoints, Row
+from sandbox.physics.exact.reaches import Row
+from sandbox.physics.exact.solver import ExactJoints
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Motion
 from sandbox.physics.pulley import PulleyString
+
+if TYPE_CHECKING:
+    from sandbox.physics.exact.equations import Condition, Equation
 
 Exact = Rod | Rope | Pulley | Pivot
 
@@ -68,7 +72,9 @@ class Joints:
         }
         self.springs: dict[str, SpringForce] = {}
         self.strings: dict[str, PulleyString] = {}
+        self.together: ExactJoints | None = None
         rows: list[Row] = []
+        others: list[Equation] = []
         for name, spec in level.joints.items():
             if isinstance(spec, Spring):
                 self.springs[name] = _spring(spec, self.paths[name], lengths[name], values)
@@ -76,9 +82,12 @@ class Joints:
                 self.strings[name] = _string(name, spec, bodies, lengths[name], values)
             else:
                 rows += _rows(name, spec, self.paths[name], lengths[name], values)
-        self.together = ExactJoints(rows, batch, inverse(mass), inverse(moment)) if rows else None
+        equations: tuple[Condition, ...] = (*rows, *others)
+        if equations:
+            self.together = ExactJoints(rows, others, batch, inverse(mass), inverse(moment))
         self._rows = {
-            name: [i for i, row in enumerate(rows) if row.joint == name] for name in level.joints
+            name: [i for i, row in enumerate(equations) if row.joint == name]
+            for name in level.joints
         }
 
     def solvers(self, until: Callable[[], float]) -> list[Callable[[], None]]:

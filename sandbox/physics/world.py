@@ -105,8 +105,8 @@ class World:
 
     @property
     def hooks(self) -> int:
-        """How many Python callbacks a step makes, with one contact in each of the named pairs."""
-        return (self._hook.count if self._hook else 0) + self.scene.named_pairs
+        """How many Python callbacks a step makes, if each pair that needs any has one contact."""
+        return (self._hook.count if self._hook else 0) + self.scene.pair_callbacks
 
     def step(self) -> None:
         """Take one step without looking at it: nothing but pymunk's own step is paid for.

@@ -154,11 +154,12 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     """No shape without contact, no callback without a force law or a string."""
     world = build(level)
     effects = level.effects
-    laws = effects.attraction or effects.drag or effects.force
+    laws = effects.attraction or effects.gravitation or effects.drag or effects.force
     pairs = effects.friction.pairs if effects.friction else ()
+    sticky = any(body.static_friction for body in level.bodies.values())
 
     assert bool(world.scene.space.shapes) == (effects.contact is not None)
-    assert bool(world.hooks) == bool(level.joints or laws or pairs)
+    assert bool(world.hooks) == bool(level.joints or laws or pairs or sticky)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:

@@ -127,6 +127,12 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "effects.contact", {}, "effects.contact: 'contact' is declared but there is only one body"),
         (bare, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
         (hanging, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
+        (bare, "effects", {"gravitation": {"constant": 1}}, "effects.gravitation: bodies attract each other, but only one is dynamic"),
+        (hanging, "effects.gravitation", {"constant": 1}, None),
+        (hanging, "effects.gravitation", {"constant": 1, "softening": -1}, "effects.gravitation.softening: is -1, but must be at least 0"),
+        (hanging, "effects.gravitation", {"constant": 1, "bodies": ["ball"]}, "effects.gravitation.bodies"),
+        (hanging, "effects.gravitation", {"constant": 1, "bodies": ["ball", "othr"]}, "effects.gravitation.bodies.1: unknown body 'othr'; did you mean 'other'?"),
+        (hanging, "effects.gravitation", {"constant": 1, "bodies": ["ball", "ball"]}, "effects.gravitation.bodies: a body is named twice"),
         (bare, "effects.friction", {}, "effects.friction: 'friction' needs the effect 'contact'"),
         (bare, "effects.restitution", {}, "effects.restitution: 'restitution' is declared but no body has"),
         (bare, "bodies.ball.friction", 0.1, "bodies.ball.friction: 'friction' is used but the effect 'friction' is not declared"),
@@ -136,6 +142,11 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
         (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+        (touching, "bodies.ball.static_friction", 1, None),
+        (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient, 1"),
+        (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient, 1: what holds would slip when m = 1"),
+        (bare, "bodies.ball.static_friction", 1, "bodies.ball.static_friction: needs 'friction' beside it"),
+        (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "floor"], "coefficient": 1, "static": 0.5}]}, "effects.friction.pairs.0.static: is 0.5, less than the kinetic coefficient, 1"),
     ],
 )  # fmt: skip
 def test_a_contradiction_is_told_where_it_is(
@@ -185,6 +196,19 @@ def test_a_value_must_be_possible_at_the_ends_of_the_ranges(
     [mistake] = mistakes(bare(), setting(path, value), setting("view", {"center": ["m", 0]}))
 
     assert expected in mistake.rule
+
+
+def test_bodies_that_attract_each_other_cannot_start_at_one_place() -> None:
+    pulls = setting("effects.gravitation", {"constant": 1})
+    soft = setting("effects.gravitation", {"constant": 1, "softening": 0.1})
+    meets = setting("bodies.other.position", ["m - 2", 0]), setting("joints", {})
+
+    [mistake] = mistakes(hanging(), pulls, *meets)
+
+    assert mistake.path == "effects.gravitation"
+    assert "'ball' and 'other' attract each other but start at one place" in mistake.rule
+    assert mistake.rule.endswith("when m = 1")
+    assert mistakes(hanging(), soft, *meets) == ()
 
 
 def test_a_polygon_must_be_simple_at_the_ends_of_the_ranges() -> None:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from sandbox.model.expressions import Array, Formula
 from sandbox.model.level import Level
 from sandbox.physics.anchor import Anchor
-from sandbox.physics.laws import Attraction, Drag, Gravity, Law, Push, SpringForce
+from sandbox.physics.laws import Attraction, Drag, Gravitation, Gravity, Law, Push, SpringForce
 from sandbox.physics.measure import Meter
 from sandbox.physics.motion import Instant
 from sandbox.physics.world import build
@@ -29,7 +29,20 @@ ENDS = st.tuples(
 )
 CONSERVATIVE = st.one_of(
     st.builds(Gravity, XY, st.just(MASS)),
-    st.builds(Attraction, mu=st.floats(-10, 10), center=XY, mass=st.just(MASS)),
+    st.builds(
+        Attraction,
+        mu=st.floats(-10, 10),
+        center=XY,
+        mass=st.just(MASS),
+        power=st.sampled_from([2.0, 1.0, 3.0, -1.0, 0.5]),
+    ),
+    st.builds(
+        Gravitation,
+        constant=st.floats(-10, 10),
+        bodies=st.just(np.array([0, 1])),
+        mass=st.just(MASS[:2]),
+        softening=st.floats(0, 2),
+    ),
     st.builds(
         Push,
         force=st.tuples(NUMBER.map(Formula), NUMBER.map(Formula)),
@@ -60,6 +73,8 @@ def smooth(law: Law, places: Array) -> Array:
     if isinstance(law, Attraction):
         near = np.hypot(*(places[:, :2] - np.array(law.center)).T) < 1
         places[near, :2] = np.array(law.center) + 1
+    if isinstance(law, Gravitation) and np.hypot(*(places[0, :2] - places[1, :2])) < 1:
+        places[0, 0] += 3
     if isinstance(law, SpringForce):
         (a, _, _), (b, _, _) = (end.look(instant(places)) for end in law.ends)
         places[0, 0] += 3 * (abs(a - b) < 1)
@@ -257,3 +272,75 @@ def test_a_sun_at_the_centre_of_attraction_neither_moves_nor_counts() -> None:
 
 def test_a_negative_parameter_repels() -> None:
     assert build(orbit(speed=0, mu=-1)).snapshot.acceleration[0] == pytest.approx([1, 0])
+
+
+def test_a_centre_may_pull_by_another_power() -> None:
+    """As a spring, mu r: it comes back after 2π/√mu wherever it starts."""
+    scene = level(
+        {"near": disc((1, 0)), "far": disc((3, 0))}, {"attraction": [{"mu": 4, "power": -1}]}
+    )
+    found = measured(build(scene), 190, "near.position.x", "far.position.x", "t")
+
+    assert worst(found["near.position.x"], np.cos(2 * found["t"])) < 1e-3  # 3e-4
+    assert worst(found["far.position.x"], 3 * np.cos(2 * found["t"])) < 1e-3
+
+
+@given(
+    st.lists(st.tuples(NUMBER, NUMBER, st.floats(0.1, 10)), min_size=2, max_size=8, unique=True),
+    st.floats(-3, 3),
+    st.floats(0.1, 2),
+)
+def test_bodies_that_attract_each_other_keep_momentum_and_angular_momentum(
+    stars: list[tuple[float, float, float]], constant: float, softening: float
+) -> None:
+    """Every pull has its counterpart: what is left over is the rounding of the sum."""
+    x, y, mass = np.array(stars).T
+    law = Gravitation(constant, np.arange(len(stars)), mass, softening)
+    force = wrench(law, instant(np.stack([x, y, 0 * x], axis=1)))
+    rounding = 1e-13 * max(1.0, float(np.abs(force).max()))
+
+    assert force[:, :2].sum(axis=0) == pytest.approx([0, 0], abs=rounding)
+    assert np.sum(x * force[:, 1] - y * force[:, 0]) == pytest.approx(0, abs=50 * rounding)
+
+
+def test_the_energy_of_a_pair_counts_once() -> None:
+    """−G m1 m2 / r, added up over the three pairs of three bodies."""
+    pulls: Spec = {"gravitation": {"constant": 2}}
+    two = {"a": disc(mass=3), "b": disc((0, 4), mass=5)}
+    three = {**two, "c": disc((3, 0), mass=7)}
+
+    energy = "system.potential_energy"
+
+    def potential(bodies: dict[str, Spec]) -> float:
+        world = build(level(bodies, pulls))
+        return float(Meter(world, [energy])(world.snapshot)[energy])
+
+    assert potential(two) == pytest.approx(-2 * 3 * 5 / 4)
+    assert potential(three) == pytest.approx(-2 * (3 * 5 / 4 + 3 * 7 / 3 + 5 * 7 / 5))
+
+
+def test_only_the_named_bodies_attract_each_other() -> None:
+    stars = {name: disc(place) for name, place in zip("abc", [(0, 0), (1, 0), (0, 1)], strict=True)}
+    world = build(level(stars, {"gravitation": {"constant": 1, "bodies": ["a", "c"]}}))
+
+    assert world.snapshot.acceleration.tolist() == [[0, 1], [0, 0], [0, -1]]
+
+
+def two_stars_error(rate: float, scheme: str = "leapfrog") -> float:
+    """Two stars of 2 and 1 kg, 3 m apart, once round: ω² = G (m1 + m2) / d³."""
+    omega = (6 * 3 / 27) ** 0.5
+    stars = {
+        "heavy": disc((-1, 0), mass=2, velocity=[0, -omega]),
+        "light": disc((2, 0), mass=1, velocity=[0, 2 * omega]),
+    }
+    scene = level(
+        stars, {"gravitation": {"constant": 6}}, stepping={"rate": rate, "scheme": scheme}
+    )
+    found = measured(build(scene), round(rate * 2 * np.pi / omega), "light.position.x", "t")
+    return worst(found["light.position.x"], 2 * np.cos(omega * found["t"]))
+
+
+def test_two_stars_are_second_order() -> None:
+    assert two_stars_error(60) < 1e-3  # 3.8e-4
+    assert order(two_stars_error, 60) >= 1.9
+    assert two_stars_error(60, "symplectic-euler") > 1e-3

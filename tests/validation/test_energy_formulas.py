@@ -123,3 +123,41 @@ def test_near_the_start_turning_is_a_throw_in_uniform_gravity() -> None:
     """For a small share f of escape speed g = μ / r², so it rises for f √(2 μ / r) / g."""
     assert energy.turning_distance(1, 1e-3) - 1 == pytest.approx(1e-6, rel=1e-3)
     assert energy.turning_time(1, 1e-3, 1) == pytest.approx(1e-3 * sqrt(2), rel=1e-3)
+
+
+def test_an_orbit_that_turns_obeys_newton() -> None:
+    """Second differences of x and y against −(μ / r³ + ε / r⁴) r; h² of the fourth slope is off."""
+    near, e, mu, extra, h = 1.5, 0.5, 8.0, 3.0, 1e-4
+    t = 1.7 + h * np.array([-1, 0, 1])
+    r, angle = energy.revolving_place(near, e, mu, extra, np.concatenate(([0, 0.9], t)))
+    x, y = (r * np.cos(angle))[2:], (r * np.sin(angle))[2:]
+    pull = mu / r[3] ** 3 + extra / r[3] ** 4
+
+    assert (x[0] - 2 * x[1] + x[2]) / h**2 == pytest.approx(-pull * x[1], rel=1e-5)
+    assert (y[0] - 2 * y[1] + y[2]) / h**2 == pytest.approx(-pull * y[1], rel=1e-5)
+
+
+def test_the_perihelia_of_an_orbit_that_turns_advance_alike() -> None:
+    """By 2π (1/κ − 1) a turn, with κ² = 1 − ε / h²."""
+    near, e, mu, extra = 1.5, 0.3, 8.0, 2.0
+    turns = np.linspace(0, 3, 31) * energy.kepler_period(near / (1 - e), mu)
+    r, angle = energy.revolving_place(near, e, mu, extra, turns)
+    kappa = np.sqrt(1 - extra / (mu * near * (1 + e) + extra))
+
+    assert r[::10] == pytest.approx(near)
+    assert angle[::10] == pytest.approx(2 * np.pi / kappa * np.arange(4))
+
+
+def test_the_figure_eight_closes_and_its_stars_follow_each_other() -> None:
+    """After a third of the period 6.32591398 √(a³ / (G m)) each is where another was."""
+    period = 6.32591398292621 * np.sqrt(8 / 8)
+    start, third, end = energy.figure_eight(2, 4, 2, [0, period / 3, period]).T
+
+    assert end == pytest.approx(start, abs=1e-10)
+    assert third == pytest.approx(np.roll(start, 2), abs=1e-10)
+
+
+def test_equal_bodies_circle_faster_than_about_a_fixed_sun() -> None:
+    assert energy.two_body_period(3, 3, 4, 2) == pytest.approx(
+        energy.kepler_period(2, 12) / np.sqrt(2)
+    )

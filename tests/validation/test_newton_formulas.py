@@ -94,3 +94,22 @@ def test_drag_ends_at_its_terminal_velocity_and_begins_as_a_free_fall() -> None:
 def test_a_movable_pulley_is_balanced_by_half_its_weight() -> None:
     assert newton.movable_pulley_acceleration(1, 2, 9.81) == 0
     assert newton.resultant((3, 4), (-1, 2)) == (2, 6)
+
+
+def test_a_block_pulled_loose_obeys_its_equation_of_motion() -> None:
+    """m dv/dt = k t − μk N once k t > μs N, and nothing before."""
+    static, kinetic, mass, growth = 6.0, 3.0, 2.0, 4.0
+    t = np.linspace(1.6, 3, 1401)
+    way, v = newton.pulled_loose(static, kinetic, mass, growth, t)
+
+    assert newton.break_loose_time(static, growth) == 1.5
+    assert np.gradient(way, t)[1:-1] == pytest.approx(v[1:-1], rel=1e-5)
+    assert mass * np.gradient(v, t)[1:-1] == pytest.approx(growth * t[1:-1] - kinetic, rel=1e-6)
+    assert [float(x) for x in newton.pulled_loose(static, kinetic, mass, growth, 1.5)] == [0, 0]
+
+
+def test_an_incline_holds_to_the_static_angle_and_slides_by_the_kinetic_coefficient() -> None:
+    assert newton.sticking_acceleration(np.arctan(0.5), 9.81, 0.6, 0.4) == 0
+    assert newton.sticking_acceleration(np.arctan(0.75), 10, 0.6, 0.4) == pytest.approx(
+        10 * (0.6 - 0.4 * 0.8)
+    )

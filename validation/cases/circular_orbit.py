@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from validation.case import Case, Choices
+from validation.case import SECOND_ORDER, Case, Choices
 from validation.formulas import energy
 
 PARAMETERS: Choices = ({}, {"r": 1.5, "mu": 12.0}, {"r": 4.0, "mu": 1.0})
@@ -18,6 +18,7 @@ def cases() -> Iterator[Case]:
             quantity="planet.position",
             expected=lambda p, _: p["r"],
             tolerance=1e-4,
+            order=SECOND_ORDER,
             because="leapfrog's orbit is an ellipse of eccentricity (ω dt)² / 2, at most 3.1e-5",
             naive_misses=1e-4,
         )
@@ -28,6 +29,7 @@ def cases() -> Iterator[Case]:
             quantity="planet.speed",
             expected=lambda p, _: energy.circular_orbit_speed(p["mu"], p["r"]),
             tolerance=1e-4,
+            order=SECOND_ORDER,
             because="as for the distance",
             naive_misses=1e-4,
         )

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from validation.case import Case, Choices, Expected
+from validation.case import SECOND_ORDER, Case, Choices, Expected
 from validation.formulas import lagrange, momentum, newton
 
 FALLS: Choices = ({}, {"m": 5.0, "c": 0.1}, {"c": 1.0, "g": 25.0})
@@ -28,6 +28,7 @@ def cases() -> Iterator[Case]:
             quantity="ball.velocity.y",
             expected=lambda p, t: newton.fall_velocity(t, p["m"], p["c"], p["g"]),
             tolerance=1e-4,
+            order=SECOND_ORDER,
             because=SECOND,
             naive_misses=1e-4,
         )
@@ -48,6 +49,7 @@ def cases() -> Iterator[Case]:
         quantity="right.speed",
         expected=lambda p, t: lagrange.skater_speed(t, p["v"], p["u"]),
         tolerance=1e-5,
+        order=SECOND_ORDER,
         because="second order: the hand's own turn in a step, squared, as it changes",
         naive_misses=1e-4,
     )
@@ -61,6 +63,7 @@ def _thrown() -> Iterator[Case]:
             quantity=f"ball.position.{axis}",
             expected=_throw(component, g),
             tolerance=2e-5,
+            order=SECOND_ORDER,
             because=SECOND,
             naive_misses=1e-4,
         )
@@ -82,6 +85,7 @@ def _pushed() -> Iterator[Case]:
         quantity="box.momentum.x",
         expected=lambda p, t: momentum.half_sine_momentum(t, p["F"], p["T"]),
         tolerance=1e-4,
+        order=SECOND_ORDER,
         because="a trapezoidal sum: (π dt / T)² / 12, 1.4e-5 for T = 1 s",
         naive_misses=5e-4,
     )

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sandbox.model.level import ApexEvent, CrossingEvent
-from validation.case import Case, Choices, Parameters
+from validation.case import SECOND_ORDER, Case, Choices, Parameters
 from validation.formulas import energy, leapfrog
 
 ELLIPSES: Choices = (
@@ -52,6 +52,7 @@ def _ellipse(parameters: Parameters) -> Iterator[Case]:
         quantity="planet.position.x",
         expected=lambda p, t: energy.kepler_place(p["near"], p["e"], p["mu"], t)[0],
         tolerance=1e-4,
+        order=SECOND_ORDER,
         because="second order: the angle runs behind a little more each radian, 5.5e-5 in a turn",
         naive_misses=1e-3,
     )
@@ -63,6 +64,7 @@ def _ellipse(parameters: Parameters) -> Iterator[Case]:
         at=FAR_END,
         expected=lambda p, _: -p["near"] * (1 + p["e"]) / (1 - p["e"]),
         tolerance=bound,
+        order=SECOND_ORDER,
         because="the energy that leapfrog keeps is a little off: far_end_error, at most 9.4e-6",
     )
     yield Case(
@@ -75,6 +77,7 @@ def _ellipse(parameters: Parameters) -> Iterator[Case]:
             p["near"] * (1 + p["e"]) / (1 - p["e"]), p["near"], p["mu"]
         ),
         tolerance=bound,
+        order=SECOND_ORDER,
         because="the energy that leapfrog keeps is a little off: far_end_error, at most 9.4e-6",
     )
     yield Case(
@@ -104,6 +107,7 @@ def _period(planet: str, parameters: Parameters) -> Iterator[Case]:
             p["r"] * (1.0 if inner else p["times"]), p["mu"]
         ),
         tolerance=1e-4,
+        order=SECOND_ORDER,
         because="second order in ω dt, measured a third of it on a circle: 1.1e-5",
     )
     yield Case(
@@ -135,6 +139,7 @@ def _escape(parameters: Parameters) -> Iterator[Case]:
         quantity="escapes.position.x",
         expected=lambda p, t: energy.escape_distance(p["r"], p["mu"], t),
         tolerance=5e-5,
+        order=SECOND_ORDER,
         because="it loses dt² μ² 9 / (24 r⁴) of energy at the start, 3.2e-5 J: 6.3e-6 of the way",
         naive_misses=2e-4,
     )
@@ -147,6 +152,7 @@ def _escape(parameters: Parameters) -> Iterator[Case]:
             p["mu"], energy.escape_distance(p["r"], p["mu"], t)
         ),
         tolerance=5e-5,
+        order=SECOND_ORDER,
         because="it loses dt² μ² 9 / (24 r⁴) of energy at the start, 3.2e-5 J: 6.3e-6 of the way",
         naive_misses=2e-4,
     )
@@ -159,6 +165,7 @@ def _escape(parameters: Parameters) -> Iterator[Case]:
         at=turning,
         expected=lambda p, _: energy.turning_distance(p["r"], p["share"]),
         tolerance=bound,
+        order=SECOND_ORDER,
         because="it loses a little energy at the start: turning_error, at most 1.3e-5, as measured",
         naive_misses=2e-4,
     )
@@ -170,6 +177,7 @@ def _escape(parameters: Parameters) -> Iterator[Case]:
         at=turning,
         expected=lambda p, _: energy.turning_time(p["r"], p["share"], p["mu"]),
         tolerance=2.5 * bound,
+        order=SECOND_ORDER,
         because="the period goes as the distance to the power 3/2, and the start is late: 2.1e-5",
         naive_misses=2e-4,
     )

@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import CrossingEvent
-from validation.case import Case, Parameters
+from validation.case import SECOND_ORDER, Case, Parameters
 from validation.formulas import lagrange
 
 LOWEST = CrossingEvent(event="crossing", quantity="bob.position.x", direction="down")
@@ -25,17 +25,19 @@ def cases() -> Iterator[Case]:
         level="lagrange/double-pendulum",
         quantity="system.energy",
         expected=lambda p, _: _double_energy(p),
-        tolerance=1e-3,
+        tolerance=1e-4,
+        order=SECOND_ORDER,
         because="leapfrog's energy swings by (ω dt)² of its scale, and does not drift",
-        naive_misses=2e-3,
+        naive_misses=5e-4,
     )
     yield Case(
         name="spring pendulum: energy at every step",
         level="energy/spring-pendulum",
         quantity="system.energy",
         expected=lambda p, _: lagrange.pendulum_energy(1.0, 9.81, -np.cos(np.radians(p["angle"]))),
-        tolerance=1e-4,
-        naive_misses=1e-3,
+        tolerance=2e-5,
+        order=SECOND_ORDER,
+        naive_misses=5e-4,
         because="as for the double pendulum",
     )
 
@@ -56,9 +58,10 @@ def _simple() -> Iterator[Case]:
             quantity="t",
             expected=lambda p, _: lagrange.pendulum_period(p["L"], p["g"], _amplitude(p)) / 4,
             at=LOWEST,
-            tolerance=1e-4,
+            tolerance=2e-5,
+            order=SECOND_ORDER,
             because=SECOND,
-            naive_misses=5e-4,
+            naive_misses=2e-4,
         )
         yield Case(
             name="pendulum: the length of its rod",
@@ -83,9 +86,10 @@ def _physical() -> Iterator[Case]:
                 lagrange.physical_pendulum_period(p["L"], p["g"], _amplitude(p)) / 4
             ),
             at=UPRIGHT,
-            tolerance=1e-4,
+            tolerance=2e-5,
+            order=SECOND_ORDER,
             because=SECOND,
-            naive_misses=5e-4,
+            naive_misses=2e-4,
         )
 
 

@@ -5,10 +5,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from validation.case import Case, Expected, Parameters
+from validation.case import SECOND_ORDER, Case, Expected, Parameters
 from validation.formulas import lagrange
 
-SECOND = "second order: a phase of (ω dt)² / 24 a radian, 1e-3 over the run at the most"
+SECOND = "second order: a phase of (ω dt)² / 24 a radian, 1e-4 over the run at the most"
 
 
 def cases() -> Iterator[Case]:
@@ -20,16 +20,17 @@ def cases() -> Iterator[Case]:
             level="lagrange/coupled-oscillators",
             quantity=f"{body}.position.x",
             expected=_coupled(index),
-            tolerance=5e-4,
+            tolerance=5e-5,
+            order=SECOND_ORDER,
             because=SECOND,
-            naive_misses=1e-3,
+            naive_misses=5e-4,
         )
 
 
 def _alone() -> Iterator[Case]:
     levels: tuple[tuple[str, Parameters, float, float, float], ...] = (
-        ("energy/spring-oscillator", {}, 0.0, 5e-4, 2e-3),
-        ("energy/spring-oscillator", {"m": 0.5, "k": 50.0}, 0.0, 1e-3, 2e-3),
+        ("energy/spring-oscillator", {}, 0.0, 3e-5, 5e-4),
+        ("energy/spring-oscillator", {"m": 0.5, "k": 50.0}, 0.0, 1e-4, 1e-3),
         ("energy/damped-spring", {"c": 3.0}, 3.0, 2e-4, 1e-3),
         ("energy/damped-spring", {"c": 20.0}, 20.0, 2e-4, 4e-4),
         ("energy/damped-spring", {"c": 60.0}, 60.0, 1e-4, 1e-4),
@@ -43,6 +44,7 @@ def _alone() -> Iterator[Case]:
             quantity="block.position.x",
             expected=_damped(damping),
             tolerance=tolerance,
+            order=SECOND_ORDER,
             because=SECOND,
             naive_misses=naive,
         )

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from validation.formulas.arrays import Array
+from validation.formulas.runge_kutta import solution
 
 
 def landing_speed(speed: float, g: float, height: float) -> float:
@@ -126,3 +127,50 @@ def turning_time(r: float, share: float, mu: float) -> float:
     a = turning_distance(r, share) / 2
     start = float(np.arccos(1 - r / a))
     return kepler_period(a, mu) / (2 * np.pi) * (np.pi - start + np.sin(start))
+
+
+def two_body_period(m1: float, m2: float, constant: float, distance: float) -> float:
+    """Return how long two bodies take to circle each other [s]: 2 π √(d³ / (G (m1 + m2))).
+
+    Their distance obeys r'' = −G (m1 + m2) r / |r|³, as that of a planet from a sun of both masses.
+    """
+    return kepler_period(distance, constant * (m1 + m2))
+
+
+def revolving_place(
+    near: float, e: float, mu: float, extra: float, t: ArrayLike
+) -> tuple[Array, Array]:
+    """Return distance [m] and angle [rad] under μ / r² + ε / r³, from a perihelion at angle 0.
+
+    Newton's theorem of revolving orbits (Principia, book 1, section 9): the extra force takes ε off
+    the square of the angular momentum h, and r(t) is that of Kepler's ellipse with κ h,
+    κ² = 1 − ε / h², on which the angle grows κ times as fast. So h² = μ near (1 + e) + ε.
+    """
+    inner = mu * near * (1 + e)  # (κ h)²
+    x, y = kepler_place(near, e, mu, t)
+    angle = np.unwrap(np.arctan2(y, x))
+    return np.hypot(x, y), angle * np.sqrt((inner + extra) / inner)
+
+
+def figure_eight(mass: float, constant: float, size: float, t: ArrayLike) -> Array:
+    """Return where three equal bodies on one eight are [m]: (6, ...), x and y of each in turn.
+
+    The choreography of C. Moore (1993) and of A. Chenciner and R. Montgomery (Annals of Mathematics
+    152, 2000), from C. Simó's initial conditions; Newton's equations solved by Runge and Kutta.
+    """
+    x, y, u, v = 0.97000435669734, -0.24308753153583, -0.93240737144104, -0.86473146092102
+    places = np.array([x, y, -x, -y, 0, 0])
+    moves = np.array([-u / 2, -v / 2, -u / 2, -v / 2, u, v])
+
+    def slope(state: Array) -> Array:
+        r = state[:6].reshape(3, 2)
+        pulls = np.zeros((3, 2))
+        for i, j in ((0, 1), (1, 2), (2, 0)):
+            pull = (r[j] - r[i]) / np.hypot(*(r[j] - r[i])) ** 3
+            pulls[i] += pull
+            pulls[j] -= pull
+        return np.concatenate((state[6:], pulls.ravel()))
+
+    seconds = np.sqrt(size**3 / (constant * mass))
+    start = np.concatenate((places, moves))
+    return size * solution(slope, start, np.asarray(t, dtype=float) / seconds)[:6]

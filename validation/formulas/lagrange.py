@@ -35,6 +35,19 @@ def pendulum_energy(mass: float, g: float, *heights: float) -> float:
     return mass * g * sum(heights)
 
 
+def oscillator_period(mass: float, stiffness: float) -> float:
+    """Return the period of a spring [s], whatever its amplitude: 2 π √(m / k)."""
+    return float(2 * np.pi * np.sqrt(mass / stiffness))
+
+
+def oscillator_amplitude(mass: float, stiffness: float, speed: float) -> float:
+    """Return how far a spring is drawn by a body that passes its middle at a speed [m].
+
+    m v² / 2 = k A² / 2, the chapter's section 5.
+    """
+    return float(speed * np.sqrt(mass / stiffness))
+
+
 def damped_oscillation(
     t: ArrayLike, mass: float, stiffness: float, damping: float, amplitude: float
 ) -> Array:

@@ -146,3 +146,32 @@ def movable_pulley_acceleration(weight: float, wheel: float, g: float) -> float:
     2 T − M g = M a and T − m g = −2 m a: (2 m − M) g / (4 m + M).
     """
     return (2 * weight - wheel) * g / (4 * weight + wheel)
+
+
+def break_loose_time(limit: float, growth: float) -> float:
+    """Return when a pull that grows from nothing, F = k t, overcomes static friction [s]: μs N / k.
+
+    Coulomb's law with a static coefficient; `limit` is μs N [N], `growth` is k [N/s].
+    """
+    return limit / growth
+
+
+def pulled_loose(
+    static: float, kinetic: float, mass: float, growth: float, t: ArrayLike
+) -> tuple[Array, Array]:
+    """Return the way and the velocity of a block that such a pull breaks loose [m, m/s].
+
+    With τ since it broke loose, m dv/dt = μs N + k τ − μk N; both are 0 before. The limits μs N and
+    μk N are in N.
+    """
+    tau = np.maximum(np.asarray(t, dtype=float) - break_loose_time(static, growth), 0.0)
+    jerk, jump = growth / mass, (static - kinetic) / mass
+    return jump * tau**2 / 2 + jerk * tau**3 / 6, jump * tau + jerk * tau**2 / 2
+
+
+def sticking_acceleration(angle: float, g: float, static: float, kinetic: float) -> float:
+    """Return the acceleration down an incline from rest [m/s²].
+
+    0 up to tan θ = μs, g (sin θ − μk cos θ) beyond it.
+    """
+    return 0.0 if np.tan(angle) <= static else incline_acceleration(angle, g, kinetic)

@@ -46,7 +46,7 @@ def draw_trail(surface: pygame.Surface, camera: Camera, outline: Outline, points
 def draw_ghost(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
 ) -> None:
-    """Draw where the closed form says that a body is."""
+    """Draw where a body is by the closed form, or in another run."""
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
@@ -63,10 +63,14 @@ def draw_ghost_path(
     """Draw the way that the closed form takes through the level's duration."""
     t = np.linspace(0.0, duration, PATH_POINTS)
     where = places(formulas, values, t)
-    if where is None or not np.isfinite(where).all():
-        return
+    if where is not None and np.isfinite(where).all():
+        draw_ghost_trail(surface, camera, where)
+
+
+def draw_ghost_trail(surface: pygame.Surface, camera: Camera, points: Array) -> None:
+    """Draw a path through points, dashed: (k, 2) [m]."""
     color = theme.mix(theme.STAGE, theme.GHOST, 0.35)
-    lines.dashed(surface, color, camera.path(where.tolist()), 3, 6)
+    lines.dashed(surface, color, camera.path(points.tolist()), 3, 6)
 
 
 def place(formulas: tuple[Formula, Formula], values: Values, t: float) -> XY | None:

@@ -110,6 +110,15 @@ class Stage:
                 position, angle = self._state(outline)
                 marks.draw_name(surface, self.camera, self._pen, outline, position, angle)
 
+    def draw_beside(self, surface: pygame.Surface, world: World, trail: Trail) -> None:
+        """Draw another run of the same bodies over this one: dashed, with the way it took."""
+        for outline in self._moving:
+            if self._few:
+                marks.draw_ghost_trail(surface, self.camera, trail.points[:, outline.row])
+            x, y = world.snapshot.position[outline.row].tolist()
+            angle = float(world.snapshot.angle[outline.row])
+            marks.draw_ghost(surface, self.camera, outline, (x, y), angle)
+
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the body that a hand would take hold of at a pixel."""
         x, y = self.camera.to_world(pixel)

@@ -11,11 +11,15 @@ from sandbox.physics.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Attraction:
-    """Newton's: F = −mu m r / |r|³, U = −mu m / |r|."""
+    """F = −mu m r / |r|^(p + 1), U = −mu m |r|^(1 − p) / (p − 1), or mu m ln |r| if p is 1.
 
-    mu: float  # m³/s²
+    With p = 2 it is Newton's, and U = −mu m / |r|.
+    """
+
+    mu: float  # m^(p + 1)/s²
     center: XY  # m
     mass: Array  # (n,) kg, 0 for bodies that nothing moves
+    power: float = 2.0  # p
 
     @property
     def needs_velocity(self) -> bool:
@@ -23,16 +27,25 @@ class Attraction:
         return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
-        """Add −mu m r / |r|³."""
+        """Add −mu m r / |r|^(p + 1)."""
         moving = self.mass > 0
         r = motion.position[..., moving, :] - self.center
         distance = np.hypot(r[..., 0], r[..., 1])
-        wrench[..., moving, :2] += (-self.mu * self.mass[moving] / distance**3)[..., None] * r
+        pull = -self.mu * self.mass[moving] / distance ** (self.power + 1)
+        wrench[..., moving, :2] += pull[..., None] * r
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return −mu m / |r|."""
+        """Return −mu m |r|^(1 − p) / (p − 1), or mu m ln |r|."""
         moving = self.mass > 0
         r = motion.position[..., moving, :] - self.center
         energy = np.zeros(motion.position.shape[:-1])
-        energy[..., moving] = -self.mu * self.mass[moving] / np.hypot(r[..., 0], r[..., 1])
+        energy[..., moving] = (
+            self.mu * self.mass[moving] * self._well(np.hypot(r[..., 0], r[..., 1]))
+        )
         return energy
+
+    def _well(self, distance: Array) -> Array:
+        """Return the integral of distance^(−p)."""
+        if self.power == 1:
+            return np.log(distance)
+        return -1 / ((self.power - 1) * distance ** (self.power - 1))

@@ -1,0 +1,15 @@
+"""What must hold in a level over the whole ranges of its parameters, one topic a file."""
+
+from collections.abc import Iterator
+from itertools import chain
+
+from sandbox.model.conditions import friction, gravitation, joints, landscape, numbers, shapes
+from sandbox.model.conditions.condition import Condition
+from sandbox.model.level import Level
+
+_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation)
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield everything that must hold in a level for every choice of its parameters."""
+    yield from chain.from_iterable(topic.conditions(level) for topic in _TOPICS)

@@ -1,0 +1,24 @@
+"""What must hold in a level for every choice of its parameters."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.locating import Path
+
+
+class Condition(NamedTuple):
+    """What must hold for every choice of the parameters."""
+
+    path: Path
+    names: frozenset[str]
+    """The parameters that it depends on."""
+    broken: Callable[[Values], str | None]
+    """Say what is wrong for the given parameters, if anything is."""
+
+    def fault(self, values: Values) -> str | None:
+        """Say what is wrong; an expression without a value has a condition of its own to tell."""
+        try:
+            return self.broken(values)
+        except ExpressionError:
+            return None

@@ -1,0 +1,33 @@
+"""What sticks sticks at least as firmly as it slips."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from sandbox.model.conditions.condition import Condition
+from sandbox.model.expressions import NonNegative, Values
+from sandbox.model.level import Level
+from sandbox.model.locating import Path
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of a level's coefficients of friction."""
+    for path, kinetic, static in _coefficients(level):
+        wrong = partial(_friction_fault, kinetic, static)
+        yield Condition(path, kinetic.names | static.names, wrong)
+
+
+def _coefficients(level: Level) -> Iterator[tuple[Path, NonNegative, NonNegative]]:
+    """Yield where two coefficients of friction stand, the kinetic and the static one."""
+    for name, body in level.bodies.items():
+        if body.friction is not None and body.static_friction is not None:
+            yield ("bodies", name, "static_friction"), body.friction, body.static_friction
+    for index, pair in enumerate(level.effects.friction.pairs if level.effects.friction else ()):
+        if pair.static is not None:
+            yield ("effects", "friction", "pairs", index, "static"), pair.coefficient, pair.static
+
+
+def _friction_fault(kinetic: NonNegative, static: NonNegative, values: Values) -> str | None:
+    sticks, slips = static(values), kinetic(values)
+    if sticks < slips:
+        return f"is {sticks:g}, less than the kinetic coefficient, {slips:g}: what holds would slip"
+    return None

@@ -1,0 +1,51 @@
+"""Joints are as long as the way between their ends."""
+
+from collections.abc import Iterator
+from functools import partial
+
+import numpy as np
+
+from sandbox.model.conditions.condition import Condition
+from sandbox.model.expressions import Positive, Values
+from sandbox.model.joints import Joint, Pivot, Pulley, Rod, Rope, bodies_of
+from sandbox.model.level import Level, span
+from sandbox.model.parts import names_in
+
+NEAR = 1e-9
+"""How far apart two lengths may be that are meant to be the same, of the whole or in m."""
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of a level's joints."""
+    for name, joint in level.joints.items():
+        held = [level.bodies[body] for body in bodies_of(joint)]
+        names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
+        last = "ends" if isinstance(joint, Pivot) else "length"
+        yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+
+
+def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
+    distance = span(joint, level.bodies, values)
+    match joint:
+        case Rod(length=length):
+            long = distance if length is None else float(length.over(values, np.zeros(())))
+            return _rod_fault(distance, long)
+        case Rope(length=Positive() as length) | Pulley(length=Positive() as length):
+            return _string_fault(distance, length(values))
+        case Pivot() if distance > NEAR:
+            return f"a pivot's two points must be one, but they are {distance:g} m apart"
+    return None
+
+
+def _rod_fault(distance: float, long: float) -> str | None:
+    if not distance > NEAR:
+        return "a rod cannot be 0 m long; a pivot keeps two points together"
+    if not abs(long - distance) <= NEAR * distance:
+        return f"the rod is {long:g} m long at the start, but its ends are {distance:g} m apart"
+    return None
+
+
+def _string_fault(path: float, long: float) -> str | None:
+    if long < path * (1 - 1e-12):
+        return f"the string is {long:g} m long, but its path is {path:g} m"
+    return None

@@ -1,0 +1,33 @@
+"""Every expression has a value, and no run takes for ever."""
+
+from collections.abc import Iterator
+from functools import partial
+
+from sandbox.model.conditions.condition import Condition
+from sandbox.model.expressions import Expression, ExpressionError, Formula, Values
+from sandbox.model.level import Level
+from sandbox.model.parts import expressions
+
+MAX_STEPS = 10_000_000
+"""How long a run may be: some minutes of computing."""
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of a level's numbers."""
+    for path, expression in expressions(level):
+        if expression.names and not isinstance(expression, Formula):
+            yield Condition(path, expression.names, partial(_value_fault, expression))
+    yield Condition(("duration",), level.duration.names, partial(_too_long, level))
+
+
+def _value_fault(expression: Expression, values: Values) -> str | None:
+    try:
+        expression(values)
+    except ExpressionError as error:
+        return str(error)
+    return None
+
+
+def _too_long(level: Level, values: Values) -> str | None:
+    steps = level.duration(values) * level.stepping.rate
+    return f"that takes {steps:.1g} steps; {MAX_STEPS:,} are allowed" if steps > MAX_STEPS else None

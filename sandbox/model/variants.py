@@ -1,0 +1,176 @@
+"""The same level with an effect more or less: what a scene would do if something did not act.
+
+Both ways a level becomes another level; nothing is changed in place. What an effect that is
+switched off leaves without meaning goes with it: friction needs contact.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+from typing import cast
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from sandbox.model import wording
+from sandbox.model.consistency import inconsistencies
+from sandbox.model.effects import Effects
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expressions import Expression, ExpressionError, Fraction, NonNegative
+from sandbox.model.level import Body, Level
+from sandbox.model.parts import Fault
+from sandbox.model.rules import faults
+from sandbox.model.suggest import suggestion
+
+Settings = Mapping[str, object]
+"""What is said of an effect: its fields, as they would stand in a level's file."""
+
+DEFAULTS: Mapping[str, Settings] = {
+    "gravity": {"acceleration": [0, -9.81]},
+    "contact": {},
+    "friction": {"coefficient": 0.5},
+    "restitution": {"coefficient": 1},
+    "rotation": {},
+    "attraction": {"mu": 1},
+    "drag": {"linear": 0.1},
+}
+"""What is switched on where nothing is said of it; other effects must be told what they are."""
+
+_COEFFICIENTS: Mapping[str, type[Expression]] = {"friction": NonNegative, "restitution": Fraction}
+"""The effects that have a coefficient a body: 'coefficient' is that of every pair."""
+
+
+class EffectError(SandboxError):
+    """An effect that cannot be switched off, or on, in this level."""
+
+
+def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
+    """Return a level without an effect, and the other effects that had to go with it.
+
+    Raises
+    ------
+    EffectError
+        If the level does not declare the effect, or makes no sense without it.
+    """
+    if effect not in level.effects.declared:
+        hint = suggestion(effect, level.effects.declared)
+        raise EffectError(f"the level declares no effect '{brief(effect)}'{hint}")
+    changed, gone = _dropped(level, effect), [effect]
+    while found := list(_scene_faults(changed)):
+        name = next((str(fault.path[1]) for fault in found if fault.path[0] == "effects"), None)
+        if name is None:
+            changed = _cleared(changed, found, effect)
+        else:
+            changed = _dropped(changed, name)
+            gone.append(name)
+    return changed, tuple(gone[1:])
+
+
+def _scene_faults(level: Level) -> Iterator[Fault]:
+    """Yield what contradicts itself in the scene; what is told of it may have lost its meaning."""
+    told = ("parameters", "checks", "ghosts")
+    return (fault for fault in inconsistencies(level) if fault.path[0] not in told)
+
+
+def _dropped(level: Level, effect: str) -> Level:
+    return level.model_copy(update={"effects": level.effects.model_copy(update={effect: None})})
+
+
+def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
+    """Take from bodies what only the effect gave a meaning."""
+    bodies = dict(level.bodies)
+    for fault in found:
+        if fault.path[0] != "bodies" or len(fault.path) < 3:
+            place = ".".join(map(str, fault.path))
+            raise EffectError(f"without '{effect}' the level is impossible: {place}: {fault.rule}")
+        name, field = str(fault.path[1]), str(fault.path[2])
+        default = Body.model_fields[field].default
+        bodies[name] = bodies[name].model_copy(update={field: default})
+    return level.model_copy(update={"bodies": bodies})
+
+
+def including(level: Level, effect: str, settings: Settings) -> Level:
+    """Return a level with an effect more, or with another setting of one that it declares.
+
+    Parameters
+    ----------
+    level
+        Any level.
+    effect
+        Its name in the manifest.
+    settings
+        Its fields, as in a file; of an effect that is a list, those of each entry. For `friction`
+        and `restitution` the `coefficient` of every pair. `DEFAULTS` if empty.
+
+    Raises
+    ------
+    EffectError
+        If there is no such effect or setting, or the level contradicts it.
+    """
+    if effect not in Effects.model_fields:
+        hint = suggestion(effect, Effects.model_fields, most=20)
+        raise EffectError(f"unknown effect '{brief(effect)}'{hint}")
+    declared = effect in level.effects.declared
+    if declared and not settings:
+        raise EffectError(
+            f"the level declares '{effect}' already; a setting such as"
+            f" {effect}.{_example(effect)} changes it"
+        )
+    fields = dict(settings or DEFAULTS.get(effect, {}))
+    coefficient = fields.pop("coefficient", None) if effect in _COEFFICIENTS else None
+    changed = level.model_copy(update={"effects": _declaring(level, effect, fields)})
+    if coefficient is not None:
+        changed = _with_coefficient(changed, effect, coefficient)
+    known = set(faults(level))
+    for fault in faults(changed):
+        if fault not in known and fault.path[0] not in ("parameters", "checks", "ghosts"):
+            place = ".".join(map(str, fault.path))
+            raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
+    return changed
+
+
+def _example(effect: str) -> str:
+    """Return one of an effect's settings, as it would be typed."""
+    for name, value in DEFAULTS.get(effect, {}).items():
+        return f"{name}={json.dumps(value)}"
+    return "...=..."
+
+
+def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
+    """Return a level's effects with fields of one of them set."""
+    said = level.effects.model_dump(mode="json", exclude_none=True)
+    before = said.get(effect, {})
+    entries = before if isinstance(before, list) else [before]
+    many = [{**entry, **fields} for entry in entries]
+    for entry in (many,) if before is entries else (many[0], many):
+        try:
+            return Effects.model_validate_json(json.dumps({**said, effect: entry}))
+        except ValidationError as error:
+            detail = error.errors(include_url=False)[0]
+            if detail["type"] != "tuple_type" or len(detail["loc"]) > 1:
+                raise EffectError(_said(effect, detail)) from error
+    raise AssertionError(effect)  # one of the two is its form
+
+
+def _said(effect: str, detail: ErrorDetails) -> str:
+    """Say what is wrong with the settings of an effect."""
+    place = ".".join(str(step) for step in detail["loc"] if not isinstance(step, int))
+    shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})
+    if detail["type"] == "missing" and isinstance(detail["loc"][-1], str):
+        return f"'{effect}' needs a setting: {effect}.{detail['loc'][-1]}=..."
+    return f"{place}: {wording.rule(shown, detail['loc'])}"
+
+
+def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
+    """Give every body the root of a coefficient, so that of each pair is the product."""
+    kind = _COEFFICIENTS[effect]
+    if not isinstance(coefficient, int | float | str):
+        raise EffectError(f"{effect}.coefficient: must be a number or an expression")
+    try:
+        root = kind(f"sqrt({kind(coefficient).source})")
+    except ExpressionError as error:
+        raise EffectError(f"{effect}.coefficient: {error}") from error
+    bodies = {name: body.model_copy(update={effect: root}) for name, body in level.bodies.items()}
+    pairless = level.effects.model_copy(
+        update={effect: getattr(level.effects, effect).model_copy(update={"pairs": ()})}
+    )
+    return level.model_copy(update={"bodies": bodies, "effects": pairless})

@@ -1,0 +1,159 @@
+"""Static friction that is stronger than kinetic friction.
+
+A contact that sticks may need up to the static coefficient times the normal force. Once it needs
+more it slips, and the kinetic coefficient holds until the slip has stopped. pymunk knows one
+coefficient a contact: it is given the right one before each solve.
+
+When a contact breaks loose is found between two steps, by the line through the loads of the last
+two: for what is left of that step from there on, the friction of the step is taken down to the
+kinetic. So the velocity after it is of second order.
+"""
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import NamedTuple
+
+import pymunk
+from pymunk import Vec2d
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+
+ROUNDING = 1e-9
+"""Friction that is below its limit by less than this share of it is at its limit."""
+
+AT_REST = 1e-9
+"""m/s, below which surfaces that meet do not slip."""
+
+FLAT = 2
+"""So many points of contact keep a side on its ground: no force along it turns the body."""
+
+
+class Load(NamedTuple):
+    """What the friction of a contact that sticks had to hold in the last steps [N s]."""
+
+    last: float
+    before: float | None = None
+
+
+@dataclass(slots=True)
+class Sticking:
+    """The friction between two bodies whose static and kinetic coefficients differ."""
+
+    static: float
+    kinetic: float
+    slipping: set[frozenset[pymunk.Shape]]
+    loads: dict[frozenset[pymunk.Shape], Load]
+
+    @classmethod
+    def between(cls, static: float, kinetic: float) -> "Sticking":
+        """Return the friction of a pair that does not touch yet."""
+        return cls(static, kinetic, set(), {})
+
+    def choose(self, arbiter: pymunk.Arbiter) -> None:
+        """Give a contact its coefficient, before it is solved."""
+        contact = frozenset(arbiter.shapes)
+        if arbiter.is_first_contact:
+            self.loads.pop(contact, None)
+            self._note(contact, slips=abs(_slip(arbiter)) > AT_REST)
+        arbiter.friction = self.kinetic if contact in self.slipping else self.static
+
+    def judge(self, arbiter: pymunk.Arbiter) -> None:
+        """See whether a contact that was solved sticks or slips."""
+        contact = frozenset(arbiter.shapes)
+        impulse, direction = arbiter.total_impulse, arbiter.normal
+        normal, friction = abs(impulse.dot(direction)), abs(impulse.cross(direction))
+        limit = arbiter.friction * normal
+        if not limit:
+            return
+        slips = friction > limit * (1 - ROUNDING)
+        if slips and contact not in self.slipping:
+            slips = abs(_slip(arbiter)) > AT_REST
+        if slips and contact not in self.slipping:
+            self._break_loose(arbiter, normal, self.loads.get(contact))
+        self._note(contact, slips=slips)
+        if not slips:
+            load = self.loads.get(contact)
+            self.loads[contact] = Load(friction, load and load.last)
+
+    def _note(self, contact: frozenset[pymunk.Shape], *, slips: bool) -> None:
+        if slips:
+            self.slipping.add(contact)
+            self.loads.pop(contact, None)
+        else:
+            self.slipping.discard(contact)
+
+    def _break_loose(self, arbiter: pymunk.Arbiter, normal: float, load: Load | None) -> None:
+        """Take off what friction was too strong by since the contact broke loose."""
+        slip = _slip(arbiter)
+        if load is None or not slip:
+            return
+        excess = (self.static - self.kinetic) * normal * _since(load, self.static * normal)
+        impulse = arbiter.normal.perpendicular() * (excess if slip > 0 else -excess)
+        for body, change, point in zip(
+            arbiter.bodies, (-impulse, impulse), _points(arbiter), strict=True
+        ):
+            if body.body_type == pymunk.Body.DYNAMIC:
+                body.apply_impulse_at_world_point(change, point)
+
+
+def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
+    """Return the friction of every pair whose two coefficients differ; its names are in order.
+
+    Those of a pair that the level names are its own; those of others the products of the bodies'.
+    """
+    if level.effects.friction is None:
+        return {}
+    bodies = {name: body for name, body in level.bodies.items() if body.friction is not None}
+    pairs = {
+        (a, b): _product(bodies[a], bodies[b], values)
+        for a, b in combinations(sorted(bodies), 2)
+        if bodies[a].static_friction or bodies[b].static_friction
+    }
+    for named in level.effects.friction.pairs:
+        a, b = sorted(named.bodies)
+        kinetic = named.coefficient(values)
+        pairs[a, b] = (kinetic if named.static is None else named.static(values)), kinetic
+    return {
+        pair: Sticking.between(static, kinetic)
+        for pair, (static, kinetic) in pairs.items()
+        if static > kinetic
+    }
+
+
+def _product(a: Body, b: Body, values: Values) -> tuple[float, float]:
+    """Return the static and the kinetic coefficient between two bodies."""
+    static, kinetic = 1.0, 1.0
+    for body in (a, b):
+        own = body.friction(values) if body.friction else 0.0
+        static *= own if body.static_friction is None else body.static_friction(values)
+        kinetic *= own
+    return static, kinetic
+
+
+def _since(load: Load, limit: float) -> float:
+    """Return for how many steps, at the end of this, a contact has been loose: 0.5 to 1.5.
+
+    A load that did not grow before was there at once: it broke loose with this step.
+    """
+    growth = 0.0 if load.before is None else load.last - load.before
+    if growth <= 0:
+        return 1.0
+    return 1.5 - min(max((limit - load.last) / growth, 0.0), 1.0)
+
+
+def _slip(arbiter: pymunk.Arbiter) -> float:
+    """Return how fast the second surface moves over the first [m/s]."""
+    a, b = arbiter.bodies
+    point = arbiter.contact_point_set.points[0].point_a
+    moves: Vec2d = b.velocity_at_world_point(point) - a.velocity_at_world_point(point)
+    return float((moves + arbiter.surface_velocity).dot(arbiter.normal.perpendicular()))
+
+
+def _points(arbiter: pymunk.Arbiter) -> tuple[Vec2d, Vec2d]:
+    """Return where friction acts on the two bodies; on a flat side it does not turn them."""
+    a, b = arbiter.bodies
+    points = arbiter.contact_point_set.points
+    if len(points) == FLAT:
+        return a.position, b.position
+    return points[0].point_a, points[0].point_a

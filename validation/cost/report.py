@@ -1,0 +1,92 @@
+"""A sweep as JSON, and as a table."""
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+
+from rich.table import Table
+
+from sandbox.model.level import Scheme
+from validation.cost.summary import TARGETS, cost_to_reach, headline, order, pareto
+from validation.cost.sweep import NAIVE, OURS, Point, Sweep
+
+HEADINGS = (
+    "order",
+    "error",
+    "cost",
+    "pymunk, same time",
+    "closer",
+    "cheaper",
+    "to 1e-3",
+    "to 1e-6",
+    "to 1e-9",
+)
+
+
+def as_json(sweep: Sweep) -> dict[str, object]:
+    """Return a sweep as JSON takes it, without infinities and NaN."""
+    ours = [p for p in sweep.points if p.scheme != NAIVE]
+    naive = [p for p in sweep.points if p.scheme == NAIVE]
+    found = headline(sweep)
+    return {
+        "level": sweep.level,
+        "judged_by": sweep.judged_by,
+        "quantities": sweep.quantities,
+        "points": [_finite(asdict(point)) for point in sweep.points],
+        "order": order(sweep.points, OURS),
+        "orders": {scheme: order(sweep.points, scheme) for scheme in _schemes(sweep.points)},
+        "pareto": pareto(sweep.points),
+        "to_reach": {f"{target:g}": cost_to_reach(ours, target) for target in TARGETS},
+        "naive_to_reach": {f"{target:g}": cost_to_reach(naive, target) for target in TARGETS},
+        "headline": None if found is None else _finite(asdict(found)),
+    }
+
+
+def _schemes(points: Iterable[Point]) -> list[Scheme]:
+    return list(dict.fromkeys(point.scheme for point in points))
+
+
+def _finite(figures: dict[str, object]) -> dict[str, object]:
+    return {
+        name: None if isinstance(value, float) and not math.isfinite(value) else value
+        for name, value in figures.items()
+    }
+
+
+def table(sweeps: Sequence[Sweep]) -> Table:
+    """Return what each level's accuracy costs, as a table for the terminal."""
+    found = Table(title="What accuracy costs", header_style="bold", row_styles=("", "dim"))
+    found.add_column("level")
+    for heading in HEADINGS:
+        found.add_column(heading, justify="right", no_wrap=True)
+    for sweep in sweeps:
+        found.add_row(sweep.level, *_cells(sweep))
+    return found
+
+
+def _cells(sweep: Sweep) -> list[str]:
+    best = headline(sweep)
+    if best is None:
+        return [sweep.judged_by if not sweep.points else "does not run"]
+    power = order(sweep.points, OURS)
+    ours = [p for p in sweep.points if p.scheme != NAIVE]
+    reached = (cost_to_reach(ours, target) for target in (1e-3, 1e-6, 1e-9))
+    return [
+        "exact" if power is None else f"{power:.2f}",
+        f"{best.error:.1e}",
+        milliseconds(best.seconds_per_second),
+        f"{best.naive_error:.1e}",
+        times(best.closer),
+        times(best.cheaper),
+        *("–" if price is None else milliseconds(price) for price in reached),
+    ]
+
+
+def milliseconds(seconds: float) -> str:
+    """Return a price as milliseconds of computing for a second of the scene."""
+    return f"{seconds * 1e3:.2g} ms/s"
+
+
+def times(ratio: float) -> str:
+    """Return a ratio in as many digits as count."""
+    return f"{ratio:.1e}×" if ratio >= 1e4 else f"{ratio:.2g}×"

@@ -1,0 +1,103 @@
+"""What a sweep says: orders, the points that nothing beats, and the headline beside pymunk."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from math import inf, isfinite
+
+import numpy as np
+
+from sandbox.model.level import Scheme
+from validation.cost.sweep import NAIVE, OURS, Point, Sweep
+
+TARGETS = (1e-2, 1e-3, 1e-4, 1e-6, 1e-9)
+
+ROUNDING = 1e-11
+"""An error below this is rounding, and shows no order."""
+
+LARGE = 0.1
+"""An error above this is no small one, whose order would show."""
+
+SAME = 1.2
+"""Two prices are the same if neither is larger by more than this."""
+
+LEAST = 1e-16
+"""An error of nothing counts as that of a float."""
+
+
+@dataclass(frozen=True, slots=True)
+class Headline:
+    """Ours at the level's own rate, beside pymunk used naively.
+
+    Attributes
+    ----------
+    error, seconds_per_second
+        Ours.
+    naive_error
+        The least that pymunk reaches in the same time.
+    closer
+        How much smaller our error is in the same time.
+    cheaper
+        How much longer pymunk takes to come as close; by its order where no run came so far.
+    """
+
+    error: float
+    seconds_per_second: float
+    naive_error: float
+    closer: float
+    cheaper: float
+
+
+def order(points: Iterable[Point], scheme: Scheme) -> float | None:
+    """Return by which power of the step the error falls; None if it is rounding, or fails."""
+    chosen = {p.rate: p.error for p in points if p.scheme == scheme and ROUNDING < p.error < LARGE}
+    if len(chosen) < 3:
+        return None
+    slope = np.polyfit(np.log(list(chosen)), np.log(list(chosen.values())), 1)[0]
+    return -float(slope)
+
+
+def pareto(points: Sequence[Point]) -> list[int]:
+    """Return the indices of the points of which none is both cheaper and closer, cheapest first."""
+    found: list[int] = []
+    least = inf
+    for i in sorted(range(len(points)), key=lambda i: _price(points[i])):
+        if isfinite(points[i].seconds_per_second) and points[i].error < least:
+            least = points[i].error
+            found.append(i)
+    return found
+
+
+def _price(point: Point) -> tuple[float, float]:
+    price = point.seconds_per_second
+    return (price if isfinite(price) else inf), point.error
+
+
+def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
+    """Return the least seconds a second with an error of at most so much; None if there is none."""
+    prices = [p.seconds_per_second for p in points if p.error <= target]
+    return min(prices, default=None)
+
+
+def headline(sweep: Sweep) -> Headline | None:
+    """Return how the sandbox compares with pymunk used naively; None if either does not run."""
+    here = [p for p in sweep.points if p.scheme == OURS and p.rate == sweep.own_rate]
+    naive = [p for p in sweep.points if p.scheme == NAIVE and isfinite(p.error)]
+    ours = min(here, key=lambda p: (not isfinite(p.error), p.seconds_per_second), default=None)
+    if ours is None or not isfinite(ours.error) or not naive:
+        return None
+    price, error = ours.seconds_per_second, max(ours.error, LEAST)
+    affordable = [p.error for p in naive if p.seconds_per_second <= SAME * price]
+    theirs = min(affordable or [min(naive, key=_price).error])
+    return Headline(
+        ours.error, price, theirs, max(theirs, LEAST) / error, _price_of(naive, error) / price
+    )
+
+
+def _price_of(points: Sequence[Point], error: float) -> float:
+    """Return what an error costs, by the finest run's price and the order if no run reaches it."""
+    reached = cost_to_reach(points, error)
+    if reached is not None:
+        return reached
+    finest = min(points, key=lambda p: p.error)
+    power = order(points, finest.scheme) or 1.0
+    return finest.seconds_per_second * (finest.error / error) ** (1 / max(power, 0.5))
