@@ -15,7 +15,6 @@ from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Pivot
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import World
@@ -203,11 +202,11 @@ class Stage:
         self._trail_drawn = count
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
-        """Draw the pivots, which go through bodies, or all others, which end behind them."""
+        """Draw what goes through bodies, or all else, which ends behind them."""
         world = self._world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         for row, (name, joint) in enumerate(world.level.joints.items()):
-            if isinstance(joint, Pivot) is not in_front:
+            if isinstance(joint, joints.IN_FRONT) is not in_front:
                 continue
             places = [anchor.look(snapshot)[0] for anchor in paths[name]]
             path = [(float(place.real), float(place.imag)) for place in places]
