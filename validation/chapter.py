@@ -38,8 +38,12 @@ PARTS = (
     Part(NEWTON, "first law", ("newton/first-law", "newton/friction-brings-to-rest")),
     Part(NEWTON, "second law: one force, several masses", ("newton/second-law",)),
     Part(NEWTON, "third law: two skaters push off", ("newton/third-law",)),
-    Part(NEWTON, "mass that changes: a rocket"),
-    Part(NEWTON, "mass that changes: sand on a conveyor belt"),
+    Part(NEWTON, "mass that changes: a rocket", ("newton/rocket", "newton/rocket-launch")),
+    Part(
+        NEWTON,
+        "mass that changes: sand on a conveyor belt",
+        ("newton/conveyor-belt", "newton/cart-under-hopper", "newton/block-on-a-belt"),
+    ),
     Part(
         NEWTON,
         "the Atwood machine",

@@ -7,7 +7,7 @@ from keyword import iskeyword
 from sandbox.model.effects import Friction, Restitution
 from sandbox.model.errors import brief
 from sandbox.model.expressions import RESERVED, Formula, NonNegative
-from sandbox.model.joints import End, Held, Joint, bodies_of, body_of, points
+from sandbox.model.joints import End, Held, Joint, Spring, bodies_of, body_of, points
 from sandbox.model.level import (
     ApexEvent,
     Body,
@@ -19,6 +19,7 @@ from sandbox.model.level import (
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
+from sandbox.model.shapes import Disc, Hoop
 from sandbox.model.suggest import suggestion
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
@@ -101,6 +102,8 @@ def _references(level: Level) -> Iterator[Fault]:
 def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
     yield from _names_in_joints(level)
     yield from _names_in_effects(level)
+    for index, belt in enumerate(level.effects.belt or ()):
+        yield ("effects", "belt", index, "body"), belt.body
     for path, names in _couples(level):
         yield (*path, 0), names[0]
         yield (*path, 1), names[1]
@@ -128,6 +131,14 @@ def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
             yield ("effects", name, "bodies", index), body
     for index, force in enumerate(level.effects.force or ()):
         yield ("effects", "force", index, "body"), force.body
+    yield from _names_of_flows(level)
+
+
+def _names_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield the bodies whose mass changes."""
+    for kind in ("thrust", "accretion"):
+        for index, flow in enumerate(getattr(level.effects, kind) or ()):
+            yield ("effects", kind, index, "body"), flow.body
 
 
 def _lists(level: Level) -> Iterator[tuple[str, tuple[str, ...]]]:
@@ -243,6 +254,41 @@ def _landscape(level: Level) -> Iterator[Fault]:
         yield Fault(("parameters", place), rule)
 
 
+def _flows(level: Level) -> Iterator[Fault]:
+    """Exact joints are solved with the masses of the start, so they hold nothing that changes."""
+    changing = {name for _, name in _names_of_flows(level)}
+    for name, joint in level.joints.items():
+        for body in changing.intersection(bodies_of(joint)):
+            if not isinstance(joint, Spring):
+                rule = f"'{brief(body)}' changes its mass, so only a spring can hold it"
+                yield Fault(("joints", name, "ends"), rule)
+
+
+def _belts(level: Level) -> Iterator[Fault]:
+    """Belts carry by friction, and have straight sides that do not turn."""
+    seen: set[str] = set()
+    for index, belt in enumerate(level.effects.belt or ()):
+        path = ("effects", "belt", index, "body")
+        for needed in ("contact", "friction"):
+            if getattr(level.effects, needed) is None:
+                yield Fault(path[:-1], f"'belt' needs the effect '{needed}'")
+        if belt.body in seen:
+            yield Fault(path, f"'{brief(belt.body)}' is a belt already")
+        seen.add(belt.body)
+        if body := level.bodies.get(belt.body):
+            yield from (Fault(path, rule) for rule in _no_belt(belt.body, body))
+
+
+def _no_belt(name: str, body: Body) -> Iterator[str]:
+    """Yield why a body can be no belt."""
+    if body.type == "dynamic":
+        yield f"'{brief(name)}' is dynamic, but a belt stands still or moves as told"
+    if isinstance(body.shape, Disc | Hoop):
+        yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
+    if body.type == "kinematic" and _given(body, "angular_velocity"):
+        yield f"'{brief(name)}' turns, but a belt keeps its direction"
+
+
 def _effects(level: Level) -> Iterator[Fault]:
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
@@ -340,6 +386,8 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _joints,
     _laws,
     _landscape,
+    _flows,
+    _belts,
     _effects,
     _rotation,
 )

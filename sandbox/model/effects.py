@@ -5,7 +5,7 @@ from typing import Annotated
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative
+from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive
 from sandbox.model.shapes import Point
 
 
@@ -107,6 +107,45 @@ class Force(Model):
     """[x, y] in m, the point that it acts on, from the centre of mass along the body's axes"""
 
 
+class Thrust(Model):
+    """A rocket: m dv/dt = F + u dm/dt, from the start until its propellant is burnt.
+
+    Its mass falls at the rate, and its moment of inertia with the mass.
+    """
+
+    body: str
+    """what it drives"""
+    exhaust: Point
+    """[x, y] in m/s, u, the velocity of what leaves relative to the body, along the body's axes"""
+    rate: Positive
+    """kg/s, how fast it leaves"""
+    propellant: Positive
+    """kg, how much of the body's mass leaves; less than all"""
+
+
+class Accretion(Model):
+    """A body gathers matter, from the start on: m dv/dt = F + (w − v) dm/dt.
+
+    Its mass grows at the rate, and its moment of inertia with the mass.
+    """
+
+    body: str
+    """what gathers"""
+    rate: Positive
+    """kg/s, how fast matter comes"""
+    velocity: Point = (Expression(0), Expression(0))
+    """[x, y] in m/s, w, at which it comes"""
+
+
+class Belt(Model):
+    """A body whose surface runs along it: friction carries along what touches it."""
+
+    body: str
+    """which; it stands still, or moves as told"""
+    velocity: Point
+    """[x, y] in m/s of its surface, along the body's axes; only what lies along a side counts"""
+
+
 class Effects(Model):
     """Everything that acts in a level."""
 
@@ -128,6 +167,12 @@ class Effects(Model):
     """A fluid slows bodies down."""
     force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None
     """Given forces act on bodies."""
+    belt: Annotated[tuple[Belt, ...], Field(min_length=1)] | None = None
+    """Surfaces run."""
+    thrust: Annotated[tuple[Thrust, ...], Field(min_length=1)] | None = None
+    """Rockets burn their own mass."""
+    accretion: Annotated[tuple[Accretion, ...], Field(min_length=1)] | None = None
+    """Bodies gather matter."""
 
     @property
     def declared(self) -> tuple[str, ...]:

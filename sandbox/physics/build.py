@@ -11,6 +11,7 @@ from math import inf
 
 import numpy as np
 import pymunk
+from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level, Stepping
@@ -30,6 +31,7 @@ from sandbox.physics.batch import Batch
 from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
+from sandbox.physics.massflow import Share, mass_share
 from sandbox.physics.sticking import Sticking, sticking
 
 HAIR = 1e-9
@@ -65,7 +67,10 @@ class Scene:
     batch
         Reads and writes them.
     mass, moment
-        (n,), of dynamic bodies; 0 for others. The moment is 0, too, where nothing rotates.
+        (n,), of dynamic bodies at the start; 0 for others. The moment is 0, too, where nothing
+        rotates.
+    share
+        How they change.
     agility
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     joints
@@ -81,6 +86,7 @@ class Scene:
     batch: Batch
     mass: np.ndarray
     moment: np.ndarray
+    share: Share
     agility: np.ndarray
     joints: Joints
     pair_callbacks: int
@@ -102,6 +108,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
             _skip_ids(space, level)
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
+        _run_belts(level, values, bodies)
         pair_callbacks = _pairs(space, level, values)
         if not as_it_comes:
             _settle(space, level, values, 1 / stepping.rate)
@@ -110,7 +117,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     moment = np.array([body.moment for body in bodies.values()])
     mass = np.where(dynamic, mass, 0.0)
     moment = np.where(np.isfinite(moment) & dynamic, moment, 0.0)
-    field = gravity(level.effects, values, mass)
+    share = mass_share(level.effects, values, list(bodies), mass)
+    field = gravity(level.effects, values, mass, share)
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
@@ -121,11 +129,15 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         batch=batch,
         mass=mass,
         moment=moment,
+        share=share,
         agility=np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1),
         joints=joints,
         pair_callbacks=pair_callbacks,
         gravity=field,
-        laws=(*laws(level.effects, values, list(bodies), mass), *joints.springs.values()),
+        laws=(
+            *laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate),
+            *joints.springs.values(),
+        ),
     )
 
 
@@ -229,6 +241,15 @@ def _surfaces(
         if effects.restitution and spec.restitution is not None:
             shape.elasticity = spec.restitution(values)
     return shapes
+
+
+def _run_belts(level: Level, values: Values, bodies: dict[str, pymunk.Body]) -> None:
+    """Let the surfaces of belts run; pymunk takes only what lies along a contact."""
+    for belt in level.effects.belt or ():
+        body = bodies[belt.body]
+        along = Vec2d(*evaluate(belt.velocity, values)).rotated(body.angle)
+        for shape in body.shapes:
+            shape.surface_velocity = along
 
 
 def _outline(

@@ -35,7 +35,7 @@ class Meter:
         self._rows = {name: i for i, name in enumerate(scene.bodies)}
         self._columns = {name: i for i, name in enumerate(world.level.joints)}
         self._joints = scene.joints
-        self._mass, self._moment = scene.mass, scene.moment
+        self._mass, self._moment, self._share = scene.mass, scene.moment, scene.share
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self.quantities = {name: quantity(name, world.level) for name in names}
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
@@ -116,16 +116,19 @@ class Meter:
 
     def _center(self, s: Snapshot) -> Array:
         """Σ m r / Σ m; not a number where no body is dynamic."""
-        return np.sum(self._mass[:, None] * s.position, axis=-2) / (self._mass.sum() or nan)
+        mass = self._mass * self._share(s.t)
+        total = mass.sum(axis=-1, keepdims=True)
+        return np.sum(mass[..., None] * s.position, axis=-2) / np.where(total > 0, total, nan)
 
     def _momentum(self, s: Snapshot) -> Array:
-        return self._mass[:, None] * s.velocity
+        return (self._mass * self._share(s.t))[..., None] * s.velocity
 
     def _kinetic(self, s: Snapshot) -> Array:
         """T = m v² / 2 + I ω² / 2."""
+        share = self._share(s.t)
         return (
-            self._mass * np.sum(s.velocity * s.velocity, axis=-1)
-            + self._moment * s.angular_velocity**2
+            self._mass * share * np.sum(s.velocity * s.velocity, axis=-1)
+            + self._moment * share * s.angular_velocity**2
         ) / 2
 
     def _potential(self, s: Snapshot) -> Array:
@@ -140,8 +143,9 @@ class Meter:
     def _angular_momentum(self, s: Snapshot) -> Array:
         """L = Σ m (x vy − y vx) + I ω, about the origin."""
         x, y = s.position[..., 0], s.position[..., 1]
-        orbital = self._mass * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
-        return np.sum(orbital + self._moment * s.angular_velocity, axis=-1)
+        share = self._share(s.t)
+        orbital = self._mass * share * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
+        return np.sum(orbital + self._moment * share * s.angular_velocity, axis=-1)
 
 
 def _component(vector: Measurement, component: Component | None) -> Measurement:

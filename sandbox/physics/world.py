@@ -21,6 +21,7 @@ from sandbox.physics.build import Scene, make_scene
 from sandbox.physics.errors import JointFailure, SimulationError
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
+from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
 from sandbox.physics.snapshot import Snapshot
 
@@ -86,6 +87,7 @@ class World:
         if self.scene.gravity:
             self._field[self.scene.mass > 0, :2] = self.scene.gravity.acceleration
         self._smooth = self._field  # acceleration by gravity and laws
+        self._agility = self.scene.agility
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
         self._leapfrog = stepping.scheme == "leapfrog"
         self._guesses = self._leapfrog and any(law.needs_velocity for law in self.scene.laws)
@@ -160,14 +162,26 @@ class World:
     def _apply_forces(self) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
         motion = self._motion()
+        if isinstance(self.scene.share, MassFlows):
+            self._weigh(self.scene.share, motion.t)
         wrench = np.zeros_like(self._field)
         with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
             for law in self.scene.laws:
                 law.add(motion, wrench)
-        self._smooth = self._field + wrench * self.scene.agility
+        self._smooth = self._field + wrench * self._agility
         if self._pulling:
             self._pulling.pull(wrench)
         self._batch.set_force(wrench)
+
+    def _weigh(self, share: MassFlows, t: Array) -> None:
+        """Give the bodies whose mass changes that of a time [s], for the kick around it."""
+        now = share(t)
+        for row in share.bodies:
+            body = self._bodies[row]
+            body.mass = self.scene.mass[row] * now[row]
+            if self.scene.moment[row]:
+                body.moment = self.scene.moment[row] * now[row]
+        self._agility = self.scene.agility / now[:, None]
 
     def _motion(self) -> Instant:
         """Return the motion that the laws see in a kick.

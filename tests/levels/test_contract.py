@@ -154,7 +154,8 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     """No shape without contact, no callback without a force law or a string."""
     world = build(level)
     effects = level.effects
-    laws = effects.attraction or effects.gravitation or effects.drag or effects.force
+    forces = ("attraction", "gravitation", "drag", "force", "thrust", "accretion")
+    laws = set(effects.declared).intersection(forces)
     pairs = effects.friction.pairs if effects.friction else ()
     sticky = any(body.static_friction for body in level.bodies.values())
 

@@ -21,7 +21,9 @@ from tests.model.levels import (
     touching,
 )
 
+BURNING = {"body": "ball", "exhaust": [0, -5], "rate": "m", "propellant": "m/2"}
 HILL = {"body": "ball", "potential": "m*x**2", "x": [-1, 1], "y": [-3, "-m/2"]}
+BELT = {"body": "floor", "velocity": ["m", 0]}
 CONTACT_EVENT = {"event": "contact", "bodies": ["ball", "floor"]}
 
 
@@ -142,6 +144,22 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "bodies.ball.friction", None, "bodies.ball: needs a 'friction' coefficient"),
         (touching, "effects.friction", {"pairs": [{"bodies": ["ball", "flor"], "coefficient": 1}]}, "effects.friction.pairs.0.bodies.1: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.friction", {"pairs": 2 * [{"bodies": ["ball", "floor"], "coefficient": 1}]}, "effects.friction.pairs.1: the pair ball and floor has a coefficient already"),
+        (bare, "effects.thrust", [BURNING], None),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "0.5*m + 1"}], "effects.thrust.0.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "m - 1"}], "effects.thrust.0.propellant: 'm - 1' is 0, but must be greater than 0 when m = 1"),
+        (bare, "effects.thrust", [{**BURNING, "propellant": "1.5"}], "effects.thrust.0.propellant: 'ball' burns 1.5 kg, but all its mass is 1 kg when m = 1"),
+        (bare, "effects.thrust", 2 * [{**BURNING, "propellant": "0.5*m"}], "effects.thrust.1.propellant: 'ball' burns 2 kg, but all its mass is 2 kg"),
+        (bare, "effects.thrust", [{**BURNING, "body": "bal"}], "effects.thrust.0.body: unknown body 'bal'; did you mean 'ball'?"),
+        (touching, "effects.thrust", [{**BURNING, "body": "floor"}], "effects.thrust.0.body: 'floor' is static, so no force moves it"),
+        (touching, "effects.accretion", [{"body": "floor", "rate": 1}], "effects.accretion.0.body: 'floor' is static"),
+        (bare, "effects.accretion", [{"body": "ball", "rate": 1}], None),
+        (hanging, "effects.thrust", [BURNING], "joints.string.ends: 'ball' changes its mass, so only a spring can hold it"),
+        (touching, "effects.belt", [BELT], None),
+        (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'friction'"),
+        (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'contact'"),
+        (touching, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0.body: 'ball' is dynamic, but a belt stands still"),
+        (touching, "effects.belt", [{**BELT, "body": "flor"}], "effects.belt.0.body: unknown body 'flor'; did you mean 'floor'?"),
+        (touching, "effects.belt", [BELT, BELT], "effects.belt.1.body: 'floor' is a belt already"),
         (touching, "bodies.ball.static_friction", 1, None),
         (touching, "bodies.ball.static_friction", 0.9, "bodies.ball.static_friction: is 0.9, less than the kinetic coefficient, 1"),
         (touching, "bodies.ball.static_friction", "m/2", "bodies.ball.static_friction: is 0.5, less than the kinetic coefficient, 1: what holds would slip when m = 1"),
@@ -155,6 +173,23 @@ def test_a_contradiction_is_told_where_it_is(
     found = said(mistakes(data(), setting(path, value)))
 
     assert any(expected in mistake for mistake in found) if expected else not found
+
+
+@pytest.mark.parametrize(
+    ("changed", "expected"),
+    [
+        ({"shape": {"type": "disc", "radius": 1}}, "'floor' is round, but a belt has straight"),
+        ({"type": "kinematic", "angular_velocity": 1}, "'floor' turns, but a belt keeps"),
+    ],
+)
+def test_what_is_round_or_turns_is_no_belt(changed: Data, expected: str) -> None:
+    data = touching()
+    data["bodies"]["floor"] |= changed
+
+    (mistake,) = mistakes(data, setting("effects.belt", [BELT]))
+
+    assert mistake.path == "effects.belt.0.body"
+    assert expected in mistake.rule
 
 
 @pytest.mark.parametrize("name", ["gravity", "attraction"])

@@ -11,7 +11,18 @@ from hypothesis import strategies as st
 from sandbox.model.expressions import Array, Formula
 from sandbox.model.level import Level
 from sandbox.physics.anchor import Anchor
-from sandbox.physics.laws import Attraction, Drag, Gravitation, Gravity, Law, Push, SpringForce
+from sandbox.physics.laws import (
+    Accretion,
+    Attraction,
+    Drag,
+    Gravitation,
+    Gravity,
+    Law,
+    Push,
+    SpringForce,
+    Thrust,
+)
+from sandbox.physics.massflow import Flow
 from sandbox.physics.measure import Meter
 from sandbox.physics.motion import Instant
 from sandbox.physics.world import build
@@ -27,6 +38,7 @@ ENDS = st.tuples(
     st.builds(Anchor, st.just(0), POINT),
     st.builds(Anchor, st.sampled_from([None, 1]), POINT),
 )
+FLOW = st.builds(Flow, st.sampled_from([0, 1]), NUMBER, st.floats(0, 2))
 CONSERVATIVE = st.one_of(
     st.builds(Gravity, XY, st.just(MASS)),
     st.builds(
@@ -97,6 +109,8 @@ EVERY = st.one_of(
     CONSERVATIVE,
     st.builds(Drag, st.floats(0, 3), st.floats(0, 3), st.just(np.array([0, 1]))),
     st.builds(SpringForce, ENDS, st.just(2.0), st.just(1.0), st.floats(0, 3)),
+    st.builds(Thrust, FLOW, XY, st.just(0.01)),
+    st.builds(Accretion, FLOW, XY, st.just(0.01)),
 )
 
 

@@ -108,8 +108,43 @@ def test_a_block_pulled_loose_obeys_its_equation_of_motion() -> None:
     assert [float(x) for x in newton.pulled_loose(static, kinetic, mass, growth, 1.5)] == [0, 0]
 
 
+def test_a_rocket_obeys_its_equation_of_motion() -> None:
+    """m dv/dt = μ u, and its way is the integral of its velocity."""
+    u, rate, start = 30.0, 2.0, 10.0
+    t = np.linspace(0.1, 4, 4001)
+    v = newton.rocket_velocity(u, start - rate * t, start)
+    way = newton.rocket_way(u, rate, start, t)
+
+    assert (start - rate * t)[1:-1] * np.gradient(v, t)[1:-1] == pytest.approx(rate * u, rel=1e-5)
+    assert np.gradient(way, t)[1:-1] == pytest.approx(v[1:-1], rel=1e-5)
+    assert newton.rocket_velocity(u, start / np.e, start) == pytest.approx(u)
+
+
+def test_a_launch_waits_until_the_rocket_is_light_enough() -> None:
+    assert newton.lift_off(60, 2, 10, 10) == 0
+    assert newton.lift_off(30, 2, 10, 10) == 2
+    v = newton.launch_velocity(30, 2, 10, 10, np.array([1.0, 2.0, 3.0]))
+    assert v[:2].tolist() == [0, 0]
+    assert v[2] == pytest.approx(30 * np.log(6 / 4) - 10)
+
+
+def test_a_filling_cart_keeps_its_momentum_or_its_speed() -> None:
+    mass, v = newton.filling_cart(0, 1, 2, 3, 4)
+    assert (float(mass), float(v)) == (6, 1)
+    assert newton.filling_cart(3, 1, 2, 3, 4)[1] == 3
+
+
 def test_an_incline_holds_to_the_static_angle_and_slides_by_the_kinetic_coefficient() -> None:
     assert newton.sticking_acceleration(np.arctan(0.5), 9.81, 0.6, 0.4) == 0
     assert newton.sticking_acceleration(np.arctan(0.75), 10, 0.6, 0.4) == pytest.approx(
         10 * (0.6 - 0.4 * 0.8)
     )
+
+
+def test_a_belt_drives_a_block_up_to_its_own_speed() -> None:
+    t = np.linspace(0, 2, 2001)
+    v = np.gradient(newton.carried_way(2.0, 0.4, 10, t), t)
+
+    assert v[1:499] == pytest.approx(4 * t[1:499])
+    assert v[502:] == pytest.approx(2)
+    assert newton.belt_momentum(2, 3, 4) == 24

@@ -175,3 +175,69 @@ def sticking_acceleration(angle: float, g: float, static: float, kinetic: float)
     0 up to tan θ = μs, g (sin θ − μk cos θ) beyond it.
     """
     return 0.0 if np.tan(angle) <= static else incline_acceleration(angle, g, kinetic)
+
+
+def rocket_velocity(exhaust: float, mass: ArrayLike, start: float) -> Array:
+    """Return what a rocket has gained since its mass was `start` [m/s]: u ln(m0/m).
+
+    Tsiolkovsky's equation, from m dv = −u dm; `exhaust` is u [m/s], the masses are in kg.
+    """
+    return exhaust * np.log(start / np.asarray(mass, dtype=float))
+
+
+def rocket_way(exhaust: float, rate: float, start: float, t: ArrayLike) -> Array:
+    """Return how far a rocket has come that began at rest with mass `start` [m].
+
+    The integral of Tsiolkovsky's equation: u t − (u/μ) (m0 − μ t) ln(m0 / (m0 − μ t)), while it
+    burns μ, `rate` [kg/s].
+    """
+    t = np.asarray(t, dtype=float)
+    mass = start - rate * t
+    return exhaust * t - exhaust / rate * mass * np.log(start / mass)
+
+
+def lift_off(exhaust: float, rate: float, start: float, g: float) -> float:
+    """Return when the weight of a rocket that burns on its pad falls to its thrust [s].
+
+    μ u = (m0 − μ t) g, or at once.
+    """
+    return max(start / rate - exhaust / g, 0.0)
+
+
+def launch_velocity(exhaust: float, rate: float, start: float, g: float, t: ArrayLike) -> Array:
+    """Return the velocity of a rocket that its pad holds up until it lifts off [m/s]."""
+    away = lift_off(exhaust, rate, start, g)
+    later = np.maximum(np.asarray(t, dtype=float), away)
+    gained = rocket_velocity(exhaust, start - rate * later, start - rate * away)
+    return gained - g * (later - away)
+
+
+def filling_cart(
+    force: float, rate: float, start: float, speed: float, t: ArrayLike
+) -> tuple[Array, Array]:
+    """Return mass and velocity of a cart that matter falls into from above [kg, m/s].
+
+    Momentum, p = m0 v0 + F t, for what falls brings none along the rail; `rate` is dm/dt [kg/s].
+    """
+    t = np.asarray(t, dtype=float)
+    mass = start + rate * t
+    return mass, (start * speed + force * t) / mass
+
+
+def carried_way(speed: float, mu: float, g: float, t: ArrayLike) -> Array:
+    """Return how far a belt has carried a block that was put on it at rest [m].
+
+    Friction drives it, μ g, until it has the belt's speed v, at v/μg; from there on it lies v²/2μg
+    behind the belt.
+    """
+    t = np.asarray(t, dtype=float)
+    driven = np.minimum(t, speed / (mu * g))
+    return mu * g * driven**2 / 2 + speed * (t - driven)
+
+
+def belt_momentum(speed: float, rate: float, t: float) -> float:
+    """Return the momentum that a belt has given to what falls on it at a rate [kg m/s].
+
+    F t = v (dm/dt) t: the chapter, section 4, when mass isn't constant; `rate` is dm/dt [kg/s].
+    """
+    return speed * rate * t

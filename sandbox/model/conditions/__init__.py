@@ -3,11 +3,19 @@
 from collections.abc import Iterator
 from itertools import chain
 
-from sandbox.model.conditions import friction, gravitation, joints, landscape, numbers, shapes
+from sandbox.model.conditions import (
+    friction,
+    gravitation,
+    joints,
+    landscape,
+    massflow,
+    numbers,
+    shapes,
+)
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
 
-_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation)
+_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow)
 
 
 def conditions(level: Level) -> Iterator[Condition]:

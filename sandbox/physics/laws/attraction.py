@@ -6,6 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
 
@@ -18,8 +19,9 @@ class Attraction:
 
     mu: float  # m^(p + 1)/s²
     center: XY  # m
-    mass: Array  # (n,) kg, 0 for bodies that nothing moves
+    mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
     power: float = 2.0  # p
+    share: Share = steady
 
     @property
     def needs_velocity(self) -> bool:
@@ -28,19 +30,19 @@ class Attraction:
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −mu m r / |r|^(p + 1)."""
-        moving = self.mass > 0
+        moving, mass = self.mass > 0, self.mass * self.share(motion.t)
         r = motion.position[..., moving, :] - self.center
         distance = np.hypot(r[..., 0], r[..., 1])
-        pull = -self.mu * self.mass[moving] / distance ** (self.power + 1)
+        pull = -self.mu * mass[..., moving] / distance ** (self.power + 1)
         wrench[..., moving, :2] += pull[..., None] * r
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −mu m |r|^(1 − p) / (p − 1), or mu m ln |r|."""
-        moving = self.mass > 0
+        moving, mass = self.mass > 0, self.mass * self.share(motion.t)
         r = motion.position[..., moving, :] - self.center
         energy = np.zeros(motion.position.shape[:-1])
         energy[..., moving] = (
-            self.mu * self.mass[moving] * self._well(np.hypot(r[..., 0], r[..., 1]))
+            self.mu * mass[..., moving] * self._well(np.hypot(r[..., 0], r[..., 1]))
         )
         return energy
 

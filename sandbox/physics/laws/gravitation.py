@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
 
@@ -19,8 +20,9 @@ class Gravitation:
 
     constant: float  # m³/(kg s²), G
     bodies: NDArray[np.intp]  # (k,)
-    mass: Array  # (k,) kg
+    mass: Array  # (n,) kg at the start
     softening: float = 0.0  # m, ε
+    share: Share = steady
 
     @property
     def needs_velocity(self) -> bool:
@@ -33,7 +35,9 @@ class Gravitation:
         x, y = place[..., None, :] - place[..., None]  # from each (first) to all
         square = x * x + y * y + self.softening**2
         np.einsum("...ii->...i", square)[...] = np.inf  # none pulls itself
-        pull = self.constant * np.outer(self.mass, self.mass) / (square * np.sqrt(square))
+        mass = self._mass(motion)
+        pull = mass[..., None] * mass[..., None, :]
+        pull = self.constant * pull / (square * np.sqrt(square))
         wrench[..., self.bodies, 0] += np.sum(pull * x, axis=-1)
         wrench[..., self.bodies, 1] += np.sum(pull * y, axis=-1)
 
@@ -44,12 +48,18 @@ class Gravitation:
         """
         place = motion.position[..., self.bodies, :]
         found = np.zeros(place.shape[:-1])
-        for i, mass in enumerate(self.mass[:-1]):
+        mass = self._mass(motion)
+        for i in range(len(self.bodies) - 1):
             reach = place[..., i + 1 :, :] - place[..., i : i + 1, :]
             soft = np.sqrt(np.sum(reach * reach, axis=-1) + self.softening**2)
-            pair = -self.constant * mass * self.mass[i + 1 :] / soft
+            pair = -self.constant * mass[..., i : i + 1] * mass[..., i + 1 :] / soft
             found[..., i] += pair.sum(axis=-1) / 2
             found[..., i + 1 :] += pair / 2
         energy = np.zeros(motion.position.shape[:-1])
         energy[..., self.bodies] = found
         return energy
+
+    def _mass(self, motion: Motion) -> Array:
+        """Return the masses of the bodies at the time: (..., k) [kg]."""
+        mass: Array = (self.mass * self.share(motion.t))[..., self.bodies]
+        return mass

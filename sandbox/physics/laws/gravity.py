@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
 
@@ -12,19 +13,22 @@ class Gravity:
     """F = m g, U = −m g · r. pymunk applies it itself, at no cost."""
 
     acceleration: XY  # m/s²
-    mass: Array  # (n,) kg, 0 for bodies that nothing moves
+    mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
+    share: Share = steady
 
     @property
     def needs_velocity(self) -> bool:
         """Whether the force depends on velocities."""
         return False
 
-    def add(self, motion: Motion, wrench: Array) -> None:  # noqa: ARG002 (it is the same anywhere)
+    def add(self, motion: Motion, wrench: Array) -> None:
         """Add m g."""
+        mass = self.mass * self.share(motion.t)
         for axis in (0, 1):
-            wrench[..., axis] += self.mass * self.acceleration[axis]
+            wrench[..., axis] += mass * self.acceleration[axis]
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −m g · r."""
         x, y = self.acceleration
-        return -self.mass * (x * motion.position[..., 0] + y * motion.position[..., 1])
+        mass = self.mass * self.share(motion.t)
+        return -mass * (x * motion.position[..., 0] + y * motion.position[..., 1])
