@@ -9,7 +9,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
-from sandbox.app.stage import bodies, grid, joints, lines, marks
+from sandbox.app.stage import bodies, flows, grid, joints, lines, marks
 from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
@@ -95,6 +95,8 @@ class Stage:
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
+        flows.draw_belts(surface, self.camera, self._world, self._outlines)
+        flows.draw_flames(surface, self.camera, self._world, self._outlines)
         self._draw_bodies(surface)
         self._draw_joints(surface, in_front=True)
         if self._ghosts:
