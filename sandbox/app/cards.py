@@ -13,7 +13,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level, Parameter
 from sandbox.physics.comparison import Difference
 
-GAP = 6  # px
+GAP = 3  # px
 INDENT = 24  # px
 COLUMNS = (0.4, 0.4, 0.2)
 """How wide measured, expected and error are."""
@@ -144,7 +144,6 @@ def checks(
             _check(card, reading)
     if left_out:
         card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
-    card.y += 14
     return card.drawn()
 
 
@@ -176,8 +175,14 @@ def _check(card: Card, reading: Reading) -> None:
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
         card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=INDENT)
-    elif reading.measured is None or reading.expected is None or result.error is None:
+    elif reading.measured is None:
         card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
+    elif reading.expected is None or result.error is None:
+        ahead = reading.expected
+        expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
+        until = (wording.occasion(check), color)
+        now = wording.quantity(reading.measured, result.unit)
+        card.columns(((now, theme.DIM), (expected, theme.TEXT), until), 13)
     else:
         expected = wording.quantity(reading.expected, result.unit)
         measured = wording.measured(reading.measured, reading.expected, result.unit)
@@ -219,8 +224,10 @@ def _badge(verdict: str, color: Color) -> pygame.Surface:
     return sign
 
 
-def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
-    """Draw the energies as bars, and what has become of their sum."""
+def energy(
+    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface | None = None
+) -> pygame.Surface:
+    """Draw the energies as bars, or above a graph, and what has become of their sum."""
     card = Card(pen, width)
     card.heading("Energy")
     rows = (
@@ -228,13 +235,13 @@ def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfa
         ("potential", now.potential, theme.POTENTIAL),
         ("total", now.total, theme.TOTAL),
     )
-    scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
-    for name, value, color in rows:
-        card.put(pen.write(name, 13, theme.DIM), 0)
-        text = pen.write(wording.quantity(value, "J", 4), 13)
-        card.put(text, width - text.width)
-        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
-        card.y += pen.height(13) + 1
+    if graph is None:
+        scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
+        _bars(card, rows, scale)
+    else:
+        _legend(card, rows)
+        card.put(graph, 0)
+        card.y += graph.height + 3
     drift = now.total - start.total
     relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
     text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
@@ -242,6 +249,26 @@ def energy(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfa
     card.put(text, width - text.width)
     card.y += text.height
     return card.drawn()
+
+
+def _bars(card: Card, rows: Sequence[tuple[str, float, Color]], scale: float) -> None:
+    """Add a bar an energy."""
+    pen, width = card.pen, card.width
+    for name, value, color in rows:
+        card.put(pen.write(name, 13, theme.DIM), 0)
+        text = pen.write(wording.quantity(value, "J", 4), 13)
+        card.put(text, width - text.width)
+        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
+        card.y += pen.height(13) + 1
+
+
+def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
+    """Add the energies beside each other, in the colours of their lines."""
+    pen, column = card.pen, card.width // len(rows)
+    for i, (name, value, color) in enumerate(rows):
+        card.put(pen.write(name, 12, color), i * column)
+        card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
+    card.y += pen.height(12) + pen.height(13)
 
 
 def _bar(width: int, share: float, color: Color) -> pygame.Surface:

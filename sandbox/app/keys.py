@@ -8,7 +8,7 @@ import pygame
 Command = Literal[
     "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
     "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
-    "levels", "panel", "next field", "page down", "page up", "help", "leave",
+    "levels", "panel", "energy", "next field", "page down", "page up", "help", "leave",
 ]  # fmt: skip
 
 
@@ -42,6 +42,7 @@ BINDINGS = (
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
     Binding("levels", "L", "show or hide the levels", (), "lL"),
     Binding("panel", "P", "show or hide the panel", (), "pP"),
+    Binding("energy", "E", "energy as a graph or as bars", (), "eE"),
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import cards, theme, wording
+from sandbox.app import cards, graph, theme, wording
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -23,6 +23,7 @@ TELLING = 0.4
 
 SIDE = 340  # px, the column of words
 MARGIN = 16  # px
+GRAPH = 90  # px, its height
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,7 @@ def render(
     stage.fit()
     stage.shown.ghosts = beside is None
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
-    stage.draw(drawn, session.trail)
+    stage.draw(drawn, session.trail, () if beside else session.milestones())
     if beside:
         other = Session(beside.level, values)
         _run(other, session.t)
@@ -121,7 +122,8 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen, beside: Beside |
     ):
         picture.blit(part, (left, y))
         y += part.height + 8
-    foot = cards.energy(pen, width, session.start_energies, session.energies())
+    drawn = graph.energies((width, GRAPH), session.history, session.duration)
+    foot = cards.energy(pen, width, session.start_energies, session.energies(), drawn)
     end = picture.height - foot.height - MARGIN
     checks = _compared(session, pen, width, beside) if beside else None
     picture.blit(checks or _checks(session, pen, width, end - y), (left, y))

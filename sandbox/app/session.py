@@ -8,17 +8,24 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from time import perf_counter
 
+import numpy as np
+
+from sandbox.app import milestones
 from sandbox.app.grading import Grading, Reading
+from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
+from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.measure import Meter
 from sandbox.physics.trace import Recorder, count_steps, needed
 from sandbox.physics.world import World, build
+
+INSTANTS = 500
+"""At about how many instants of a level's duration the energies are kept."""
 
 BUDGET = 0.009  # s, of a frame for steps
 _ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
@@ -71,11 +78,13 @@ class Session:
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
-        self._recorder = Recorder(world, needed(self.level))
+        self._recorder = Recorder(world, [*needed(self.level), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
         self._owed = 0.0  # steps
         self._meter = Meter(world, _ENERGIES)
         self._start = self.energies()
+        self._every = max(self.end // INSTANTS, 1)
+        self._history = Trail(self._energies_at())
         self._held: tuple[str, XY] | None = None
         self._pulling = False
 
@@ -158,6 +167,8 @@ class Session:
             self._stop(error)
             return
         self.trail.add(snapshot.position)
+        if self.world.steps % self._every == 0:
+            self._history.add(self._energies_at())
         if self.world.steps <= self.end and not self.world.disturbed:
             self._recorder.note()
         if self.at_end:
@@ -171,6 +182,13 @@ class Session:
         """Return how the checks stand."""
         return self._grading.readings(hurried=self.playing)
 
+    def milestones(self) -> tuple[Milestone, ...]:
+        """Return what has happened; nothing that counts once a hand has touched the run."""
+        if self.world.disturbed:
+            return ()
+        self.readings()
+        return self._grading.milestones
+
     def energies(self) -> Energies:
         """Return the energies of now."""
         return Energies(*(float(value) for value in self._meter(self.world.snapshot).values()))
@@ -179,6 +197,15 @@ class Session:
     def start_energies(self) -> Energies:
         """The energies with which the run began."""
         return self._start
+
+    @property
+    def history(self) -> Array:
+        """Energies over time: (k, 4), [s], then kinetic, potential and total [J], up to now."""
+        return np.vstack((self._history.points, self._energies_at()))
+
+    def _energies_at(self) -> Array:
+        now = self.energies()
+        return np.array([self.t, now.kinetic, now.potential, now.total])
 
     def grab(self, body: str, point: XY) -> None:
         """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
@@ -222,3 +249,4 @@ class Session:
             self._stop(error)
             return
         self.trail.restart(snapshot.position)
+        self._history.restart(self._energies_at())

@@ -1,4 +1,4 @@
-"""Where bodies have been, in bounded memory."""
+"""What has been, in bounded memory: where bodies were, what energies there were."""
 
 import numpy as np
 
@@ -9,7 +9,9 @@ FIELDS = 400_000  # instants times bodies
 
 
 class Trail:
-    """The path of every body. When it is full, every second point goes, and it goes on coarser.
+    """The path of every body, or of anything else that is an array at every instant.
+
+    When it is full, every second point goes, and it goes on coarser.
 
     Attributes
     ----------
@@ -30,7 +32,7 @@ class Trail:
         return self._count
 
     def add(self, position: Array) -> None:
-        """Note where the bodies are: (n, 2) [m]."""
+        """Note the next instant, such as where the bodies are: (n, 2) [m]."""
         if self._seen % self._stride == 0:
             if self._count == self._room:
                 self._thin()
@@ -47,7 +49,7 @@ class Trail:
 
     @property
     def points(self) -> Array:
-        """(k, n, 2) [m]."""
+        """All instants that are kept, such as (k, n, 2) [m]."""
         return self._points[: self._count]
 
     def _thin(self) -> None:

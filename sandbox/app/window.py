@@ -90,6 +90,7 @@ class Window:
             "zoom out": lambda: stage.camera.zoom(0.8),
             "levels": lambda: self._toggle_column("levels"),
             "panel": lambda: self._toggle_column("side"),
+            "energy": self._toggle_graph,
             "next field": self._next_field,
             "help": self._toggle_help,
             "leave": self._leave,
@@ -200,6 +201,8 @@ class Window:
             self._open(path, {})
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
+        elif self.panels.side is not None and (wanted := self.panels.side.process(event)):
+            self._commands[wanted]()
         elif self.session is not None:
             mouse = pygame.mouse.get_pos()
             if event.type == pygame.MOUSEWHEEL and self.panels.layout.stage.collidepoint(mouse):
@@ -263,6 +266,10 @@ class Window:
         self.panels.hide_or_show(name)
         self._lay_out()
 
+    def _toggle_graph(self) -> None:
+        self.panels.graph = not self.panels.graph
+        self._lay_out()
+
     def _next_field(self) -> None:
         if self.panels.side is not None:
             backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
@@ -292,7 +299,7 @@ class Window:
         area = layout.stage.clip(surface.get_rect())
         if self.session is not None and area:
             view = surface.subsurface(area)
-            self.stage.draw(view, self.session.trail)
+            self.stage.draw(view, self.session.trail, self.session.milestones())
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             self._draw_banner(self.session)

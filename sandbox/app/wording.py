@@ -82,6 +82,21 @@ def moment(check: Check) -> str:
             return f"t = {time.source} s"
 
 
+def occasion(check: Check) -> str:
+    """Name in a word or two what a check waits for."""
+    match check.at:
+        case ApexEvent():
+            return "at apex"
+        case LandingEvent():
+            return "landing"
+        case ContactEvent():
+            return "contact"
+        case CrossingEvent():
+            return "crossing"
+        case _:
+            return "later"
+
+
 def _power(text: str) -> str:
     mantissa, _, exponent = text.partition("e")
     return f"{mantissa}e{int(exponent)}"

@@ -94,8 +94,8 @@ def test_a_tip_is_dragged_while_time_runs(player: Person) -> None:
 def test_a_force_stays_within_the_ranges_of_its_parameters(player: Person) -> None:
     player.drag(tip(player, (3, 4)), tip(player, (9, -9)))
 
-    values = player.session.values
-    assert (values["F1x"], values["F1y"]) == (6, -6)
+    values, parameters = player.session.values, player.session.level.parameters
+    assert (values["F1x"], values["F1y"]) == (parameters["F1x"].max, parameters["F1y"].min)
 
 
 def test_a_click_on_a_tip_changes_nothing(player: Person) -> None:

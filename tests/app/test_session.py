@@ -116,7 +116,7 @@ def test_a_reading_of_every_step_shows_the_present_and_the_worst_error() -> None
     assert height.expected == pytest.approx(height.measured, rel=1e-12)
     assert height.result.verdict == "passed"
     assert half_way.result.verdict == "waiting"
-    assert half_way.measured is None
+    assert (half_way.measured, half_way.expected) == (2.5, 5.0)  # of now, and of then
 
 
 def test_a_change_of_a_parameter_starts_the_run_anew() -> None:

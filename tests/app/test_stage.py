@@ -6,10 +6,12 @@ import pytest
 
 from sandbox.app import theme
 from sandbox.app.session import Session
+from sandbox.app.stage import joints
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
+from sandbox.model.joints import Rod
 from sandbox.model.shapes import XY
 from tests.app import scenes
 
@@ -209,3 +211,16 @@ def test_every_joint_is_drawn(pen: Pen, tie: dict[str, object], color: Color) ->
     stage.fit()
 
     assert count(draw(session, stage), color) >= 5
+
+
+def test_a_joint_without_a_look_of_its_own_is_seen(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(joints.LOOKS, Rod)
+    rod = {"type": "rod", "ends": [[-4, 2], "ball"]}
+    session = Session(scenes.level(joints={"tie": rod}, ghosts={}))
+    stage = Stage(pen, (400, 300))
+    stage.use(session.world)
+    stage.fit()
+
+    assert count(draw(session, stage), theme.SURFACE_EDGE) >= 20

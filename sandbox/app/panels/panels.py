@@ -28,6 +28,8 @@ class Panels:
         The two columns; None while they are hidden.
     controls
         The bar below.
+    graph
+        Whether the energies are drawn as a graph, and not as bars.
     refusal
         Why the level cannot be opened; None if it can.
     """
@@ -35,6 +37,7 @@ class Panels:
     def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
         self._pen = pen
         self._hidden: set[str] = set()
+        self.graph = True
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
     def hide_or_show(self, column: str) -> None:
@@ -57,7 +60,7 @@ class Panels:
             self.list.choose(path)
         self.side: SidePanel | None = None
         if session is not None and layout.side.width:
-            self.side = SidePanel(manager, pen, layout.side, session)
+            self.side = SidePanel(manager, pen, layout.side, session, as_graph=self.graph)
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
 

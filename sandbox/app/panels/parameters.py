@@ -13,7 +13,7 @@ from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Parameter
 
-ROW = 48  # px
+ROW = 46  # px
 FIELD = 68  # px
 UNIT = 42  # px
 

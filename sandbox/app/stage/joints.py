@@ -1,6 +1,6 @@
 """Joints: each kind with a look of its own."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import cos, hypot, pi, sin
 
 import pygame
@@ -23,26 +23,32 @@ def draw_joint(
 ) -> None:
     """Draw a joint through points of the plane [m]; a slack rope is dashed."""
     corners = camera.path(path)
-    if not lines.near(corners):
-        return
-    match joint:
-        case Pulley():
-            strings.draw_string(surface, corners, slack)
-        case Rope():
-            _rope(surface, corners[0], corners[1], slack)
-        case Rod():
-            lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 6)
-            _pins(surface, corners)
-        case Spring():
-            lines.path(surface, theme.SPRING, _coil(corners[0], corners[1]), 2)
-            _pins(surface, corners)
-        case Pivot():
-            _pivot(surface, corners[0])
-        case Rail():
-            lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 3)
+    if lines.near(corners):
+        LOOKS.get(type(joint), _plain)(surface, corners, slack)
 
 
-def _rope(surface: pygame.Surface, a: XY, b: XY, slack: bool) -> None:
+def _plain(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    """Draw what has no look of its own: dots where it holds on, joined by dashes."""
+    lines.dashed(surface, theme.SURFACE_EDGE, corners, 5, 4)
+    _pins(surface, corners)
+
+
+def _rod(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    lines.path(surface, theme.SURFACE_EDGE, corners, 6)
+    _pins(surface, corners)
+
+
+def _rail(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    lines.path(surface, theme.SURFACE_EDGE, corners, 3)
+
+
+def _spring(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    lines.path(surface, theme.SPRING, _coil(corners[0], corners[1]), 2)
+    _pins(surface, corners)
+
+
+def _rope(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
+    a, b = corners
     if slack:
         lines.dashed(surface, theme.STRING, _sagging(a, b), 4, 4)
     else:
@@ -81,11 +87,29 @@ def _pins(surface: pygame.Surface, places: Sequence[XY]) -> None:
         pygame.draw.aacircle(surface, theme.SURFACE_EDGE, place, 3)
 
 
-def _pivot(surface: pygame.Surface, place: XY) -> None:
+def _pivot(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
     """Draw a pin: a ring with a cross."""
+    place = corners[0]
     pygame.draw.aacircle(surface, theme.STAGE, place, 7)
     pygame.draw.aacircle(surface, theme.STRING, place, 7, 2)
     for angle in (pi / 4, 3 * pi / 4):
         x, y = 5 * cos(angle), 5 * sin(angle)
         ends = (place[0] - x, place[1] - y), (place[0] + x, place[1] + y)
         lines.stroke(surface, theme.STRING, *ends, 1)
+
+
+Look = Callable[[pygame.Surface, Sequence[XY], bool], None]
+"""Draws a joint through pixels; the last argument says whether it is slack."""
+
+LOOKS: Mapping[type, Look] = {
+    Pulley: strings.draw_string,
+    Rope: _rope,
+    Rail: _rail,
+    Rod: _rod,
+    Spring: _spring,
+    Pivot: _pivot,
+}
+"""What each kind looks like; any other is drawn plainly."""
+
+IN_FRONT = (Pivot,)
+"""The kinds that go through bodies, and are drawn over them; others end behind them."""

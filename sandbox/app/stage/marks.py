@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
+from sandbox.app.milestones import Milestone
 from sandbox.app.stage import lines
 from sandbox.app.stage.outline import Outline
 from sandbox.app.text import Pen
@@ -20,6 +21,7 @@ from sandbox.physics.world import World
 LONGEST = 0.14
 """The longest arrow, as a part of the stage's width."""
 
+EDGE = 26  # px, kept free of words along the rulers
 PATH_POINTS = 240
 """Into how many pieces the closed form's path is cut."""
 
@@ -141,6 +143,24 @@ def draw_arrow_key(
     start = corner[0] - length
     lines.arrow(surface, theme.ARROW, (start, corner[1]), corner)
     surface.blit(text, (corner[0] - max(length, text.width), corner[1] - text.height - 3))
+
+
+def draw_milestone(surface: pygame.Surface, camera: Camera, pen: Pen, milestone: Milestone) -> None:
+    """Mark where something has happened, with what was measured then written below."""
+    x, y = camera.to_screen(milestone.place)
+    if not lines.near(((x, y),)):
+        return
+    color = theme.PASSED if milestone.passed else theme.FAILED
+    corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
+    lines.fill(surface, theme.STAGE, corners)
+    lines.path(surface, color, [*corners, corners[0]], 2)
+    texts = [pen.outlined(text) for text in milestone.texts]
+    place = pygame.Rect(0, 0, max(t.width for t in texts), sum(t.height - 2 for t in texts))
+    place.midtop = round(x), round(y) + 9
+    place.clamp_ip(surface.get_rect().inflate(-2 * EDGE, -2 * EDGE))
+    for text in texts:
+        surface.blit(text, text.get_rect(midtop=(place.centerx, place.y)))
+        place.y += text.height - 2
 
 
 def draw_name(

@@ -1,5 +1,6 @@
 """The picture of a world, on any surface."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,13 +8,14 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import bodies, grid, joints, lines, marks
+from sandbox.app.milestones import Milestone
+from sandbox.app.stage import bodies, flows, grid, joints, lines, marks
 from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Pivot, Rail
+from sandbox.model.joints import Rail
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.anchor import Plane
 from sandbox.physics.trace import count_steps
@@ -84,7 +86,10 @@ class Stage:
             self._base, self._canvas = pygame.Surface(size), pygame.Surface(size)
             self._base_key = None
 
-    def draw(self, surface: pygame.Surface, trail: Trail | None = None) -> None:
+    def draw(
+        self, surface: pygame.Surface, trail: Trail | None = None,
+        milestones: Sequence[Milestone] = (),
+    ) -> None:  # fmt: skip
         """Draw the world as it is now on a surface of the stage's size."""
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
@@ -92,10 +97,15 @@ class Stage:
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
+        flows.draw_belts(surface, self.camera, self._world, self._outlines)
+        flows.draw_flames(surface, self.camera, self._world, self._outlines)
         self._draw_bodies(surface)
         self._draw_joints(surface, in_front=True)
         if self._ghosts:
             self._draw_ghosts(surface)
+        if self._few:
+            for milestone in milestones:
+                marks.draw_milestone(surface, self.camera, self._pen, milestone)
         if self.shown.arrows:
             self._draw_arrows(surface)
         if self.shown.names and self._few:
@@ -196,12 +206,12 @@ class Stage:
         self._trail_drawn = count
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
-        """Draw the pivots, which go through bodies, or all others, which end behind them."""
+        """Draw what goes through bodies, or all else, which ends behind them."""
         world = self._world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         springs = world.scene.joints.springs
         for row, (name, joint) in enumerate(world.level.joints.items()):
-            if isinstance(joint, Pivot) is not in_front:
+            if isinstance(joint, joints.IN_FRONT) is not in_front:
                 continue
             spring = springs.get(name)
             ends = spring.span(snapshot) if spring else None

@@ -1,0 +1,52 @@
+"""The energies of a run over time, as lines."""
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Array
+
+SERIES: tuple[tuple[Color, int], ...] = (
+    (theme.KINETIC, 1), (theme.POTENTIAL, 1), (theme.TOTAL, 2),
+)  # fmt: skip
+"""The colour and the thickness [px] of the kinetic, the potential and the total energy."""
+
+ROOM = 0.06
+"""What is left free above and below the lines, of the height."""
+
+
+def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Surface:
+    """Draw energies over time.
+
+    Parameters
+    ----------
+    size
+        Of the graph [px].
+    points
+        (k, 4), k > 0: time [s], then kinetic, potential and total energy [J].
+    duration
+        What the graph has room for at least [s].
+    """
+    graph = pygame.Surface(size)
+    graph.fill(theme.STAGE)
+    values = points[:, 1:]
+    low, high = min(float(values.min()), 0.0), max(float(values.max()), 0.0)
+    spread = (high - low) or 1.0
+    width, height = size[0] - 1, size[1] - 1
+    x = width * points[:, 0] / max(duration, float(points[-1, 0]))
+    y = height * (1 - ROOM - (1 - 2 * ROOM) * (values - low) / spread)
+    zero = round(height * (1 - ROOM - (1 - 2 * ROOM) * (0.0 - low) / spread))
+    pygame.draw.line(graph, theme.AXIS, (0, zero), (width, zero))
+    first = float(y[0, 2])
+    pygame.draw.line(graph, theme.GRID_STRONG, (0, round(first)), (width, round(first)))
+    every = max(len(points) // max(width, 1), 1)
+    shown = np.unique(np.append(np.arange(0, len(points), every), len(points) - 1))
+    for series, (color, thickness) in enumerate(SERIES):
+        line = np.column_stack((x[shown], y[shown, series])).tolist()
+        for offset in range(thickness):
+            moved = [(px, py + offset) for px, py in line]
+            if len(moved) > 1:
+                pygame.draw.aalines(graph, color, False, moved)
+        pygame.draw.circle(graph, color, line[-1], 2 + thickness // 2)
+    return graph

@@ -1,0 +1,80 @@
+"""What has happened in a run: where the events of its checks were, and what was measured there."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from sandbox.app import wording
+from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, Instant, LandingEvent, Level
+from sandbox.model.shapes import XY
+from sandbox.physics.checks import Result
+from sandbox.physics.interpolation import value_at
+from sandbox.physics.trace import Trace
+
+MOST = 3
+"""How many quantities are written beside an event."""
+
+
+@dataclass(slots=True)
+class Milestone:
+    """An event that has happened to a body.
+
+    Attributes
+    ----------
+    body
+        To which.
+    place
+        Where its centre was [m].
+    texts
+        What was measured then, a line each.
+    passed
+        Whether all of it was as expected.
+    """
+
+    body: str
+    place: XY
+    texts: list[str]
+    passed: bool
+
+
+def needed(level: Level) -> Iterator[str]:
+    """Yield the quantities that tell where the events of a level are."""
+    for check in level.checks:
+        if body := _body(level, check.at):
+            yield from _position(body)
+
+
+def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]:
+    """Return what has happened, from how the checks stand and from the run that they grade."""
+    found: dict[tuple[str, float], Milestone] = {}
+    for result in results:
+        body = _body(trace.level, result.check.at)
+        if body is None or result.t is None or result.measured is None:
+            continue
+        key = body, result.t
+        if key not in found:
+            x, y = (value_at(trace.t, trace.columns[name], result.t) for name in _position(body))
+            found[key] = Milestone(body, (x, y), [], passed=True)
+        here = found[key]
+        here.passed = here.passed and result.verdict == "passed"
+        if len(here.texts) < MOST:
+            what = result.check.label or result.check.quantity
+            here.texts.append(f"{what} {wording.quantity(result.measured, result.unit, 3)}")
+    return tuple(found.values())
+
+
+def _body(level: Level, at: Instant | None) -> str | None:
+    """Return the body that an event happens to; of two that touch, the first that moves."""
+    match at:
+        case ApexEvent(body=body) | LandingEvent(body=body):
+            return body
+        case ContactEvent(bodies=bodies):
+            return next((body for body in bodies if level.bodies[body].type == "dynamic"), None)
+        case CrossingEvent(quantity=quantity):
+            subject = quantity.partition(".")[0]
+            return subject if subject in level.bodies else None
+        case _:
+            return None
+
+
+def _position(body: str) -> tuple[str, str]:
+    return f"{body}.position.x", f"{body}.position.y"
