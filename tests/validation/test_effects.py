@@ -19,7 +19,6 @@ def test_a_level_is_measured_with_its_hooks_and_without() -> None:
     assert (with_drag.hooks, without.hooks) == (1, 0)
     assert with_drag.effects == ("gravity", "drag")
     assert with_drag.ratio == with_drag.step_seconds / with_drag.bare_step_seconds
-    assert with_drag.ratio > 2  # a hook in Python: twentyfold
 
 
 def test_every_effect_is_measured_alone_and_some_together() -> None:
