@@ -189,7 +189,8 @@ def render(
 @app.command()
 def generate(
     kind: Annotated[
-        str, typer.Argument(metavar="SCENE", help="gas, pile or chain.", show_default=False)
+        str,
+        typer.Argument(metavar="SCENE", help="gas, pile, chain or cluster.", show_default=False),
     ],
     output: Annotated[
         Path,

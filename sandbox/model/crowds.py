@@ -73,7 +73,7 @@ def pile(count: int) -> Document:
             "rotation": {},
         },
         bodies={**discs, "vessel": _walls(corners, friction=1)},
-        view={"center": [width / 2, 0.35 * width], "width": 1.1 * width},
+        view={"center": [width / 2, 0.32 * width], "width": 1.1 * width},
     )
 
 
@@ -100,6 +100,25 @@ def chain(count: int) -> Document:
     )
 
 
+def cluster(count: int) -> Document:
+    """Discs at rest attract each other, and fall towards their middle."""
+    discs: Document = {}
+    for i in range(count):
+        out, turn = sqrt(i + 0.5), 2 * pi * i * GOLDEN
+        place = (round(out * cos(turn), 6), round(out * sin(turn), 6))
+        discs[f"disc{i + 1}"] = _disc(place)
+    size = sqrt(count + 0.5)
+    middle = sum(disc["position"][0] for disc in discs.values()) / count
+    return _level(
+        f"A cluster of {count} bodies",
+        "Bodies that attract each other. Their centre of mass stays where it is.",
+        effects={"gravitation": {"constant": size / count, "softening": 0.5}},
+        bodies=discs,
+        checks=[_check("system.center.x", middle, 1e-9, "centre of mass")],
+        view={"width": 4 * size},
+    )
+
+
 def _disc(place: tuple[float, float], **rest: object) -> Document:
     shape = {"type": "disc", "radius": RADIUS}
     return {"shape": shape, "mass": 1, "position": list(place), **rest}
@@ -123,16 +142,18 @@ class Crowd(NamedTuple):
     make: Callable[[int], Document]
     most: int
     """the largest number of bodies"""
+    least: int = 1
 
 
 CROWDS: Mapping[str, Crowd] = {
     "gas": Crowd(gas, MAX_BODIES - 1),
     "pile": Crowd(pile, 5000),
     "chain": Crowd(chain, 300),
+    "cluster": Crowd(cluster, 500, least=2),
 }
 """The kinds. pymunk lets go of a heap in a time that grows faster than the square of its size: of
 5,000 discs in 2 s, of 10,000 in more than half a minute. The joints of a chain make one dense
-system, which grows with its cube."""
+system, which grows with its cube; a cluster has as many pulls as pairs of bodies."""
 
 
 def crowd(kind: str, bodies: int) -> Document:
@@ -145,9 +166,9 @@ def crowd(kind: str, bodies: int) -> Document:
     """
     if kind not in CROWDS:
         raise CrowdError(f"there is no scene '{brief(kind)}'{suggestion(kind, CROWDS)}")
-    make, most = CROWDS[kind]
-    if not 1 <= bodies <= most:
-        raise CrowdError(f"a {kind} of {bodies} bodies: there must be between 1 and {most}")
+    make, most, least = CROWDS[kind]
+    if not least <= bodies <= most:
+        raise CrowdError(f"a {kind} of {bodies} bodies: there must be between {least} and {most}")
     return make(bodies)
 
 

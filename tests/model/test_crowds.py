@@ -12,17 +12,17 @@ from sandbox.physics.trace import simulate
 
 
 @pytest.mark.parametrize("kind", CROWDS)
-@pytest.mark.parametrize("count", [1, 2, 7, 50])
+@pytest.mark.parametrize("count", [2, 7, 50])
 def test_a_crowd_is_a_level_with_so_many_bodies(kind: str, count: int) -> None:
     level = parse(text(crowd(kind, count)))
 
     assert sum(body.type == "dynamic" for body in level.bodies.values()) == count
 
 
-@pytest.mark.parametrize("kind", ["gas", "chain"])
-@pytest.mark.parametrize("count", [1, 20])
+@pytest.mark.parametrize("kind", ["gas", "chain", "cluster"])
+@pytest.mark.parametrize("count", [2, 20])
 def test_a_crowd_keeps_its_checks(kind: str, count: int) -> None:
-    """A gas its energy: 2e-5 where three discs meet at once; a chain its links: to rounding."""
+    """A gas its energy: 2e-5 where three meet at once; links and centres are kept to rounding."""
     for result in grade(simulate(parse(text(crowd(kind, count))), duration=2)):
         assert result.verdict == "passed", result
 
