@@ -90,6 +90,23 @@ def cost(
         raise typer.Exit(1)
 
 
+@app.command()
+def effects(
+    json_file: JsonFile = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Fewer repetitions, and no more than 100 bodies.")
+    ] = False,
+) -> None:
+    """Measure what each level pays beside the bare engine, and each effect over many bodies."""
+    from validation.effects.command import measure  # what one command needs need not slow all
+
+    try:
+        measure(json_file, quick=quick)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+
+
 def _run(cases: list[Case]) -> list[Outcome]:
     """Run the cases, with progress on a terminal."""
     console = Console(stderr=True)

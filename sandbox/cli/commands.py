@@ -187,6 +187,26 @@ def render(
 
 
 @app.command()
+def generate(
+    kind: Annotated[
+        str,
+        typer.Argument(metavar="SCENE", help="gas, pile, chain or cluster.", show_default=False),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(metavar="FILE.json", help="The level that is written.", show_default=False),
+    ],
+    bodies: Annotated[
+        int, typer.Option(metavar="N", help="How many bodies move.", show_default=True)
+    ] = 1000,
+) -> None:
+    """Write a level of many bodies, to watch or to measure."""
+    from sandbox.cli.generating import generate
+
+    generate(kind, bodies, output)
+
+
+@app.command()
 def tour(
     output: Annotated[
         Path,

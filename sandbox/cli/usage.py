@@ -5,6 +5,7 @@ from math import isfinite
 from pathlib import Path
 
 from sandbox.model import catalog
+from sandbox.model.crowds import CrowdError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.files import check_writable
 from sandbox.model.level import Level
@@ -17,7 +18,7 @@ class UsageError(SandboxError):
     """Something typed on the command line that cannot be meant."""
 
 
-MISUSES = (UsageError, QuantityError, ValueRangeError, EffectError)
+MISUSES = (UsageError, QuantityError, ValueRangeError, EffectError, CrowdError)
 """The errors that say so."""
 
 

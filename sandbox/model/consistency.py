@@ -350,8 +350,9 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
     if not given and not paired:
         yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")
         return
+    known = paired.union(given)
     for name in level.bodies:
-        if name not in paired.union(given):
+        if name not in known:
             yield Fault(
                 ("bodies", name),
                 f"needs a '{kind}' coefficient, for the level declares '{kind}'"

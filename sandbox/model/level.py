@@ -29,6 +29,9 @@ def _version(value: object) -> object:
     return value
 
 
+MAX_BODIES = 20_000
+"""How many bodies a level may have: ten thousand are in time at 60 Hz."""
+
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Scheme = Literal["leapfrog", "symplectic-euler", "explicit-euler"]
 
@@ -199,7 +202,7 @@ class Level(Model):
     """the numbers that a person may change; any number of the scene may be a formula over them"""
     effects: Effects = Effects()
     """what acts; an effect that is not named here is not simulated"""
-    bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=2000)]
+    bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
     """what moves, and what others move against"""
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
     """what ties bodies together"""

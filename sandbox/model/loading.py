@@ -23,8 +23,8 @@ from sandbox.model.locating import position
 from sandbox.model.parts import Fault
 from sandbox.model.suggest import meant
 
-MAX_BYTES = 500_000
-"""The largest file that is read: ten times what a large level needs."""
+MAX_BYTES = 5_000_000
+"""The largest file that is read: as much as the most bodies need, of some 200 bytes each."""
 
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
 """The types of pydantic's errors that a 1 in the place of the value usually mends."""

@@ -1,7 +1,7 @@
 """Walking through the parts of a level."""
 
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
@@ -17,18 +17,24 @@ class Fault(NamedTuple):
 
 def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:
     """Yield every expression below a part of a level, with the path to it."""
-    if isinstance(part, Expression):
-        yield path, part
-        return
-    children: Iterator[tuple[str | int, Any]] = iter(())
+    pending = [(path, part)]
+    while pending:
+        path, part = pending.pop()
+        if isinstance(part, Expression):
+            yield path, part
+        else:
+            inside = [((*path, name), child) for name, child in _children(part)]
+            pending += reversed(inside)
+
+
+def _children(part: object) -> Iterable[tuple[str | int, object]]:
     if isinstance(part, Model):
-        children = ((name, getattr(part, name)) for name in type(part).model_fields)
-    elif isinstance(part, Mapping):
-        children = iter(part.items())
-    elif isinstance(part, tuple):
-        children = iter(enumerate(part))
-    for name, child in children:
-        yield from expressions(child, (*path, name))
+        return [(name, getattr(part, name)) for name in type(part).model_fields]
+    if isinstance(part, tuple):
+        return enumerate(part)
+    if part is None or isinstance(part, str):
+        return ()  # most of what there is
+    return part.items() if isinstance(part, Mapping) else ()
 
 
 def names_in(part: object) -> frozenset[str]:

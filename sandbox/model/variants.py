@@ -31,6 +31,7 @@ DEFAULTS: Mapping[str, Settings] = {
     "restitution": {"coefficient": 1},
     "rotation": {},
     "attraction": {"mu": 1},
+    "gravitation": {"constant": 1},
     "drag": {"linear": 0.1},
 }
 """What is switched on where nothing is said of it; other effects must be told what they are."""

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic_core import ErrorDetails
 
+from sandbox.model.effects import Effects
 from sandbox.model.errors import brief
 from sandbox.model.joints import ENDS
 from sandbox.model.level import Level
@@ -125,7 +126,22 @@ def _unknown(name: str, loc: tuple[int | str, ...]) -> str:
     models = (getattr(choice, "model_fields", {}) for choice in _alternatives(part))
     known = [field.alias or key for fields in models for key, field in fields.items()]
     what = "effect" if loc[:-1] == ("effects",) else "key"
-    return f"unknown {what} '{brief(name)}'{suggestion(name, known, most=20) if known else ''}"
+    hint = _owners(name, loc) or (suggestion(name, known, most=20) if known else "")
+    return f"unknown {what} '{brief(name)}'{hint}"
+
+
+def _owners(name: str, loc: tuple[int | str, ...]) -> str:
+    """Tell to which other effects a setting belongs that one of them does not have."""
+    if len(loc) < 3 or loc[0] != "effects":
+        return ""
+    owners = [
+        f"'{effect}'"
+        for effect, field in Effects.model_fields.items()
+        for choice in _alternatives(field.annotation)
+        for model in (choice, *get_args(choice))
+        if name in getattr(model, "model_fields", {})
+    ]
+    return f"; it is a setting of {', '.join(owners)}" if owners else ""
 
 
 def _inside(part: Any, step: str | int) -> Any:  # noqa: ANN401 (a type is any object)

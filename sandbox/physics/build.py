@@ -28,6 +28,7 @@ from sandbox.model.shapes import (
     points_of,
 )
 from sandbox.physics.batch import Batch
+from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
@@ -111,6 +112,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
             _skip_ids(space, level)
         for index, (name, spec) in enumerate(level.bodies.items()):
             space.add(*_surfaces(spec, bodies[name], level, values, hair, index + 1))
+        choose_broad_phase(space)
         _run_belts(level, values, bodies)
         if level.effects.in_sequence and not as_it_comes:
             coefficients = _sequence(space, level, values)

@@ -74,6 +74,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._contacts: dict[Pair, int] = {}
+        self._touched: set[int] = set()  # the same pairs, as numbers
         self.note()
 
     def __len__(self) -> int:
@@ -81,9 +82,12 @@ class Recorder:
 
     def note(self) -> None:
         """Note the world's last observed state."""
-        for a, b in self._world.contacts.bodies:
-            pair = frozenset((self._names[a], self._names[b]))
+        a, b = self._world.contacts.bodies.T
+        touching = set((a * len(self._names) + b).tolist())
+        for key in touching - self._touched:
+            pair = frozenset(self._names[row] for row in divmod(key, len(self._names)))
             self._contacts.setdefault(pair, self._count)
+        self._touched |= touching
         self._fresh.append(self._world.snapshot)
         self._count += 1
         if len(self._fresh) == MANY:

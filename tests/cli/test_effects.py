@@ -112,3 +112,22 @@ def test_a_level_without_effects_says_so(run: Run, write: Write) -> None:
     path = write(effects={}, parameters={}, checks=[height("10")])
 
     assert run("effects", path).out == f"{path} declares no effect\n"
+
+
+def test_a_level_of_many_bodies_is_written_and_runs(run: Run, tmp_path: Path) -> None:
+    path = tmp_path / "gas.json"
+
+    made = run("generate", "gas", "--bodies", 9, "--output", path)
+    ran = run("simulate", path, "--duration", 1, "--output", tmp_path / "gas.csv")
+
+    assert made.out.startswith(f"{path}: A gas of 9 discs")
+    assert ran.status == 0
+    assert "system.energy" in ran.out
+
+
+def test_no_level_of_no_bodies_is_written(run: Run, tmp_path: Path) -> None:
+    outcome = run("generate", "gas", "--bodies", 0, "--output", tmp_path / "gas.json")
+
+    assert outcome.status == 2
+    assert "there must be between 1 and" in outcome.err
+    assert not list(tmp_path.iterdir())

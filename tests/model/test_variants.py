@@ -135,3 +135,8 @@ def test_what_makes_no_sense_is_refused_by_name(
 
 def test_the_defaults_are_effects_that_there_are() -> None:
     assert set(DEFAULTS) <= set(Effects.model_fields)
+
+
+def test_a_setting_of_another_effect_is_told_so() -> None:
+    with pytest.raises(EffectError, match="unknown key 'mu'; it is a setting of 'attraction'"):
+        including(named("kinematics/projectile"), "drag", {"mu": 1})

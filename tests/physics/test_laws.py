@@ -11,17 +11,14 @@ from hypothesis import strategies as st
 from sandbox.model.expressions import Array, Formula
 from sandbox.model.level import Level
 from sandbox.physics.anchor import Anchor
-from sandbox.physics.laws import (
-    Accretion,
-    Attraction,
-    Drag,
-    Gravitation,
-    Gravity,
-    Law,
-    Push,
-    SpringForce,
-    Thrust,
-)
+from sandbox.physics.laws.attraction import Attraction
+from sandbox.physics.laws.drag import Drag
+from sandbox.physics.laws.gravitation import Gravitation
+from sandbox.physics.laws.gravity import Gravity
+from sandbox.physics.laws.law import Law
+from sandbox.physics.laws.massflow import Accretion, Thrust
+from sandbox.physics.laws.push import Push
+from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.massflow import Flow
 from sandbox.physics.measure import Meter
 from sandbox.physics.motion import Instant

@@ -1,6 +1,10 @@
-"""The force laws that a level may declare, one file each, with the energy beside the force."""
+"""The force laws that a level may declare, one file each, with the energy beside the force.
 
-from collections.abc import Sequence
+A law is imported where a level declares it: what a scene does not call for is not even loaded.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,29 +12,11 @@ from numpy.typing import NDArray
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import evaluate
-from sandbox.physics.laws.attraction import Attraction
-from sandbox.physics.laws.drag import Drag
-from sandbox.physics.laws.gravitation import Gravitation
 from sandbox.physics.laws.gravity import Gravity
 from sandbox.physics.laws.law import Law
-from sandbox.physics.laws.massflow import Accretion, Thrust
-from sandbox.physics.laws.push import Push
-from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.massflow import Share, accretion_flows, thrust_flows
 
-__all__ = [
-    "Accretion",
-    "Attraction",
-    "Drag",
-    "Gravitation",
-    "Gravity",
-    "Law",
-    "Push",
-    "SpringForce",
-    "Thrust",
-    "gravity",
-    "laws",
-]
+__all__ = ["Gravity", "Law", "gravity", "laws"]
 
 
 def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Gravity | None:
@@ -61,30 +47,82 @@ def laws(
     step
         How long a kick lasts [s].
     """
-    found: list[Law] = [
-        Attraction(a.mu(values), evaluate(a.center, values), mass, a.power(values), share)
-        for a in effects.attraction or ()
-    ]
-    if pull := effects.gravitation:
-        rows = _rows(pull.bodies, names, mass)
-        constant, softening = pull.constant(values), pull.softening(values)
-        found.append(Gravitation(constant, rows, mass, softening, share))
-    if drag := effects.drag:
-        rows = _rows(drag.bodies, names, mass)
-        found.append(Drag(drag.linear(values), drag.quadratic(values), rows))
-    for force in effects.force or ():
-        point = evaluate(force.at, values)
-        turns = force.frame == "body"
-        found.append(Push(force.force, values, names.index(force.body), point, turns))
-    for thrust, flow in zip(
-        effects.thrust or (), thrust_flows(effects, values, names), strict=True
-    ):
-        found.append(Thrust(flow, evaluate(thrust.exhaust, values), step))
-    for accretion, flow in zip(
-        effects.accretion or (), accretion_flows(effects, values, names), strict=True
-    ):
-        found.append(Accretion(flow, evaluate(accretion.velocity, values), step))
-    return tuple(found)
+    given = _Given(effects, values, names, mass, share, step)
+    declared = (make for name, make in _MAKERS.items() if getattr(effects, name) is not None)
+    return tuple(law for make in declared for law in make(given))
+
+
+class _Given(NamedTuple):
+    """What the laws of a level are made of; see `laws`."""
+
+    effects: Effects
+    values: Values
+    names: Sequence[str]
+    mass: Array
+    share: Share
+    step: float
+
+
+def _attraction(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.attraction import Attraction
+
+    values = given.values
+    for a in given.effects.attraction or ():
+        center, power = evaluate(a.center, values), a.power(values)
+        yield Attraction(a.mu(values), center, given.mass, power, given.share)
+
+
+def _gravitation(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.gravitation import Gravitation
+
+    if pull := given.effects.gravitation:
+        rows = _rows(pull.bodies, given.names, given.mass)
+        constant, softening = pull.constant(given.values), pull.softening(given.values)
+        yield Gravitation(constant, rows, given.mass, softening, given.share)
+
+
+def _drag(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.drag import Drag
+
+    if drag := given.effects.drag:
+        rows = _rows(drag.bodies, given.names, given.mass)
+        yield Drag(drag.linear(given.values), drag.quadratic(given.values), rows)
+
+
+def _force(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.push import Push
+
+    for force in given.effects.force or ():
+        point = evaluate(force.at, given.values)
+        body, turns = given.names.index(force.body), force.frame == "body"
+        yield Push(force.force, given.values, body, point, turns)
+
+
+def _thrust(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.massflow import Thrust
+
+    flows = thrust_flows(given.effects, given.values, given.names)
+    for thrust, flow in zip(given.effects.thrust or (), flows, strict=True):
+        yield Thrust(flow, evaluate(thrust.exhaust, given.values), given.step)
+
+
+def _accretion(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.massflow import Accretion
+
+    flows = accretion_flows(given.effects, given.values, given.names)
+    for accretion, flow in zip(given.effects.accretion or (), flows, strict=True):
+        yield Accretion(flow, evaluate(accretion.velocity, given.values), given.step)
+
+
+_MAKERS: Mapping[str, Callable[[_Given], Iterator[Law]]] = {
+    "attraction": _attraction,
+    "gravitation": _gravitation,
+    "drag": _drag,
+    "force": _force,
+    "thrust": _thrust,
+    "accretion": _accretion,
+}
+"""What makes the laws of an effect, by its name in the manifest."""
 
 
 def _rows(bodies: Sequence[str] | None, names: Sequence[str], mass: Array) -> NDArray[np.intp]:

@@ -1,0 +1,143 @@
+"""The manifest decides what exists: what a level does not declare is not there, and not missed."""
+
+import subprocess
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.level import Level
+from sandbox.model.variants import without
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.world import build
+from tests.physics.scenes import GRAVITY, Spec, disc, floor, level, run
+
+LAWS = {"attraction", "drag", "gravitation", "massflow", "push"}
+"""The modules of the laws that a level declares as effects."""
+
+ZERO: Mapping[str, Any] = {
+    "gravity": {"acceleration": [0, 0]},
+    "attraction": [{"mu": 0, "center": [50, 50]}],
+    "force": [{"body": "a", "force": [0, 0], "at": [0.1, 0]}],
+    "friction": {},
+    "drag": {"linear": "c"},  # a zero of its own is refused: it would be declared for nothing
+}
+"""Effects without strength; those of surfaces have it in the bodies."""
+
+SCRIPT = """
+import sys
+from sandbox.physics.world import build
+from tests.physics.scenes import disc, level
+build(level({"a": disc(), "b": disc((3, 0))}, %r)).advance(3)
+prefix = "sandbox.physics.laws."
+print(*sorted(name.removeprefix(prefix) for name in sys.modules if name.startswith(prefix)))
+"""
+
+
+@pytest.mark.parametrize(
+    ("effects", "loaded"),
+    [
+        ({}, set()),
+        ({**GRAVITY, "contact": {}}, set()),
+        ({"drag": {"linear": 1}}, {"drag"}),
+        ({"attraction": [{"mu": 1, "center": [9, 9]}]}, {"attraction"}),
+        ({"force": [{"body": "a", "force": [1, 0]}]}, {"push"}),
+    ],
+    ids=["nothing", "gravity and contact", "drag", "attraction", "force"],
+)
+def test_only_the_laws_that_a_scene_declares_are_loaded(effects: Spec, loaded: set[str]) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", SCRIPT % effects],
+        capture_output=True, text=True, timeout=60, check=True, cwd=Path(__file__).parents[2],
+    )  # fmt: skip
+
+    assert set(done.stdout.split()) & LAWS == loaded
+
+
+numbers = st.floats(-3, 3).map(lambda x: round(x, 3))
+masses = st.sampled_from([0.1, 1.0, 7.5])
+
+
+@st.composite
+def scenes(draw: st.DrawFn) -> tuple[dict[str, Spec], Spec]:
+    """Two or three discs above a floor that move anyhow, and what acts on them."""
+    bodies = {
+        name: disc(
+            (3 * i, 1 + abs(draw(numbers))),
+            mass=draw(masses),
+            velocity=[draw(numbers), draw(numbers)],
+            restitution=draw(st.sampled_from([0.0, 0.5, 1.0])),
+        )
+        for i, name in enumerate("abc"[: draw(st.integers(2, 3))])
+    }
+    effects: Spec = {"contact": {}, "restitution": {}, **draw(st.sampled_from([{}, GRAVITY]))}
+    return {**bodies, "floor": floor(restitution=1)}, effects
+
+
+def moved(scene: Level) -> Snapshot:
+    return run(build(scene), 40)
+
+
+def same(one: Snapshot, other: Snapshot) -> bool:
+    names = ("position", "velocity", "angle", "angular_velocity", "acceleration", "normal")
+    return all(getattr(one, name).tobytes() == getattr(other, name).tobytes() for name in names)
+
+
+@pytest.mark.parametrize("effect", ZERO)
+@settings(max_examples=10, deadline=None)
+@given(scene=scenes())
+def test_an_effect_without_strength_changes_no_bit(
+    effect: str, scene: tuple[dict[str, Spec], Spec]
+) -> None:
+    bodies, effects = scene
+    if effect in effects:
+        return
+    bare = level(bodies, effects)
+    rub = {"friction": 0} if effect == "friction" else {}
+    bodies = {name: {**body, **rub} for name, body in bodies.items()}
+    none = {"parameters": {"c": {"value": 0, "min": 0, "max": 1}}} if effect == "drag" else {}
+    full = level(bodies, {**effects, effect: ZERO[effect]}, **none)
+    one, other = moved(bare), moved(full)
+
+    assert np.array_equal(one.position, other.position)
+    assert np.array_equal(one.velocity, other.velocity)
+    assert np.array_equal(one.acceleration, other.acceleration)
+
+
+@settings(max_examples=10, deadline=None)
+@given(scene=scenes(), linear=st.floats(0.1, 5))
+def test_an_effect_switched_off_is_an_effect_never_declared(
+    scene: tuple[dict[str, Spec], Spec], linear: float
+) -> None:
+    bodies, effects = scene
+    bare = level(bodies, effects)
+    full = level(bodies, {**effects, "drag": {"linear": linear}})
+    less, _ = without(full, "drag")
+
+    assert build(less).hooks == 0
+    assert same(moved(less), moved(bare))
+    assert build(full).hooks == 1
+
+
+@settings(max_examples=10, deadline=None)
+@given(scene=scenes(), linear=st.floats(0.1, 5))
+def test_an_effect_on_one_body_touches_no_other(
+    scene: tuple[dict[str, Spec], Spec], linear: float
+) -> None:
+    """Nothing meets: without contact the others move on to the last bit."""
+    bodies, effects = scene
+    kept = {name: effects[name] for name in effects if name == "gravity"}
+    free = {
+        name: {key: part for key, part in body.items() if key != "restitution"}
+        for name, body in bodies.items()
+    }
+    alone = moved(level(free, {**kept, "drag": {"linear": linear, "bodies": ["a"]}}))
+    without_it = moved(level(free, kept))
+
+    assert np.array_equal(alone.position[:, 1:], without_it.position[:, 1:])
+    assert np.array_equal(alone.velocity[:, 1:], without_it.velocity[:, 1:])

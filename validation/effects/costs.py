@@ -1,0 +1,177 @@
+"""What effects cost: every level beside the bare engine, and every effect over many bodies."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sandbox.model import catalog
+from sandbox.model.crowds import crowd, text
+from sandbox.model.level import Level
+from sandbox.model.loading import load, parse
+from sandbox.physics.timing import STEPS, Step, step_seconds
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import build
+
+COUNTS = (1, 10, 100, 1000, 10_000)
+"""Over how many bodies an effect's cost is measured."""
+
+QUICK = COUNTS[:3]
+
+DECLARED: Mapping[str, object] = {
+    "gravity": {"acceleration": [0, -9.81]},
+    "contact": {},
+    "friction": {},
+    "restitution": {},
+    "rotation": {},
+    "attraction": [{"mu": 1, "center": [-50, -50]}],
+    "drag": {"linear": 0.1},
+    "force": [{"body": "disc1", "force": [1, 0]}],
+}
+"""Every effect that is measured, as it is declared."""
+
+LAWS = ("attraction", "drag", "force")
+"""Those that are force laws, which share one hook."""
+
+EFFECTS: Mapping[str, tuple[str, ...]] = {
+    "gravity": ("gravity",),
+    "contact": ("contact",),
+    "friction": ("contact", "friction"),
+    "restitution": ("contact", "restitution"),
+    "rotation": ("contact", "rotation"),
+    **{law: (law,) for law in LAWS},
+    " + ".join(LAWS): LAWS,
+}
+"""What is declared to measure an effect, or several that act together."""
+
+BASE = {"rotation": "contact", "friction": "contact", "restitution": "contact"}
+"""Beside which an effect's cost is counted, if not beside a scene that declares nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class LevelCost:
+    """What a step of a level costs beside the bare engine.
+
+    Attributes
+    ----------
+    level, effects, joints
+        What runs, and what it declares.
+    hooks
+        How many Python callbacks a step makes.
+    step_seconds
+        What `World.step` costs [s].
+    bare_step_seconds
+        What `Space.step` costs in the same scene, built the same way, from which the hook is taken
+        out [s]: what pymunk computes by itself. Pairs with a coefficient of their own keep it.
+    ratio
+        The one over the other.
+    """
+
+    level: str
+    effects: tuple[str, ...]
+    joints: tuple[str, ...]
+    hooks: int
+    step_seconds: float
+    bare_step_seconds: float
+    ratio: float
+
+
+@dataclass(frozen=True, slots=True)
+class EffectCost:
+    """What an effect adds to a step over some numbers of bodies.
+
+    Attributes
+    ----------
+    effect
+        Its name, or those of several that act together.
+    bodies
+        How many move, (k,).
+    step_seconds
+        What a step with it costs [s], (k,).
+    seconds_per_step
+        What it adds to one [s], (k,); negative within the noise where it adds nothing.
+    exponent
+        p of the fit cost ~ n^p to the whole step from 100 bodies on; None if there are too few.
+    """
+
+    effect: str
+    bodies: tuple[int, ...]
+    step_seconds: tuple[float, ...]
+    seconds_per_step: tuple[float, ...]
+    exponent: float | None
+
+
+def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterator[LevelCost]:
+    """Measure levels, those of the catalog if left out, beside the bare engine."""
+    for name in catalog.names() if names is None else names:
+        level = load(catalog.find(name))
+        world = build(level)
+        steps = max(min(count_steps(world), STEPS), 1)
+        ours, bare = step_seconds([_stepping(level), _bare(level)], steps, repeats)
+        joints = tuple(dict.fromkeys(joint.type for joint in level.joints.values()))
+        yield LevelCost(name, level.effects.declared, joints, world.hooks, ours, bare, ours / bare)
+
+
+def _stepping(level: Level) -> Callable[[], Step]:
+    return lambda: build(level).step
+
+
+def _bare(level: Level) -> Callable[[], Step]:
+    """Make the same scene, and take everything of ours out of its steps."""
+
+    def start() -> Step:
+        world = build(level)
+        space = world.scene.space
+        space.remove(*space.constraints)
+        dt = world.dt
+        return lambda: space.step(dt)
+
+    return start
+
+
+def effect_costs(counts: Sequence[int] = COUNTS, repeats: int = 5) -> list[EffectCost]:
+    """Measure what effects add to a step: of a gas, over the number of its bodies."""
+    found: dict[str, list[float]] = {}
+    for count in counts:
+        whole = _gas(count)
+        scenes = {"nothing": (), **EFFECTS}
+        steps = [build(_declaring(whole, names)).step for names in scenes.values()]
+        starts = [lambda step=step: step for step in steps]  # they go on where they were
+        seconds = step_seconds(starts, STEPS if count < 1000 else 20, repeats)
+        for name, value in zip(scenes, seconds, strict=True):
+            found.setdefault(name, []).append(value)
+    return [_effect_cost(name, counts, found) for name in EFFECTS]
+
+
+def _gas(count: int) -> Level:
+    """Return a gas that declares every effect."""
+    document = {**crowd("gas", count), "effects": DECLARED, "checks": []}
+    bodies: Mapping[str, Any] = document["bodies"]
+    rubbing = {name: {**body, "friction": 0.5} for name, body in bodies.items()}
+    return parse(text({**document, "bodies": rubbing}))
+
+
+def _declaring(level: Level, names: Sequence[str]) -> Level:
+    """Return a level that declares no effects but those."""
+    others = {name: None for name in level.effects.declared if name not in names}
+    return level.model_copy(update={"effects": level.effects.model_copy(update=others)})
+
+
+def _effect_cost(
+    name: str, counts: Sequence[int], seconds: Mapping[str, Sequence[float]]
+) -> EffectCost:
+    base = seconds[BASE.get(name, "nothing")]
+    added = tuple(whole - part for whole, part in zip(seconds[name], base, strict=True))
+    return EffectCost(
+        name, tuple(counts), tuple(seconds[name]), added, exponent(counts, seconds[name])
+    )
+
+
+def exponent(counts: Sequence[int], seconds: Sequence[float]) -> float | None:
+    """Return p of the least-squares fit seconds ~ n^p from 100 bodies on."""
+    pairs = [(n, s) for n, s in zip(counts, seconds, strict=True) if n >= 100 and s > 0]
+    if len(pairs) < 2:
+        return None
+    n, s = np.log(np.array(pairs)).T
+    return float(np.polyfit(n, s, 1)[0])
