@@ -8,7 +8,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines, strings
-from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring
+from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring, Wire
 from sandbox.model.shapes import XY
 
 COILS = 9
@@ -40,6 +40,8 @@ def draw_joint(
             _pivot(surface, corners[0])
         case Rail():
             lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 3)
+        case Wire():
+            lines.path(surface, theme.SURFACE_EDGE, corners, 3)
 
 
 def _rope(surface: pygame.Surface, a: XY, b: XY, slack: bool) -> None:
