@@ -9,6 +9,7 @@ from sandbox.model.effects import Effects
 from sandbox.model.expressions import Array, Values
 from sandbox.model.shapes import evaluate
 from sandbox.physics.laws.attraction import Attraction
+from sandbox.physics.laws.centrifugal import Centrifugal
 from sandbox.physics.laws.drag import Drag
 from sandbox.physics.laws.gravitation import Gravitation
 from sandbox.physics.laws.gravity import Gravity
@@ -21,6 +22,7 @@ from sandbox.physics.massflow import Share, accretion_flows, thrust_flows
 __all__ = [
     "Accretion",
     "Attraction",
+    "Centrifugal",
     "Drag",
     "Gravitation",
     "Gravity",
@@ -69,6 +71,8 @@ def laws(
         rows = _rows(pull.bodies, names, mass)
         constant, softening = pull.constant(values), pull.softening(values)
         found.append(Gravitation(constant, rows, mass, softening, share))
+    if turning := effects.centrifugal:
+        found.append(Centrifugal(turning.rate(values), turning.axis(values), mass, share))
     if drag := effects.drag:
         rows = _rows(drag.bodies, names, mass)
         found.append(Drag(drag.linear(values), drag.quadratic(values), rows))
