@@ -14,6 +14,7 @@ from sandbox.physics.anchor import Anchor
 from sandbox.physics.laws import (
     Accretion,
     Attraction,
+    Centrifugal,
     Drag,
     Gravitation,
     Gravity,
@@ -55,6 +56,7 @@ CONSERVATIVE = st.one_of(
         mass=st.just(MASS[:2]),
         softening=st.floats(0, 2),
     ),
+    st.builds(Centrifugal, st.floats(-5, 5), NUMBER, st.just(MASS)),
     st.builds(
         Push,
         force=st.tuples(NUMBER.map(Formula), NUMBER.map(Formula)),
