@@ -1,7 +1,7 @@
 """The solver of exact joints: whatever tree they make, what must hold holds."""
 
 from collections.abc import Sequence
-from math import cos, pi, sin
+from math import cos, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
@@ -61,7 +61,7 @@ def test_a_tree_of_joints_keeps_its_lengths_and_its_momenta(links: Links) -> Non
     found = measured(build(scene), 240, *lengths, *momenta)
 
     for name in momenta:
-        assert np.ptp(found[name]) <= 1e-11 * (1 + np.abs(found[name]).max())  # 1e-13
+        assert np.ptp(found[name]) <= 1e-12 * (1 + np.abs(found[name]).max())  # 2e-15
     for name, link in zip(lengths, _pinned(links), strict=True):
         far, kind = link[2], link[5]
         if kind == "rope":
@@ -96,7 +96,7 @@ def energy_swing(links: Links, rate: float) -> float:
 def test_the_energy_of_a_hanging_tree_is_of_second_order(links: Links) -> None:
     coarse, fine = (energy_swing(links, rate) for rate in (1000, 2000))
 
-    assert fine <= max(coarse / 3, 1e-9)  # a quarter
+    assert fine <= max(coarse / 3.5, 1e-9)  # coarse / 4.00
 
 
 def turned_back(world: World, steps: int) -> None:
@@ -117,11 +117,42 @@ def test_a_tree_runs_back_to_where_it_came_from(links: Links) -> None:
     """Leapfrog with constraints is symmetric: after one more drift, -v is its own inverse."""
     world = build(hanging(links, 480))
     start = world.scene.batch.state()[:, :3].copy()
-    turned_back(world, 60)
-    world.advance(61)
+    turned_back(world, 240)
+    world.advance(241)
     back = world.scene.batch.state()[:, :3]
 
-    assert np.abs(back - start).max() <= 1e-8  # 1e-12
+    assert np.abs(back - start).max() <= 1e-9  # 1e-15
+
+
+@pytest.mark.parametrize("rate", [60, 240, 1000])
+@pytest.mark.parametrize("links", [2, 3])
+def test_a_chain_that_a_hand_pulls_straight_is_told_from_one_that_is_too_stiff(
+    links: int, rate: float
+) -> None:
+    """The links are a metre each, and the hand moves away from the nail by a metre a second."""
+    places = [(0, -1), (1, -1)] if links == 3 else [(0.5, -sqrt(0.75))]
+    hand = {"type": "kinematic", "shape": {"type": "disc", "radius": 0.1}, "velocity": [1, 0]}
+    bodies = {f"b{i}": disc(place) for i, place in enumerate(places)}
+    ends = [[0, 0], *bodies, "hand"]
+    joints = {f"r{i}": {"type": "rod", "ends": ends[i : i + 2]} for i in range(links)}
+    scene = level(
+        {**bodies, "hand": {**hand, "position": [1, 0]}},
+        GRAVITY,
+        joints=joints,
+        stepping={"rate": rate},
+    )
+    with pytest.raises(SimulationError, match=r"and the joints beside it are stretched") as told:
+        build(scene).advance(round(3 * rate))
+    assert told.value.time == pytest.approx(links - 1, abs=0.1)
+
+
+def test_a_chain_that_is_too_stiff_for_the_step_asks_for_a_higher_rate() -> None:
+    bodies = {f"b{i}": disc((0.1 * i, 0)) for i in range(1, 21)}
+    bodies["b20"]["mass"] = 1000
+    ends = [[0, 0], *bodies]
+    joints = {f"r{i}": {"type": "rod", "ends": ends[i : i + 2]} for i in range(20)}
+    with pytest.raises(SimulationError, match="take a higher 'rate'"):
+        build(level(bodies, GRAVITY, joints=joints)).advance(60)
 
 
 @pytest.mark.parametrize(
