@@ -38,9 +38,7 @@ def draw_joint(
             _pins(surface, corners)
         case Pivot():
             _pivot(surface, corners[0])
-        case Rail():
-            lines.stroke(surface, theme.SURFACE_EDGE, corners[0], corners[1], 3)
-        case Wire():
+        case Rail() | Wire():
             lines.path(surface, theme.SURFACE_EDGE, corners, 3)
 
 
