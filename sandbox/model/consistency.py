@@ -7,7 +7,17 @@ from keyword import iskeyword
 from sandbox.model.effects import Friction, Restitution
 from sandbox.model.errors import brief
 from sandbox.model.expressions import RESERVED, Formula, NonNegative
-from sandbox.model.joints import End, Held, Joint, Spring, bodies_of, body_of, points
+from sandbox.model.joints import (
+    End,
+    Held,
+    Joint,
+    Spring,
+    Wire,
+    bodies_of,
+    body_of,
+    ends_of,
+    points,
+)
 from sandbox.model.level import (
     ApexEvent,
     Body,
@@ -118,10 +128,8 @@ def _body_names(level: Level) -> Iterator[tuple[Path, str]]:
 
 def _names_in_joints(level: Level) -> Iterator[tuple[Path, str]]:
     for name, joint in level.joints.items():
-        for index, end in enumerate(joint.ends):
-            yield from _end_names(("joints", name, "ends", index), end)
-        for index, peg in enumerate(points(joint)[1:-1]):
-            yield from _end_names(("joints", name, "over", index), peg)
+        for path, end in ends_of(joint):
+            yield from _end_names(("joints", name, *path), end)
 
 
 def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
@@ -210,10 +218,16 @@ def _joints(level: Level) -> Iterator[Fault]:
     for name, joint in level.joints.items():
         path = ("joints", name, "ends")
         held = [level.bodies[body] for body in bodies_of(joint) if body in level.bodies]
-        if same := _twice(joint):
+        moves = any(body.type == "dynamic" for body in held)
+        if isinstance(joint, Wire):
+            if not moves:
+                yield Fault(("joints", name, "bead"), "the bead must be a dynamic body")
+        elif same := _twice(joint):
             yield Fault(path, f"'{brief(same)}' is tied to itself; two different bodies are needed")
-        elif not any(body.type == "dynamic" for body in held):
+        elif not moves:
             yield Fault(path, "at least one end must be a dynamic body")
+    if "s" in level.parameters and any(isinstance(j, Wire) for j in level.joints.values()):
+        yield Fault(("parameters", "s"), "'s' runs along the wires; choose another name")
 
 
 def _twice(joint: Joint) -> str | None:

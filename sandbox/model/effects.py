@@ -88,6 +88,15 @@ class Gravitation(Model):
     """those that attract each other; all dynamic bodies if left out"""
 
 
+class Centrifugal(Model):
+    """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2."""
+
+    rate: Expression
+    """rad/s, ω"""
+    axis: Expression = Expression(0)
+    """m, x0"""
+
+
 class Drag(Model):
     """The drag of a fluid at rest: F = −(linear + quadratic |v|) v."""
 
@@ -168,6 +177,8 @@ class Effects(Model):
     """Fixed centres attract or repel."""
     gravitation: Gravitation | None = None
     """Bodies attract or repel each other."""
+    centrifugal: Centrifugal | None = None
+    """The plane turns about a vertical axis."""
     drag: Drag | None = None
     """A fluid slows bodies down."""
     force: Annotated[tuple[Force, ...], Field(min_length=1)] | None = None

@@ -259,6 +259,13 @@ class Formula(Expression):
         return np.broadcast_to(np.asarray(result, dtype=float), np.shape(t))
 
 
+class Curve(Formula):
+    """A coordinate of a curve: a formula over ``s``, which runs along it, instead of the time."""
+
+    __slots__ = ()
+    variable = "s"
+
+
 class Profile(Formula):
     """A formula over a place ``x`` [m] instead of the time."""
 

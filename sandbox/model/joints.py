@@ -1,7 +1,7 @@
 """What ties bodies together.
 
-Rods, ropes, strings, pivots and rails are exact: they hold to rounding at every step, whatever they
-carry. A spring is a force.
+Rods, ropes, strings, pivots, rails and wires are exact: they hold to rounding at every step,
+whatever they carry. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
@@ -10,7 +10,8 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Expression, Formula, NonNegative, Positive
+from sandbox.model.expressions import Curve, Expression, Formula, NonNegative, Positive
+from sandbox.model.locating import Path
 from sandbox.model.shapes import Point
 
 
@@ -112,13 +113,38 @@ class Spring(Model):
     """whether it lets go beyond its length l0, as a bumper that is only touched"""
 
 
-Joint = Annotated[Rod | Rope | Pulley | Pivot | Rail | Spring, Field(discriminator="type")]
+class Wire(Model):
+    """A smooth, rigid wire that a body slides along as a bead, without friction.
+
+    A wire whose ends meet is closed. A bead that comes to an open end ends the run.
+    """
+
+    type: Literal["wire"]
+    bead: End
+    """the body, or the point of a body, that slides along it"""
+    curve: tuple[Curve, Curve]
+    """[x, y] in m of its points, over the parameters and s"""
+    s: tuple[Expression, Expression]
+    """from where to where s runs"""
+
+
+Joint = Annotated[Rod | Rope | Pulley | Pivot | Rail | Spring | Wire, Field(discriminator="type")]
+
+
+def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:
+    """Yield everything that a joint runs through, each with the path to it in the joint."""
+    if isinstance(joint, Wire):
+        yield ("bead",), joint.bead
+        return
+    yield ("ends", 0), joint.ends[0]
+    for index, peg in enumerate(joint.over if isinstance(joint, Pulley) else ()):
+        yield ("over", index), peg
+    yield ("ends", 1), joint.ends[1]
 
 
 def points(joint: Joint) -> tuple[End, ...]:
     """Return everything that a joint runs through, from its first end to its second."""
-    first, second = joint.ends
-    return (first, *joint.over, second) if isinstance(joint, Pulley) else (first, second)
+    return tuple(end for _, end in ends_of(joint))
 
 
 def body_of(end: End) -> str | None:

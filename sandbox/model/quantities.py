@@ -14,7 +14,7 @@ from sandbox.model.level import Level
 from sandbox.model.suggest import closest, suggestion
 
 Component = Literal["x", "y"]
-Owner = Literal["body", "joint", "system", "time"]
+Owner = Literal["body", "joint", "wire", "system", "time"]
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -34,6 +34,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "contact.friction": "N",
     },
     "joint": {"tension": "N", "length": "m", "potential_energy": "J"},
+    "wire": {"tension": "N"},
     "system": {
         "kinetic_energy": "J",
         "potential_energy": "J",
@@ -117,7 +118,7 @@ def quantity(name: str, level: Level) -> Quantity:
 def _owners(level: Level) -> dict[str, Owner]:
     return {
         **dict.fromkeys(level.bodies, "body"),
-        **dict.fromkeys(level.joints, "joint"),
+        **{n: "wire" if j.type == "wire" else "joint" for n, j in level.joints.items()},
         "system": "system",
     }
 

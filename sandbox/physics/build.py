@@ -34,6 +34,7 @@ from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
 from sandbox.physics.massflow import Share, mass_share
 from sandbox.physics.sticking import Sticking, sticking
+from sandbox.physics.stiffness import check_springs
 
 HAIR = 1e-9
 """m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
@@ -99,7 +100,13 @@ class Scene:
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
-    """Make the pymunk objects of a level for the given parameters."""
+    """Make the pymunk objects of a level for the given parameters.
+
+    Raises
+    ------
+    SimulationError
+        If springs are too stiff for the rate.
+    """
     as_it_comes = stepping.scheme != "leapfrog"
     space = pymunk.Space()
     space.iterations = stepping.iterations
@@ -131,6 +138,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = Joints(level, values, bodies, batch, mass, moment)
+    agility = np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1)
+    check_springs(joints.springs, agility, batch.state()[:, 2], stepping.rate)
     return Scene(
         space=space,
         bodies=bodies,
@@ -138,7 +147,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         mass=mass,
         moment=moment,
         share=share,
-        agility=np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1),
+        agility=agility,
         joints=joints,
         pair_callbacks=pair_callbacks,
         restitution=coefficients,

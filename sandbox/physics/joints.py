@@ -21,16 +21,19 @@ from sandbox.model.joints import (
     Rod,
     Rope,
     Spring,
+    Wire,
     bodies_of,
     body_of,
     points,
 )
 from sandbox.model.level import Level, span
 from sandbox.model.shapes import XY, Point, evaluate
+from sandbox.model.wires import along
 from sandbox.physics.anchor import Anchor
 from sandbox.physics.batch import Batch
 from sandbox.physics.exact.reaches import Row
 from sandbox.physics.exact.solver import ExactJoints
+from sandbox.physics.exact.wire import WireEquation
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Motion
 from sandbox.physics.pulley import PulleyString
@@ -39,6 +42,9 @@ if TYPE_CHECKING:
     from sandbox.physics.exact.equations import Condition, Equation
 
 Exact = Rod | Rope | Pulley | Pivot | Rail
+
+DRAWN = 200
+"""How many pieces of a wire are shown."""
 
 
 class Joints:
@@ -53,7 +59,7 @@ class Joints:
     together
         All other exact ones; None if there are none.
     paths
-        The points that each runs through, by name.
+        The points that each runs through, by name; of a wire, points of its curve.
     """
 
     def __init__(
@@ -71,13 +77,19 @@ class Joints:
             name: tuple(_anchor(end, index, values) for end in points(spec))
             for name, spec in level.joints.items()
         }
+        self.wires: dict[str, WireEquation] = {}
         self.springs: dict[str, SpringForce] = {}
         self.strings: dict[str, PulleyString] = {}
         self.together: ExactJoints | None = None
         rows: list[Row] = []
         others: list[Equation] = []
         for name, spec in level.joints.items():
-            if isinstance(spec, Spring):
+            if isinstance(spec, Wire):
+                curve = along(spec, values)
+                self.wires[name] = WireEquation(name, self.paths[name][0], curve)
+                self.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
+                others.append(self.wires[name])
+            elif isinstance(spec, Spring):
                 self.springs[name] = _spring(spec, self.paths[name], lengths[name], values)
             elif isinstance(spec, Pulley) and _is_alone(name, level):
                 self.strings[name] = _string(name, spec, bodies, lengths[name], values)
@@ -113,6 +125,8 @@ class Joints:
         """Take the present lengths as those that hold from a time on [s]."""
         for string in self.strings.values():
             string.refit()
+        for wire in self.wires.values():
+            wire.forget()
         if self.together:
             self.together.refit(t)
 
@@ -127,6 +141,8 @@ class Joints:
             return float(self.springs[name].tension(motion))
         assert self.together
         parts = self.together.tension[self._rows[name]]
+        if name in self.wires:
+            return abs(float(parts[0]))
         return float(parts[0] if len(parts) == 1 else np.hypot(*parts))
 
     def _solved(self) -> Iterator[PulleyString | ExactJoints]:
@@ -146,8 +162,8 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
 def _is_alone(name: str, level: Level) -> bool:
     """Whether a string is plain and shares no body that moves with another exact joint."""
     joint = level.joints[name]
-    ends, pegs = joint.ends, points(joint)[1:-1]
-    if any(isinstance(end, Held) for end in ends) or any(body_of(peg) for peg in pegs):
+    first, *pegs, last = points(joint)
+    if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
         return False
     moving = {body for body in bodies_of(joint) if level.bodies[body].type == "dynamic"}
     others = (o for n, o in level.joints.items() if n != name and not isinstance(o, Spring))

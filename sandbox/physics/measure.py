@@ -51,7 +51,7 @@ class Meter:
         match quantity.owner:
             case "time":
                 return lambda s: s.t
-            case "joint":
+            case "joint" | "wire":
                 return self._of_joint(quantity.subject, quantity.attribute)
             case "body":
                 row = self._rows[quantity.subject]

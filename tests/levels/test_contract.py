@@ -154,7 +154,7 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     """No shape without contact, no callback without a force law, a string or a sequence."""
     world = build(level)
     effects = level.effects
-    forces = ("attraction", "gravitation", "drag", "force", "thrust", "accretion")
+    forces = ("attraction", "gravitation", "centrifugal", "drag", "force", "thrust", "accretion")
     laws = set(effects.declared).intersection(forces)
     pairs = effects.friction.pairs if effects.friction else ()
     sticky = any(body.static_friction for body in level.bodies.values())

@@ -31,6 +31,16 @@ def joint(kind: str, *ends: object, **rest: object) -> dict[str, Any]:
 AT = {"body": "block", "at": [0.1, 0]}
 
 
+def wire(
+    x: str = "3 + s",
+    y: str = "4 - s**2",
+    first: float = -1,
+    last: float = 1,
+    bead: object = "block",
+) -> dict[str, Any]:
+    return {"type": "wire", "bead": bead, "curve": [x, y], "s": [first, last]}
+
+
 @pytest.mark.parametrize(
     "made",
     [
@@ -46,6 +56,10 @@ AT = {"body": "block", "at": [0.1, 0]}
         joint("rail", direction=[-30, -40]),
         joint("rail", "ball", [7, 0], direction=["sqrt(2)", 0]),
         joint("pivot", "ball", {"body": "block", "at": [-3, -4]}),
+        wire(),
+        wire("3.1 + s", bead=AT),
+        wire("5*cos(s)", "5*sin(s)", 0, 7, bead={"body": "block"}) | {"s": [0, "2*pi"]},
+        wire("3 + 3*s", "4 + asin(0.95*sin(9*s))"),
     ],
     ids=str,
 )
@@ -76,6 +90,20 @@ def test_what_makes_sense_is_let_through(made: dict[str, Any]) -> None:
         (joint("sprig", stiffness=1), "joints.tie: unknown type 'sprig'; did you mean 'spring'?"),
         (joint("rod", [0, 0], 3), "joints.tie.ends.1: must be a body's name, a point of one"),
         (joint("rod", "ball", {"body": "block", "att": [1, 1]}), "joints.tie.ends.1.att: unknown key 'att'; did you mean 'at'?"),
+        (wire(bead="blok"), "joints.tie.bead: unknown body 'blok'; did you mean 'block'?"),
+        (wire(bead={"body": "blok"}), "joints.tie.bead.body: unknown body 'blok'; did you mean 'block'?"),
+        (wire(bead="wall"), "joints.tie.bead: the bead must be a dynamic body"),
+        (wire(bead=[3, 4]), "joints.tie.bead: the bead must be a dynamic body"),
+        (wire("3 + u"), "joints.tie.curve.0: unknown parameter 'u'; known: s"),
+        (wire("3 + t"), "joints.tie.curve.0: the time 't' has no meaning here"),
+        (wire(first=1), "joints.tie.curve: 's' must run upwards, but it runs from 1 to 1"),
+        (wire("3 + s*0", "4"), "joints.tie.curve: the wire does not move on with s at [3, 4]"),
+        (wire("3 + sqrt(s)"), "joints.tie.curve: the wire is nowhere finite at s = -1"),
+        (wire(y="4 - abs(s)"), "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at [3, 4]"),
+        (wire("5*cos(s)", "5*abs(sin(s))", -3.14159265358979, 3.14159265358979), "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at ["),
+        (wire("3 + sin(2*s)", "4 - sin(s)", -1, 4), "joints.tie.curve: a wire must not cross itself, but this one does near [2.99, 4]"),
+        (wire("4 + s"), "joints.tie.curve: the bead must start on the wire, but it is 0.537841 m away"),
+        (wire("3 + s", "4 - s**2", 0.5), "joints.tie.curve: the bead must start on the wire, but it is 0.559"),
     ],
     ids=str,
 )  # fmt: skip
@@ -102,6 +130,32 @@ def test_an_effect_that_makes_no_sense_is_told(effects: dict[str, Any], told: st
     found = tied(joint("rod"), **effects)
 
     assert any(mistake.startswith(told) for mistake in found), found
+
+
+def test_a_parameter_is_not_called_as_what_runs_along_a_wire() -> None:
+    data = {
+        "format": 1,
+        "title": "Bead",
+        "parameters": {"s": {"value": 1, "min": 0, "max": 2}},
+        "effects": {"gravity": {"acceleration": [0, "-s"]}},
+        "bodies": {"block": disc((3, 4))},
+        "joints": {"tie": wire()},
+    }
+    told = "parameters.s: 's' runs along the wires; choose another name"
+    assert said(mistakes_in(json.dumps(data))) == [told]
+
+
+def test_a_wire_must_hold_over_the_whole_ranges_of_the_parameters() -> None:
+    data = {
+        "format": 1,
+        "title": "Bead",
+        "parameters": {"a": {"value": 1, "min": 0, "max": 2}},
+        "effects": GRAVITY,
+        "bodies": {"block": disc((3, 4))},
+        "joints": {"tie": wire("3 + s", "4 + a - hypot(s, a)")},
+    }
+    told = "joints.tie.curve: a wire needs its corners rounded, but this one is sharp at [3, 4] when a = 0"
+    assert said(mistakes_in(json.dumps(data))) == [told]
 
 
 def test_a_parameter_that_only_a_force_of_time_uses_is_used_by_the_scene() -> None:

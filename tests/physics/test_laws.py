@@ -12,6 +12,7 @@ from sandbox.model.expressions import Array, Formula
 from sandbox.model.level import Level
 from sandbox.physics.anchor import Anchor
 from sandbox.physics.laws.attraction import Attraction
+from sandbox.physics.laws.centrifugal import Centrifugal
 from sandbox.physics.laws.drag import Drag
 from sandbox.physics.laws.gravitation import Gravitation
 from sandbox.physics.laws.gravity import Gravity
@@ -52,6 +53,7 @@ CONSERVATIVE = st.one_of(
         mass=st.just(MASS[:2]),
         softening=st.floats(0, 2),
     ),
+    st.builds(Centrifugal, st.floats(-5, 5), NUMBER, st.just(MASS)),
     st.builds(
         Push,
         force=st.tuples(NUMBER.map(Formula), NUMBER.map(Formula)),

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from validation.formulas import energy, kinematics, newton
+from validation.formulas.arrays import Array
 
 positive = st.floats(0.01, 100)
 angles = st.floats(0.05, pi / 2 - 0.05)
@@ -188,3 +189,21 @@ def test_a_body_twice_as_fast_comes_from_far_away_four_times_as_near() -> None:
     slow, fast = (energy.closest_approach(1e9, speed, 2.0) for speed in (1.0, 2.0))
 
     assert slow == pytest.approx(4 * fast)
+
+
+@given(positive, angles, positive)
+def test_a_straight_descent_takes_as_long_as_newton_says(h: float, angle: float, g: float) -> None:
+    found = energy.time_of_descent(lambda p: p * h / np.tan(angle), lambda p: h * (1 - p), g)
+
+    assert found == pytest.approx(sqrt(2 * h / g) / np.sin(angle), rel=1e-8)
+
+
+@pytest.mark.parametrize("start", [0.3, 1.0, 2.0, 3.0])
+def test_a_cycloid_takes_as_long_from_anywhere(start: float) -> None:
+    def angle(p: Array) -> Array:
+        return start * (1 - p)
+
+    found = energy.time_of_descent(
+        lambda p: angle(p) + np.sin(angle(p)), lambda p: 1 - np.cos(angle(p)), 9.81
+    )
+    assert found == pytest.approx(pi / sqrt(9.81), rel=1e-7)

@@ -132,3 +132,25 @@ def test_weakly_coupled_oscillators_change_places_after_half_a_beat() -> None:
 
     assert left < 0.01
     assert right == pytest.approx(0.3, rel=1e-2)
+
+
+@pytest.mark.parametrize("start", [0.3, 2.9])
+def test_a_bead_on_a_cycloid_keeps_its_energy(start: float) -> None:
+    """m v²/2 with v = ds/dt and s = √(8 R y)."""
+    radius, g, h = 0.7, 9.81, 1e-6
+    t = np.linspace(0.01, 0.7, 50)  # short of the lowest point
+
+    def length(t: Array) -> Array:
+        return np.sqrt(8 * radius * lagrange.cycloid_height(t, radius, g, start))
+
+    speed = (length(t + h) - length(t - h)) / (2 * h)
+    total = speed**2 / 2 + g * lagrange.cycloid_height(t, radius, g, start)
+    assert total == pytest.approx(np.full(50, g * radius * (1 - np.cos(start))), rel=1e-7)
+
+
+@pytest.mark.parametrize(("rate", "expected"), [(2.0, 9.81 - 4), (5.0, 25 - (9.81 / 5) ** 2)])
+def test_a_bead_on_a_hoop_swings_about_its_rest(rate: float, expected: float) -> None:
+    """ω² − (g / (ω R))² = (ω sin θ)² about the angle, g/R − ω² about the bottom."""
+    found = lagrange.hoop_frequency(1.0, rate, 9.81, 1e-4)
+
+    assert found**2 == pytest.approx(expected, rel=1e-6)

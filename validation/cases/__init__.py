@@ -6,6 +6,7 @@ from validation.case import Case
 from validation.cases import (
     atwood,
     atwood_push,
+    beads,
     belts,
     bounces,
     bumpers,
@@ -81,6 +82,7 @@ PHENOMENA = (
     given_forces,
     least_action,
     chapter_code,
+    beads,
 )
 
 

@@ -1,10 +1,15 @@
 """Work, energy and potential wells: the chapter, section 5."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike
 
 from validation.formulas.arrays import Array
 from validation.formulas.runge_kutta import solution
+
+Curve = Callable[[Array], Array]
+"""A coordinate of a curve, of its parameter [m]."""
 
 
 def landing_speed(speed: float, g: float, height: float) -> float:
@@ -202,3 +207,17 @@ def repelled_time(r: float, speed: float, k: float) -> float:
     a = closest_approach(r, speed, k) / 2
     u = float(np.arccosh(r / a - 1))
     return float(np.sqrt(a**3 / k)) * (u + float(np.sinh(u)))
+
+
+def time_of_descent(x: Curve, y: Curve, g: float) -> float:
+    """Return the time from rest at p = 0 down a smooth curve to p = 1 [s].
+
+    T = ∫ ds / √(2 g (y(0) − y)), by Gauss and Legendre over q with p = q²: the integrand is smooth
+    there, for the ball starts like q. Slopes are central differences.
+    """
+    node, weight = np.polynomial.legendre.leggauss(400)
+    q, weight = (node + 1) / 2, weight / 2
+    p, h = q**2, 1e-6
+    slope = np.hypot(x(p + h) - x(p - h), y(p + h) - y(p - h)) / (2 * h)
+    drop = y(np.zeros(1)) - y(p)
+    return float(np.sum(weight * slope * 2 * q / np.sqrt(2 * g * drop)))

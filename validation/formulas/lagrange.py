@@ -199,3 +199,30 @@ def more_action(mass: float, stray: float, waves: int, duration: float) -> float
     that nothing but ∫ m η'² / 2 dt is left. It is positive, whatever a and n.
     """
     return float(mass * (stray * waves * np.pi) ** 2 / (4 * duration))
+
+
+def cycloid_height(t: ArrayLike, radius: float, g: float, start: float) -> Array:
+    """Return the height of a bead on a cycloid above its lowest point [m].
+
+    Huygens, Horologium oscillatorium (1673): along x = R (θ + sin θ), y = R (1 − cos θ) the length
+    from the lowest point is s = 4 R sin(θ/2), and y = s² / (8 R). So
+    L = m s'² / 2 − m g s² / (8 R), a spring's: s = A cos(ωt), ω² = g / (4 R), whatever A.
+    """
+    length = 4 * radius * np.sin(start / 2) * np.cos(np.sqrt(g / radius) / 2 * np.asarray(t))
+    return np.asarray(length**2 / (8 * radius))
+
+
+def hoop_frequency(radius: float, rate: float, g: float, amplitude: float) -> float:
+    """Return the angular frequency of a bead about its rest on a rotating hoop [rad/s].
+
+    L = m R² (θ'² + ω² sin² θ) / 2 + m g R cos θ: rest where cos θ = g / (ω² R), or at the bottom if
+    that is none; the frequency of small swings is the root of the curvature of the potential there,
+    taken here as a difference over the amplitude.
+    """
+    rest = np.arccos(min(1.0, g / (rate**2 * radius)))
+
+    def slope(angle: float) -> float:
+        return float(np.sin(angle) * (g / radius - rate**2 * np.cos(angle)))
+
+    rises = (slope(rest + amplitude) - slope(rest - amplitude)) / (2 * amplitude)
+    return float(np.sqrt(rises))

@@ -8,7 +8,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines, strings
-from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring
+from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring, Wire
 from sandbox.model.shapes import XY
 
 COILS = 9
@@ -38,7 +38,7 @@ def _rod(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
     _pins(surface, corners)
 
 
-def _rail(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+def _track(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
     lines.path(surface, theme.SURFACE_EDGE, corners, 3)
 
 
@@ -104,10 +104,11 @@ Look = Callable[[pygame.Surface, Sequence[XY], bool], None]
 LOOKS: Mapping[type, Look] = {
     Pulley: strings.draw_string,
     Rope: _rope,
-    Rail: _rail,
+    Rail: _track,
     Rod: _rod,
     Spring: _spring,
     Pivot: _pivot,
+    Wire: _track,
 }
 """What each kind looks like; any other is drawn plainly."""
 

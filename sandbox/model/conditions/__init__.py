@@ -11,11 +11,12 @@ from sandbox.model.conditions import (
     massflow,
     numbers,
     shapes,
+    wires,
 )
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
 
-_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow)
+_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow, wires)
 
 
 def conditions(level: Level) -> Iterator[Condition]:

@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Positive, Values
-from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, bodies_of
+from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Wire, bodies_of
 from sandbox.model.level import Level, place, span
 from sandbox.model.parts import names_in
 from sandbox.model.shapes import evaluate
@@ -19,6 +19,8 @@ NEAR = 1e-9
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield what must hold of a level's joints."""
     for name, joint in level.joints.items():
+        if isinstance(joint, Wire):
+            continue
         held = [level.bodies[body] for body in bodies_of(joint)]
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
         last = "ends" if isinstance(joint, Pivot | Rail) else "length"

@@ -87,6 +87,9 @@ class Reaches:
 
     def look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their gradients there."""
+        if not len(self._row):
+            turning = np.zeros(self._shape) if self.turns else None
+            return Rows(np.zeros(self._shape[0]), np.zeros(self._shape, dtype=complex), turning)
         reach = place.plane[self._b] - place.plane[self._a]
         if self.turns:
             turn = np.exp(1j * place.angle)

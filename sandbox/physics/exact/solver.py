@@ -31,6 +31,10 @@ SINGULAR = 1e-10
 """The smallest singular value, over the largest, of joints that do not repeat each other."""
 
 
+LOCKED = 0.1
+"""The same, over what it was at the start, of joints that have come to work against each other."""
+
+
 class ExactJoints:
     """All exact joints of a scene, as they are solved in a step; n bodies, m equations.
 
@@ -65,6 +69,7 @@ class ExactJoints:
         self._turns = self._reaches.turns
         self._others = list(enumerate(others, len(rows)))
         self._fresh = True
+        self._independence = 1.0  # the smallest singular value over the largest, at the start
         self._taut = ~self._pulls_only
         self.tension = self._guess = np.zeros(len(equations))
         self._warm = np.zeros(len(equations))  # impulses that have acted in this kick already
@@ -119,10 +124,7 @@ class ExactJoints:
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             place, motion = self._coordinates()
             here = self._look(place)
-            reply = Reply(
-                here.gradient * self._inverse_mass,
-                None if here.turning is None else here.turning * self._inverse_moment,
-            )
+            reply = self._reply(here)
             length = self._lengths(until)
             if self._fresh:
                 self._check_independent(here, reply, length)
@@ -163,18 +165,24 @@ class ExactJoints:
                     rows.turning[row, body] += angle
         return rows
 
+    def _reply(self, here: Rows) -> Reply:
+        return Reply(
+            here.gradient * self._inverse_mass,
+            None if here.turning is None else here.turning * self._inverse_moment,
+        )
+
     def _check_independent(self, here: Rows, reply: Reply, length: Array) -> None:
         """Refuse rows that repeat each other at the start, as far as they are taut."""
         self._fresh = False
         taut = np.flatnonzero(here.total - length > -1e-9)
+        if not len(taut):
+            return
         slope = reply.answers(here)[np.ix_(taut, taut)]
-        scale = np.sqrt(slope.diagonal())
-        if (scale == 0).any():
-            raise self._overlapping(int(taut[np.argmin(scale)]))
-        _, sizes, directions = np.linalg.svd(slope / np.outer(scale, scale))
-        if len(taut) and sizes[-1] < SINGULAR * sizes[0]:
-            shares = np.flatnonzero(np.abs(directions[-1]) > 1e-3)
-            raise self._overlapping(int(taut[shares[-1]]))
+        if not slope.diagonal().all():
+            raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
+        self._independence, shares = _weakest(slope)
+        if self._independence < SINGULAR:
+            raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
     def _settle(
         self, place: Coordinates, motion: Coordinates, reply: Reply, length: Array
@@ -220,6 +228,16 @@ class ExactJoints:
         raise self._lost(int(np.argmax(np.abs(wrong))))
 
     def _lost(self, row: int) -> JointFailure:
+        """Say why there is no solution: the joints work against each other, or the step is long."""
+        place, _ = self._coordinates()
+        here, taut = self._look(place), np.flatnonzero(self._taut)
+        slope = self._reply(here).answers(here)[np.ix_(taut, taut)]
+        if slope.any() and np.isfinite(slope).all():
+            independence, shares = _weakest(slope)
+            if independence < LOCKED * self._independence:
+                name = self._joints[taut[np.argmax(shares)]]
+                reason = f"'{name}' and the joints beside it are stretched: none can give way"
+                return JointFailure(name, reason)
         name = self._joints[row]
         reason = f"nothing keeps '{name}' as it is through the next step; take a higher 'rate'"
         return JointFailure(name, reason)
@@ -228,6 +246,16 @@ class ExactJoints:
         name = self._joints[row]
         reason = f"'{name}' holds what is held already, or cannot hold it; leave it out"
         return JointFailure(name, reason)
+
+
+def _weakest(slope: Array) -> tuple[float, Array]:
+    """Return the smallest singular value over the largest, and each row's share in it.
+
+    Every row counts as if it alone moved its bodies by one.
+    """
+    scale = np.sqrt(slope.diagonal())
+    _, sizes, directions = np.linalg.svd(slope / np.outer(scale, scale))
+    return float(sizes[-1] / sizes[0]), np.abs(directions[-1])
 
 
 def _solved(slope: Array, excess: Array) -> Array:

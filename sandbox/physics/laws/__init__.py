@@ -81,6 +81,14 @@ def _gravitation(given: _Given) -> Iterator[Law]:
         yield Gravitation(constant, rows, given.mass, softening, given.share)
 
 
+def _centrifugal(given: _Given) -> Iterator[Law]:
+    from sandbox.physics.laws.centrifugal import Centrifugal
+
+    if turning := given.effects.centrifugal:
+        rate, axis = turning.rate(given.values), turning.axis(given.values)
+        yield Centrifugal(rate, axis, given.mass, given.share)
+
+
 def _drag(given: _Given) -> Iterator[Law]:
     from sandbox.physics.laws.drag import Drag
 
@@ -117,6 +125,7 @@ def _accretion(given: _Given) -> Iterator[Law]:
 _MAKERS: Mapping[str, Callable[[_Given], Iterator[Law]]] = {
     "attraction": _attraction,
     "gravitation": _gravitation,
+    "centrifugal": _centrifugal,
     "drag": _drag,
     "force": _force,
     "thrust": _thrust,
