@@ -10,11 +10,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.joints import Joint, Motor, Weld
 from sandbox.model.level import Level
 from sandbox.model.suggest import closest, suggestion
 
 Component = Literal["x", "y"]
-Owner = Literal["body", "joint", "system", "time"]
+Owner = Literal["body", "joint", "fixture", "system", "time"]
+"""What a quantity belongs to; a fixture is a joint that keeps an angle."""
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -34,6 +36,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "contact.friction": "N",
     },
     "joint": {"tension": "N", "length": "m", "potential_energy": "J"},
+    "fixture": {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"},
     "system": {
         "kinetic_energy": "J",
         "potential_energy": "J",
@@ -117,9 +120,13 @@ def quantity(name: str, level: Level) -> Quantity:
 def _owners(level: Level) -> dict[str, Owner]:
     return {
         **dict.fromkeys(level.bodies, "body"),
-        **dict.fromkeys(level.joints, "joint"),
+        **{name: _kind(joint) for name, joint in level.joints.items()},
         "system": "system",
     }
+
+
+def _kind(joint: Joint) -> Owner:
+    return "fixture" if isinstance(joint, Weld | Motor) else "joint"
 
 
 def _of(owner: Owner, subject: str) -> Iterator[Quantity]:

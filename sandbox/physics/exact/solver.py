@@ -13,12 +13,14 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch
 from sandbox.physics.errors import JointFailure
 from sandbox.physics.exact.equations import Condition, Coordinates, Equation, Reply, Rows
 from sandbox.physics.exact.reaches import Reaches, Row
+from sandbox.physics.exact.turning import Turn
 
 MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
@@ -51,24 +53,59 @@ class ExactJoints:
         inverse_moment: Array,
     ) -> None:
         self._batch = batch
-        equations: tuple[Condition, ...] = (*rows, *others)
         # one body more: the plane itself, which nothing moves
         self._inverse_mass = np.append(inverse_mass, 0.0)
         self._inverse_moment = np.append(inverse_moment, 0.0)
+        self._lay_out(rows, others)
+        self._length = np.array([equation.length for equation in (*rows, *others)])
+        self._taut = ~self._pulls_only
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
+        self._struck = False
+        self._kick = self._drift = 0.0
+
+    def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Make the tables of all equations, the rows first."""
+        equations: tuple[Condition, ...] = (*rows, *others)
+        self._equations = rows, others
         self._joints = [equation.joint for equation in equations]
-        self._length = np.array([equation.length for equation in equations])
+        self._turn = np.array([isinstance(equation, Turn) for equation in equations], dtype=bool)
         self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
-        self._pulls_only = np.array([equation.pulls_only for equation in equations])
+        self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
         self._unilateral = bool(self._pulls_only.any())
         shape = (len(equations), len(self._inverse_mass))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
         self._turns = self._reaches.turns
         self._others = list(enumerate(others, len(rows)))
         self._fresh = True
-        self._taut = ~self._pulls_only
-        self.tension = self._guess = np.zeros(len(equations))
-        self._warm = np.zeros(len(equations))  # impulses that have acted in this kick already
-        self._kick = self._drift = 0.0
+
+    def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Take on more equations; what they stop at once is an impact, over with the next kick."""
+        old_rows, old_others = self._equations
+        where = [len(old_rows)] * len(rows) + [len(self._length)] * len(others)
+        lengths = [equation.length for equation in (*rows, *others)]
+        self._length = np.insert(self._length, where, lengths)
+        self._taut = np.insert(self._taut, where, values=True)
+        self._steady = self._guess = np.insert(self._steady, where, 0.0)
+        self._warm = np.insert(self._warm, where, 0.0)
+        self._lay_out((*old_rows, *rows), (*old_others, *others))
+        self._struck = True
+
+    def place(self) -> Coordinates:
+        """Return where everything is."""
+        return self._coordinates()[0]
+
+    def force(self, name: str) -> float:
+        """Return the force with which a joint pulled in the last kick [N]."""
+        parts = self.tension[self._of(name) & ~self._turn]
+        return float(parts[0] if len(parts) == 1 else np.hypot(*parts))
+
+    def torque(self, name: str) -> float:
+        """Return the torque of a joint on its second body in the last kick [N m]."""
+        return -float(self.tension[self._of(name) & self._turn].sum())
+
+    def _of(self, name: str) -> NDArray[np.bool_]:
+        return np.array([joint == name for joint in self._joints])
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
@@ -79,7 +116,7 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self.tension = self._guess = np.zeros_like(self._length)
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
         self._taut = ~self._pulls_only
         self._fresh = True
 
@@ -87,12 +124,12 @@ class ExactJoints:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         place, _ = self._coordinates()
         here = self._look(place)
-        self._warm = self.tension * self._kick
-        pulled = self.tension @ here.gradient
+        self._warm = self._steady * self._kick
+        pulled = self._steady @ here.gradient
         wrench[:, 0] -= pulled.real[:-1]
         wrench[:, 1] -= pulled.imag[:-1]
         if here.turning is not None:
-            wrench[:, 2] -= (self.tension @ here.turning)[:-1]
+            wrench[:, 2] -= (self._steady @ here.turning)[:-1]
 
     def stiff(self) -> Array:
         """Return the gradients of what can push as well as pull: (m, n, 3)."""
@@ -116,6 +153,8 @@ class ExactJoints:
             If there are none: the joints contradict or repeat each other, or the step is too long
             for what they carry.
         """
+        if not self._joints:
+            return
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             place, motion = self._coordinates()
             here = self._look(place)
@@ -131,8 +170,11 @@ class ExactJoints:
         velocity[:, 0], velocity[:, 1] = moved.plane.real[:-1], moved.plane.imag[:-1]
         velocity[:, 2] = moved.angle[:-1]
         self._batch.set_velocity(velocity)
-        before, self.tension = self.tension, (self._warm + impulse) / self._kick
-        self._guess = 2 * self.tension - before
+        self.tension = (self._warm + impulse) / self._kick
+        self._guess = self._steady
+        if not self._struck:
+            self._guess, self._steady = 2 * self.tension - self._steady, self.tension
+        self._struck = False
         self._warm = np.zeros_like(impulse)
 
     def _lengths(self, t: float) -> Array:
