@@ -26,6 +26,9 @@ MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
 """m, below which one more of Newton's steps leaves nothing but rounding."""
 
+PLANE, ANGLE = np.array([0, 1, 3, 4]), np.array([2, 5])
+"""The columns of a state that are places and velocities in the plane, and in the angle."""
+
 TAUT = 1e-12
 """m, by which a rope that does not pull may be too long: the rounding of its length."""
 
@@ -59,7 +62,7 @@ class ExactJoints:
         self._lay_out(rows, others)
         self._length = np.array([equation.length for equation in (*rows, *others)])
         self._taut = ~self._pulls_only
-        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self._forget()
         self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
         self._struck = False
         self._kick = self._drift = 0.0
@@ -116,9 +119,13 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self._forget()
         self._taut = ~self._pulls_only
         self._fresh = True
+
+    def _forget(self) -> None:
+        """Know of no tension yet."""
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
 
     def pull(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
@@ -189,9 +196,9 @@ class ExactJoints:
         """Return where everything is and how it moves, the plane itself last."""
         state = self._batch.state()
         plane = np.zeros((len(state) + 1, 2), dtype=complex)
-        plane[:-1].view(float)[:] = state[:, (0, 1, 3, 4)]
+        plane[:-1].view(float)[:] = state.take(PLANE, axis=1)
         angle = np.zeros((len(state) + 1, 2))
-        angle[:-1] = state[:, (2, 5)]
+        angle[:-1] = state.take(ANGLE, axis=1)
         return Coordinates(plane[:, 0], angle[:, 0]), Coordinates(plane[:, 1], angle[:, 1])
 
     def _look(self, place: Coordinates) -> Rows:
@@ -237,8 +244,11 @@ class ExactJoints:
         self, place: Coordinates, motion: Coordinates, reply: Reply, length: Array
     ) -> tuple[Array, Coordinates, Array]:
         """Return the impulses of the taut rows, the motion after them, and all rows' excess."""
-        taut, h = self._taut, self._drift
-        impulse = np.where(taut, self._guess * self._kick, 0.0) - self._warm
+        h = self._drift
+        slack = None if self._taut.all() else ~self._taut
+        impulse = self._guess * self._kick - self._warm
+        if slack is not None:
+            impulse[slack] = -self._warm[slack]
         for _ in range(MAX_ITERATIONS):
             moved = reply.to(impulse, motion)
             there = self._look(
@@ -248,11 +258,11 @@ class ExactJoints:
                 )
             )
             excess = there.total - length
-            wrong = np.where(taut, excess, 0.0) if self._unilateral else excess
-            slope = reply.answers(there)
-            if self._unilateral:
-                slope[~taut] = 0.0
-                slope[~taut, ~taut] = 1.0
+            wrong, slope = excess, reply.answers(there)
+            if slack is not None:
+                wrong = np.where(slack, 0.0, excess)
+                slope[slack] = 0.0
+                slope[slack, slack] = 1.0
             try:
                 impulse = impulse + _solved(slope, wrong) / h
             except np.linalg.LinAlgError:
