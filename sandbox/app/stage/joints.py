@@ -125,7 +125,7 @@ def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> Non
     if slack:
         lines.dashed(surface, theme.STRING, corners[:2], 4, 4)
     else:
-        lines.stroke(surface, theme.STRING, *corners[:2], 2)
+        lines.stroke(surface, theme.STRING, corners[0], corners[1], 2)
     strings.eyes(surface, (corners[0], corners[0]))
 
 

@@ -62,7 +62,7 @@ class ExactJoints:
         self._lay_out(rows, others)
         self._length = np.array([equation.length for equation in (*rows, *others)])
         self._taut = ~self._pulls_only
-        self._forget()
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
         self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
         self._struck = False
         self._kick = self._drift = 0.0
@@ -119,13 +119,9 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self._forget()
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
         self._taut = ~self._pulls_only
         self._fresh = True
-
-    def _forget(self) -> None:
-        """Know of no tension yet."""
-        self.tension = self._steady = self._guess = np.zeros_like(self._length)
 
     def pull(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
