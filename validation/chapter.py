@@ -55,7 +55,7 @@ PARTS = (
             "newton/compound-pulley",
         ),
     ),
-    Part(NEWTON, "an Atwood machine with a massive pulley"),
+    Part(NEWTON, "an Atwood machine with a massive pulley", ("newton/atwood-massive-pulley",)),
     Part(
         NEWTON,
         "free-body diagrams: two bodies and a string",
@@ -149,8 +149,8 @@ PARTS = (
         ("momentum/cradle-on-a-line", "momentum/billiard-break"),
     ),
     Part(MOMENTUM, "between elastic and not", ("momentum/restitution", "momentum/bouncing-ball")),
-    Part(MOMENTUM, "perfectly inelastic", ("momentum/inelastic",)),
-    Part(MOMENTUM, "ballistic pendulum"),
+    Part(MOMENTUM, "perfectly inelastic", ("momentum/inelastic", "momentum/sticking")),
+    Part(MOMENTUM, "ballistic pendulum", ("momentum/ballistic-pendulum",)),
     Part(ROTATION, "door pushed at hinge, middle and handle", ("rotation/door",)),
     Part(ROTATION, "balance beam", ("rotation/balance-beam",)),
     Part(ROTATION, "a hoop rolls slower than a disc", ("rotation/rolling", "rotation/race")),
@@ -160,9 +160,15 @@ PARTS = (
     Part(
         ROTATION,
         "moments of inertia and the parallel axis",
-        ("rotation/moments-of-inertia", "rotation/parallel-axis", "rotation/physical-pendulum"),
+        (
+            "rotation/moments-of-inertia",
+            "rotation/parallel-axis",
+            "rotation/drum-and-weight",
+            "rotation/physical-pendulum",
+        ),
     ),
-    Part(ROTATION, "yo-yo"),
+    Part(ROTATION, "torque of a motor", ("rotation/motor",)),
+    Part(ROTATION, "yo-yo", ("rotation/yo-yo",)),
     Part(LAGRANGE, "pendulum", ("lagrange/simple-pendulum", "lagrange/large-pendulum")),
     Part(LAGRANGE, "double pendulum", ("lagrange/double-pendulum",)),
     Part(

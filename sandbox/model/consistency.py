@@ -1,17 +1,20 @@
 """What must hold between the parts of a level whatever the values of its parameters."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from keyword import iskeyword
 
-from sandbox.model.effects import Friction, Restitution
+from sandbox.model.effects import Friction, Pair, Restitution
 from sandbox.model.errors import brief
 from sandbox.model.expressions import RESERVED, Formula, NonNegative
 from sandbox.model.joints import (
     End,
     Held,
     Joint,
+    Motor,
     Spring,
+    Weld,
+    Winding,
     Wire,
     bodies_of,
     body_of,
@@ -164,8 +167,8 @@ def _end_names(path: Path, end: End) -> Iterator[tuple[Path, str]]:
 
 def _couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
     """Yield everything that two bodies are named for."""
-    for kind, effect in _surfaces(level).items():
-        for index, pair in enumerate(effect.pairs):
+    for kind, pairs in _pairs(level).items():
+        for index, pair in enumerate(pairs):
             yield ("effects", kind, "pairs", index, "bodies"), pair.bodies
     for index, check in enumerate(level.checks):
         if isinstance(check.at, ContactEvent):
@@ -329,7 +332,9 @@ def _rotation(level: Level) -> Iterator[Fault]:
 
 
 def _levers(level: Level) -> bool:
-    """Whether a joint or a force acts on a body away from its centre."""
+    """Whether a joint turns a body, or one or a force acts on it away from its centre."""
+    if any(isinstance(joint, Motor | Weld | Winding) for joint in level.joints.values()):
+        return True
     held = (end for joint in level.joints.values() for end in points(joint))
     points_of_bodies = [end.at for end in held if isinstance(end, Held)]
     points_of_bodies += [force.at for force in level.effects.force or ()]
@@ -372,7 +377,7 @@ def _surface(level: Level, kind: str) -> Iterator[Fault]:
                 f"needs a '{kind}' coefficient, for the level declares '{kind}'"
                 " (1 leaves the other body's as it is, 0 is none)",
             )
-    yield from _repeated_pairs(effect, kind)
+    yield from _repeated_pairs(effect.pairs, kind, "has a coefficient already")
 
 
 def _static_alone(level: Level) -> Iterator[Fault]:
@@ -382,15 +387,39 @@ def _static_alone(level: Level) -> Iterator[Fault]:
             yield Fault(("bodies", name, "static_friction"), rule)
 
 
-def _repeated_pairs(effect: Friction | Restitution, kind: str) -> Iterator[Fault]:
+def _sticking(level: Level) -> Iterator[Fault]:
+    """Sticking: of bodies that touch, one of which can move."""
+    sticking = level.effects.sticking
+    if sticking is None:
+        return
+    if level.effects.contact is None:
+        yield Fault(("effects", "sticking"), "'sticking' needs the effect 'contact'")
+    if level.effects.in_sequence:
+        rule = "what sticks cannot be declared with impacts in 'sequence'"
+        yield Fault(("effects", "sticking"), rule)
+    for index, pair in enumerate(sticking.pairs):
+        held = [level.bodies[body] for body in pair.bodies if body in level.bodies]
+        if len(held) == 2 and not any(body.type == "dynamic" for body in held):
+            path = ("effects", "sticking", "pairs", index)
+            yield Fault(path, "at least one of the two must be a dynamic body")
+    yield from _repeated_pairs(sticking.pairs, "sticking", "is named already")
+
+
+def _pairs(level: Level) -> dict[str, Sequence[Pair]]:
+    """Return the pairs of bodies that effects name."""
+    pairs: dict[str, Sequence[Pair]] = {k: e.pairs for k, e in _surfaces(level).items()}
+    if level.effects.sticking:
+        pairs["sticking"] = level.effects.sticking.pairs
+    return pairs
+
+
+def _repeated_pairs(pairs: Sequence[Pair], kind: str, told: str) -> Iterator[Fault]:
     seen: set[frozenset[str]] = set()
-    for index, pair in enumerate(effect.pairs):
+    for index, pair in enumerate(pairs):
         bodies = frozenset(pair.bodies)
         if bodies in seen:
             path = ("effects", kind, "pairs", index)
-            yield Fault(
-                path, f"the pair {' and '.join(map(brief, pair.bodies))} has a coefficient already"
-            )
+            yield Fault(path, f"the pair {' and '.join(map(brief, pair.bodies))} {told}")
         seen.add(bodies)
 
 
@@ -402,6 +431,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _contact,
     _bodies,
     _joints,
+    _sticking,
     _laws,
     _landscape,
     _flows,

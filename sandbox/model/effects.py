@@ -160,6 +160,13 @@ class Belt(Model):
     """[x, y] in m/s of its surface, along the body's axes; only what lies along a side counts"""
 
 
+class Sticking(Model):
+    """Bodies that become one at their first touch: the perfectly inelastic collision."""
+
+    pairs: Annotated[tuple[Pair, ...], Field(min_length=1)]
+    """who sticks to whom, where and how they first touch"""
+
+
 class Effects(Model):
     """Everything that acts in a level."""
 
@@ -171,6 +178,8 @@ class Effects(Model):
     """Bodies in contact rub."""
     restitution: Restitution | None = None
     """Bodies in contact bounce."""
+    sticking: Sticking | None = None
+    """Bodies stick to each other."""
     rotation: Rotation | None = None
     """Bodies turn."""
     attraction: Annotated[tuple[Attraction, ...], Field(min_length=1)] | None = None

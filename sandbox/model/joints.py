@@ -1,7 +1,7 @@
 """What ties bodies together.
 
-Rods, ropes, strings, pivots, rails and wires are exact: they hold to rounding at every step,
-whatever they carry. A spring is a force.
+All but the spring are exact: they hold to rounding at every step, whatever they carry. A spring is
+a force.
 """
 
 from collections.abc import Iterator, Mapping
@@ -97,6 +97,36 @@ class Rail(Model):
     """[x, y], the way it goes, of any length; it does not turn"""
 
 
+class Weld(Model):
+    """Two bodies keep their places and angles to each other, or one keeps its own in the plane."""
+
+    type: Literal["weld"]
+    ends: tuple[End, End]
+    """what it makes one; its tension and its torque are those at the second"""
+
+
+class Motor(Model):
+    """A pin that turns: it drives its second body against its first, or against the plane."""
+
+    type: Literal["motor"]
+    ends: tuple[End, End]
+    """the points that it keeps together"""
+    rate: Formula
+    """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
+
+
+class Winding(Model):
+    """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
+
+    type: Literal["winding"]
+    ends: tuple[End, str]
+    """what it is tied to, outside the wheel; the body that is the wheel"""
+    radius: Positive
+    """m, of the circle on which it is wound, about the wheel's centre of mass"""
+    unwinds: Literal["clockwise", "counterclockwise"]
+    """how the wheel turns when it gives off string"""
+
+
 class Spring(Model):
     """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
 
@@ -128,7 +158,10 @@ class Wire(Model):
     """from where to where s runs"""
 
 
-Joint = Annotated[Rod | Rope | Pulley | Pivot | Rail | Spring | Wire, Field(discriminator="type")]
+Joint = Annotated[
+    Rod | Rope | Pulley | Pivot | Rail | Weld | Motor | Winding | Wire | Spring,
+    Field(discriminator="type"),
+]
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:

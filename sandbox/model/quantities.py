@@ -10,11 +10,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.joints import Joint, Motor, Weld, Wire
 from sandbox.model.level import Level
 from sandbox.model.suggest import closest, suggestion
 
 Component = Literal["x", "y"]
-Owner = Literal["body", "joint", "wire", "system", "time"]
+Owner = Literal["body", "joint", "fixture", "wire", "system", "time"]
+"""What a quantity belongs to; a fixture is a joint that keeps an angle."""
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -35,6 +37,7 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
     },
     "joint": {"tension": "N", "length": "m", "potential_energy": "J"},
     "wire": {"tension": "N"},
+    "fixture": {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"},
     "system": {
         "kinetic_energy": "J",
         "potential_energy": "J",
@@ -118,9 +121,15 @@ def quantity(name: str, level: Level) -> Quantity:
 def _owners(level: Level) -> dict[str, Owner]:
     return {
         **dict.fromkeys(level.bodies, "body"),
-        **{n: "wire" if j.type == "wire" else "joint" for n, j in level.joints.items()},
+        **{name: _kind(joint) for name, joint in level.joints.items()},
         "system": "system",
     }
+
+
+def _kind(joint: Joint) -> Owner:
+    if isinstance(joint, Wire):
+        return "wire"
+    return "fixture" if isinstance(joint, Weld | Motor) else "joint"
 
 
 def _of(owner: Owner, subject: str) -> Iterator[Quantity]:

@@ -33,6 +33,7 @@ from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
 from sandbox.physics.massflow import Share, mass_share
+from sandbox.physics.solids import Touches
 from sandbox.physics.sticking import Sticking, sticking
 from sandbox.physics.stiffness import check_springs
 
@@ -137,7 +138,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = Joints(level, values, bodies, batch, mass, moment)
+    joints = Joints(level, values, bodies, batch, mass, moment, _touches(space, level))
     agility = np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1)
     check_springs(joints.springs, agility, batch.state()[:, 2], stepping.rate)
     return Scene(
@@ -362,6 +363,14 @@ def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:
             kinds[a], kinds[b], pre_solve=_setter(chosen, stick), post_solve=_judge(stick)
         )
     return len(coefficients | sticky) + len(sticky)
+
+
+def _touches(space: pymunk.Space, level: Level) -> Touches | None:
+    """Watch the pairs that are to stick to each other, if there are any."""
+    sticking = level.effects.sticking
+    if sticking is None:
+        return None
+    return Touches(space, list(level.bodies), [pair.bodies for pair in sticking.pairs])
 
 
 def _setter(coefficients: dict[str, float], stick: Sticking | None) -> Collision:

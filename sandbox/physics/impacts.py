@@ -19,7 +19,13 @@ MAX_HEIGHT = 10
 
 
 def impacts(
-    contacts: Contacts, before: Array, after: Array, pull: Array, mass: Array, dt: float
+    contacts: Contacts,
+    solid: Integers,
+    before: Array,
+    after: Array,
+    pull: Array,
+    mass: Array,
+    dt: float,
 ) -> tuple[Integers, Array]:
     """Return which bodies an impact reached, and their accelerations from there on.
 
@@ -32,6 +38,8 @@ def impacts(
     ----------
     contacts
         Of the step.
+    solid
+        (s, 2), pairs of bodies that are parts of one solid.
     before, after
         (n, 3), the velocities half a step before and after [m/s, rad/s].
     pull
@@ -45,7 +53,9 @@ def impacts(
     struck = contacts.first & (_parting(contacts, before) < -adds)
     if not struck.any():
         return np.flatnonzero(struck), pull[:0]
-    hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0))
+    linked = np.concatenate((contacts.bodies, solid))
+    hit_first = np.append(struck, np.zeros(len(solid), dtype=bool))
+    hit = np.flatnonzero(reached(linked, hit_first, mass > 0))
     rests = _parting(contacts, after) <= NEGLIGIBLE * adds
     return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
 

@@ -4,9 +4,9 @@ A plain string over pegs that shares no body with another exact joint is solved 
 five times as fast. All other exact joints are solved together.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 import numpy as np
 import pymunk
@@ -15,12 +15,15 @@ from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import (
     End,
     Held,
+    Motor,
     Pivot,
     Pulley,
     Rail,
     Rod,
     Rope,
     Spring,
+    Weld,
+    Winding,
     Wire,
     bodies_of,
     body_of,
@@ -29,19 +32,20 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
-from sandbox.physics.anchor import Anchor
+from sandbox.physics.anchor import Anchor, length
 from sandbox.physics.batch import Batch
+from sandbox.physics.exact.equations import Coordinates, Equation
 from sandbox.physics.exact.reaches import Row
 from sandbox.physics.exact.solver import ExactJoints
+from sandbox.physics.exact.turning import pin, turn, weld, winding
 from sandbox.physics.exact.wire import WireEquation
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Motion
 from sandbox.physics.pulley import PulleyString
+from sandbox.physics.solids import Solids, Touches
 
-if TYPE_CHECKING:
-    from sandbox.physics.exact.equations import Condition, Equation
-
-Exact = Rod | Rope | Pulley | Pivot | Rail
+Lengths = Rod | Rope | Pulley | Rail
+Turning = Pivot | Weld | Motor | Winding
 
 DRAWN = 200
 """How many pieces of a wire are shown."""
@@ -60,6 +64,12 @@ class Joints:
         All other exact ones; None if there are none.
     paths
         The points that each runs through, by name; of a wire, points of its curve.
+    touches
+        Tells which of the pairs that stick have met; None if none do.
+    solids
+        Who is welded or stuck to whom.
+    radii
+        Of the circles on which strings are wound, by name [m].
     """
 
     def __init__(
@@ -70,8 +80,9 @@ class Joints:
         batch: Batch,
         mass: Array,
         moment: Array,
+        touches: Touches | None = None,
     ) -> None:
-        index = {name: i for i, name in enumerate(bodies)}
+        self._index = index = {name: i for i, name in enumerate(bodies)}
         lengths = {name: span(spec, level.bodies, values) for name, spec in level.joints.items()}
         self.paths = {
             name: tuple(_anchor(end, index, values) for end in points(spec))
@@ -81,8 +92,13 @@ class Joints:
         self.springs: dict[str, SpringForce] = {}
         self.strings: dict[str, PulleyString] = {}
         self.together: ExactJoints | None = None
+        self.touches = touches
+        self.radii: dict[str, float] = {}
+        self._fixtures = any(isinstance(j, Weld | Motor) for j in level.joints.values())
+        self._inverse_moment = inverse(moment)
         rows: list[Row] = []
         others: list[Equation] = []
+        start = _coordinates(bodies)
         for name, spec in level.joints.items():
             if isinstance(spec, Wire):
                 curve = along(spec, values)
@@ -93,15 +109,62 @@ class Joints:
                 self.springs[name] = _spring(spec, self.paths[name], lengths[name], values)
             elif isinstance(spec, Pulley) and _is_alone(name, level):
                 self.strings[name] = _string(name, spec, bodies, lengths[name], values)
-            else:
+            elif isinstance(spec, Lengths):
                 rows += _rows(name, spec, self.paths[name], lengths[name], values)
-        equations: tuple[Condition, ...] = (*rows, *others)
-        if equations:
-            self.together = ExactJoints(rows, others, batch, inverse(mass), inverse(moment))
-        self._rows = {
-            name: [i for i, row in enumerate(equations) if row.joint == name]
-            for name in level.joints
-        }
+            else:
+                new_rows, new_others = self._turning(name, spec, start, values)
+                rows += new_rows
+                others += new_others
+        if rows or others or level.effects.sticking:
+            inverses = inverse(mass), self._inverse_moment
+            self.together = ExactJoints(rows, others, batch, *inverses)
+        self.solids = Solids(bodies)
+        for a, b in _welded(level):
+            self.solids.join(a, b)
+
+    def _turning(
+        self, name: str, spec: Turning, start: Coordinates, values: Values
+    ) -> tuple[list[Row], Sequence[Equation]]:
+        a, b = self.paths[name]
+        match spec:
+            case Pivot():
+                return pin(name, a, b), ()
+            case Weld():
+                return self._weld(name, a, b, start)
+            case Motor(rate=rate):
+                driven = turn(name, a, b, start, _driven(rate, values))
+                return pin(name, a, b), (driven,) if self._can_turn(a, b) else ()
+            case Winding(radius=radius, unwinds=way):
+                self.radii[name] = radius(values)
+                sense = 1 if way == "counterclockwise" else -1
+                return [], (winding(name, a, b, self.radii[name], sense, start),)
+
+    def _weld(
+        self, name: str, a: Anchor, b: Anchor, start: Coordinates
+    ) -> tuple[list[Row], Sequence[Equation]]:
+        rows, others = weld(name, a, b, start)
+        return rows, others if self._can_turn(a, b) else ()
+
+    def _can_turn(self, *anchors: Anchor) -> bool:
+        held = [anchor.body for anchor in anchors if anchor.body is not None]
+        return bool(self._inverse_moment[held].any())
+
+    def _stick(self) -> None:
+        """Weld those that have just met where they are."""
+        assert self.together
+        assert self.touches
+        self.touches.end_step()
+        for a, b in self.touches.latest:
+            if self.solids.join(a, b):
+                ends = Anchor(self._index[a]), Anchor(self._index[b])
+                place = self.together.place()
+                self.together.add(*self._weld(f"{a} and {b}", *ends, place))
+
+    def length(self, name: str, motion: Motion) -> Array:
+        """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
+        distance = length(self.paths[name], motion)
+        radius = self.radii.get(name)
+        return distance if radius is None else np.sqrt(distance**2 - radius**2)
 
     def solvers(self, until: Callable[[], float]) -> list[Callable[[], None]]:
         """Return what must run after pymunk's solver.
@@ -112,6 +175,8 @@ class Joints:
             Tells the time at the end of the next drift [s].
         """
         work: list[Callable[[], None]] = [string.solve for string in self.strings.values()]
+        if self.touches:
+            work.append(self._stick)
         if together := self.together:
             work.append(lambda: together.solve(until()))
         return work
@@ -140,10 +205,16 @@ class Joints:
         if name in self.springs:
             return float(self.springs[name].tension(motion))
         assert self.together
-        parts = self.together.tension[self._rows[name]]
-        if name in self.wires:
-            return abs(float(parts[0]))
-        return float(parts[0] if len(parts) == 1 else np.hypot(*parts))
+        force = self.together.force(name)
+        return abs(force) if name in self.wires else force
+
+    def torque(self) -> Array:
+        """Return the torque of each joint on its second body in the last kick [N m]."""
+        torque = np.zeros(len(self.paths))
+        if self._fixtures and self.together:
+            for i, name in enumerate(self.paths):
+                torque[i] = self.together.torque(name)
+        return torque
 
     def _solved(self) -> Iterator[PulleyString | ExactJoints]:
         yield from self.strings.values()
@@ -170,6 +241,13 @@ def _is_alone(name: str, level: Level) -> bool:
     return not any(moving & set(bodies_of(other)) for other in others)
 
 
+def _welded(level: Level) -> Iterator[tuple[str, str]]:
+    """Yield the pairs of bodies that are welded from the start."""
+    for joint in level.joints.values():
+        if isinstance(joint, Weld) and len(held := tuple(bodies_of(joint))) == 2:
+            yield held[0], held[1]
+
+
 def _string(
     name: str, spec: Pulley, bodies: Mapping[str, pymunk.Body], path: float, values: Values
 ) -> PulleyString:
@@ -194,12 +272,10 @@ def _spring(spec: Spring, path: tuple[Anchor, ...], distance: float, values: Val
 
 
 def _rows(
-    name: str, spec: Exact, path: tuple[Anchor, ...], span: float, values: Values
+    name: str, spec: Lengths, path: tuple[Anchor, ...], span: float, values: Values
 ) -> list[Row]:
     reaches = list(pairwise(path))
     match spec:
-        case Pivot():
-            return [Row(name, reaches, 0.0, along=direction) for direction in (1 + 0j, 1j)]
         case Rail(direction=direction):
             way = complex(*evaluate(direction, values))
             return [Row(name, reaches, 0.0, along=1j * way / abs(way))]
@@ -219,6 +295,29 @@ def _rows(
 
 def _in_time(length: Formula, values: Values) -> Callable[[float], float]:
     return lambda t: float(length.over(values, np.asarray(t)))
+
+
+def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
+    """Return what tells the angle that a motor has turned by, from one time asked for to the next.
+
+    By the midpoint rule: leapfrog's velocity between two steps is that of the middle.
+    """
+    turned, reached = 0.0, 0.0
+
+    def angle(t: float) -> float:
+        nonlocal turned, reached
+        middle = np.asarray((reached + t) / 2)
+        turned, reached = turned + (t - reached) * float(rate.over(values, middle)), t
+        return turned
+
+    return angle
+
+
+def _coordinates(bodies: Mapping[str, pymunk.Body]) -> Coordinates:
+    """Return where bodies are at the start, the plane itself last."""
+    places = [complex(*body.position) for body in bodies.values()]
+    angles = [body.angle for body in bodies.values()]
+    return Coordinates(np.array([*places, 0j]), np.array([*angles, 0.0]))
 
 
 def inverse(inertia: Array) -> Array:

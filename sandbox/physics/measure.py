@@ -7,7 +7,6 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import Component, Quantity, quantity
-from sandbox.physics.anchor import length
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World
 
@@ -51,7 +50,7 @@ class Meter:
         match quantity.owner:
             case "time":
                 return lambda s: s.t
-            case "joint" | "wire":
+            case "joint" | "fixture" | "wire":
                 return self._of_joint(quantity.subject, quantity.attribute)
             case "body":
                 row = self._rows[quantity.subject]
@@ -66,12 +65,13 @@ class Meter:
 
     def _of_joint(self, name: str, attribute: str) -> Measurement:
         if attribute == "length":
-            path = self._joints.paths[name]
-            return lambda s: length(path, s)
+            return lambda s: self._joints.length(name, s)
         if attribute == "potential_energy":
             spring = self._joints.springs.get(name)
             return spring.stored if spring else lambda s: np.zeros_like(s.t)
         column = self._columns[name]
+        if attribute == "torque":
+            return lambda s: s.torque[..., column]
         return lambda s: s.tension[..., column]
 
     @property

@@ -28,6 +28,8 @@ class Snapshot:
         (n,), the sizes of the contact forces on each body, added up [N].
     tension
         (j,), with which each joint pulls [N].
+    torque
+        (j,), of each weld or motor on its second body [N m].
     """
 
     t: Array
@@ -40,6 +42,7 @@ class Snapshot:
     normal: Array
     friction: Array
     tension: Array
+    torque: Array
 
     @classmethod
     def stack(cls, snapshots: Sequence[Self]) -> Self:

@@ -291,9 +291,8 @@ class World:
                 acceleration[hit] = (after - struck.velocity)[hit] / (self.dt / 2)
                 velocity[hit] = struck.velocity[hit]
             elif contacts.first.any():
-                hit, onwards = impacts(
-                    contacts, before, after, self._smooth, self.scene.mass, self.dt
-                )
+                solid, mass = self._joints.solids.pairs, self.scene.mass
+                hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
@@ -302,7 +301,11 @@ class World:
         return snapshot
 
     def _read_contacts(self) -> Contacts:
-        return self._batch.contacts() if self.level.effects.contact else NO_CONTACTS
+        if not self.level.effects.contact:
+            return NO_CONTACTS
+        contacts = self._batch.contacts()
+        touches = self._joints.touches
+        return touches.with_latest(contacts) if touches else contacts
 
     def _snapshot(
         self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
@@ -324,6 +327,7 @@ class World:
             normal=normal,
             friction=friction,
             tension=self._joints.tension(motion),
+            torque=self._joints.torque(),
         )
 
     def _check_finite(self, snapshot: Snapshot) -> None:

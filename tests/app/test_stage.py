@@ -190,6 +190,8 @@ def test_bodies_are_told_apart_by_colour() -> None:
     assert found["a"].color != found["b"].color
 
 
+ON_BALL = {"body": "ball", "at": [-4, 0]}
+
 TIES: tuple[tuple[dict[str, object], Color], ...] = (
     ({"type": "rod"}, theme.SURFACE_EDGE),
     ({"type": "rope"}, theme.STRING),
@@ -199,13 +201,21 @@ TIES: tuple[tuple[dict[str, object], Color], ...] = (
     ({"type": "pulley", "over": [[-2, 4]]}, theme.STRING),
     ({"type": "rail", "direction": [1, 0], "ends": ["ball", [-4, 5]]}, theme.SURFACE_EDGE),
     ({"type": "pivot", "ends": [[-4, 5], {"body": "ball", "at": [-4, 0]}]}, theme.STRING),
+    ({"type": "weld"}, theme.SURFACE_EDGE),
+    ({"type": "motor", "ends": [[-4, 5], ON_BALL], "rate": 1}, theme.SURFACE_EDGE),
+    ({"type": "winding", "radius": 0.4, "unwinds": "clockwise"}, theme.STRING),
+    ({"type": "winding", "radius": 0.4, "unwinds": "counterclockwise"}, theme.STRING),
 )
 
 
 @pytest.mark.parametrize(("tie", "color"), TIES, ids=str)
 def test_every_joint_is_drawn(pen: Pen, tie: dict[str, object], color: Color) -> None:
     joints = {"tie": {"ends": [[-4, 2], "ball"], **tie}}
-    session = Session(scenes.level(joints=joints, ghosts={}))
+    turns: dict[str, object] = (
+        {"rotation": {}} if tie["type"] in ("weld", "motor", "winding") else {}
+    )
+    effects = {"gravity": {"acceleration": [0, "-g"]}, **turns}
+    session = Session(scenes.level(joints=joints, ghosts={}, effects=effects))
     stage = Stage(pen, (400, 300))
     stage.use(session.world)
     stage.fit()

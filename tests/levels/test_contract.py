@@ -156,7 +156,7 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     effects = level.effects
     forces = ("attraction", "gravitation", "centrifugal", "drag", "force", "thrust", "accretion")
     laws = set(effects.declared).intersection(forces)
-    pairs = effects.friction.pairs if effects.friction else ()
+    pairs = (effects.friction.pairs if effects.friction else ()) or effects.sticking
     sticky = any(body.static_friction for body in level.bodies.values())
     sequence = effects.in_sequence
 

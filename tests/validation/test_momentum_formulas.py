@@ -127,3 +127,17 @@ def test_recoil_keeps_no_momentum_and_all_the_energy(m1: float, m2: float, store
 
     assert m1 * v1 == pytest.approx(-m2 * v2)
     assert energy.kinetic_energy((m1, v1), (m2, v2)) == pytest.approx(stored)
+
+
+def test_what_sticks_head_on_loses_all_that_it_can() -> None:
+    together = momentum.collision_velocities(2, 3, 5, 0, 0)[0]
+
+    assert momentum.common_velocity(2, 3, 5) == pytest.approx(together)
+    assert momentum.stuck_energy(2, 3, 5, 0, 0.3) == pytest.approx(5 * together**2 / 2)
+    assert momentum.stuck_energy(2, 3, 5, 0.6, 0.3) < 2 * 5**2 / 2
+
+
+def test_a_ballistic_pendulum_begins_with_the_common_speed_and_slows_down() -> None:
+    assert momentum.ballistic_velocity(1, 4, 10, 2, 9.81, 0) == 2
+    assert momentum.ballistic_velocity(1, 4, 10, 2, 9.81, 0.01) < 2
+    assert momentum.ballistic_height(1, 4, 10, 10) == pytest.approx(0.2)

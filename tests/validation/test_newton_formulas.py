@@ -148,3 +148,10 @@ def test_a_belt_drives_a_block_up_to_its_own_speed() -> None:
     assert v[1:499] == pytest.approx(4 * t[1:499])
     assert v[502:] == pytest.approx(2)
     assert newton.belt_momentum(2, 3, 4) == 24
+
+
+def test_a_light_wheel_leaves_atwoods_machine_and_a_heavy_one_holds_it() -> None:
+    light = newton.massive_pulley_tensions(1, 2, 0, 9.81)
+
+    assert light == pytest.approx([newton.atwood_tension(1, 2, 9.81)] * 2)
+    assert newton.massive_pulley_tensions(1, 2, 1e12, 9.81) == pytest.approx((9.81, 19.62))

@@ -111,3 +111,13 @@ def test_a_hoop_has_twice_the_moment_of_a_disc() -> None:
 
     assert hoop == 2 * disc == pytest.approx(0.5)
     assert rotation.spun_angle(3.0, hoop, 2.0) == pytest.approx(12)
+
+
+def test_a_yo_yo_on_its_rim_falls_with_two_thirds() -> None:
+    assert rotation.yo_yo_acceleration(0.3, 0.3, 9) == pytest.approx(6)
+
+
+def test_a_weight_on_a_drum_falls_freely_if_the_drum_is_light() -> None:
+    assert rotation.driven_by_weight(2, 0.5, 1e-15, 10) * 0.5 == pytest.approx(10)
+    assert rotation.disc_moment(2, 1) == 1
+    assert rotation.disc_moment(2, 1, 3) == 19

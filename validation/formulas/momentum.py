@@ -123,3 +123,53 @@ def recoil_velocities(m1: float, m2: float, energy: float) -> tuple[float, float
     """
     p = float(np.sqrt(2 * energy * m1 * m2 / (m1 + m2)))
     return -p / m1, p / m2
+
+
+def common_velocity(m1: float, m2: float, v1: float, v2: float = 0.0) -> float:
+    """Return the velocity of two bodies that stick together [m/s]: (m1 v1 + m2 v2) / (m1 + m2).
+
+    The chapter, section 7, the perfectly inelastic collision.
+    """
+    return (m1 * v1 + m2 * v2) / (m1 + m2)
+
+
+def stuck_spin(m1: float, m2: float, speed: float, off: float, radius: float) -> float:
+    """Return how fast two equal discs turn that met off centre and stick [rad/s]; clockwise.
+
+    About their centre of mass the angular momentum μ v b, with μ = m1 m2 / (m1 + m2), stays (the
+    chapter, section 8); each has m r² / 2 of its own, and 2 r apart they have μ (2 r)² together.
+    """
+    reduced = m1 * m2 / (m1 + m2)
+    moment = (m1 + m2) * radius**2 / 2 + reduced * (2 * radius) ** 2
+    return -reduced * speed * off / moment
+
+
+def stuck_energy(m1: float, m2: float, speed: float, off: float, radius: float) -> float:
+    """Return the kinetic energy of two equal discs that met off centre and stick [J].
+
+    That of the centre of mass, and L²/2I of the turning, L = μ v b.
+    """
+    spin = stuck_spin(m1, m2, speed, off, radius)
+    turning = m1 * m2 / (m1 + m2) * speed * off * abs(spin) / 2
+    return (m1 + m2) * common_velocity(m1, m2, speed) ** 2 / 2 + turning
+
+
+def ballistic_height(clay: float, block: float, speed: float, g: float) -> float:
+    """Return how high a ballistic pendulum swings [m]: v'² / 2 g.
+
+    The speed v' by momentum (the chapter, section 7), the height by energy (section 5); as long as
+    it is less than that of the hook.
+    """
+    return common_velocity(clay, block, speed) ** 2 / (2 * g)
+
+
+def ballistic_velocity(
+    clay: float, block: float, speed: float, length: float, g: float, t: float
+) -> float:
+    """Return the horizontal velocity of a ballistic pendulum shortly after the impact [m/s].
+
+    At the angle φ = v' t / L it is v cos φ, with v² = v'² − 2 g L (1 − cos φ): to second order
+    v' (1 − (g / L + v'² / L²) t² / 2).
+    """
+    v = common_velocity(clay, block, speed)
+    return v * (1 - (g / length + v**2 / length**2) * t**2 / 2)

@@ -241,3 +241,21 @@ def belt_momentum(speed: float, rate: float, t: float) -> float:
     F t = v (dm/dt) t: the chapter, section 4, when mass isn't constant; `rate` is dm/dt [kg/s].
     """
     return speed * rate * t
+
+
+def massive_pulley_acceleration(m1: float, m2: float, wheel: float, g: float) -> float:
+    """Return the upward acceleration of the first mass of an Atwood machine with a wheel [m/s²].
+
+    The chapter, section 8: the wheel, I = M R² / 2, takes the torque (T2 − T1) R = I a / R, so that
+    T1 − m1 g = m1 a and m2 g − T2 = m2 a add up to (m2 − m1) g = (m1 + m2 + M / 2) a.
+    """
+    return (m2 - m1) * g / (m1 + m2 + wheel / 2)
+
+
+def massive_pulley_tensions(m1: float, m2: float, wheel: float, g: float) -> tuple[float, float]:
+    """Return the tensions of the string on the two sides of its wheel [N].
+
+    m1 (g + a) and m2 (g − a).
+    """
+    a = massive_pulley_acceleration(m1, m2, wheel, g)
+    return m1 * (g + a), m2 * (g - a)

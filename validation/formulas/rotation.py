@@ -134,3 +134,28 @@ def spun_angle(torque: float, moment: float, t: ArrayLike) -> Array:
     The chapter, section 8: τ = I α; I > 0.
     """
     return torque / moment * np.asarray(t, dtype=float) ** 2 / 2
+
+
+def yo_yo_acceleration(axle: float, radius: float, g: float) -> float:
+    """Return how fast a disc on a string wound on its axle falls faster [m/s²].
+
+    m g − T = m a and T r = I a / r with I = m R² / 2 (the chapter, section 8), so that
+    a = g / (1 + I / (m r²)).
+    """
+    return g / (1 + disc_moment(1.0, radius) / axle**2)
+
+
+def disc_moment(mass: float, radius: float, distance: float = 0.0) -> float:
+    """Return the moment of inertia of a disc about an axis at a distance of its centre [kg m²].
+
+    m R² / 2 + m d²: the chapter's table and the parallel-axis theorem, section 8.
+    """
+    return round_moment(DISC, mass, radius) + mass * distance**2
+
+
+def driven_by_weight(mass: float, radius: float, moment: float, g: float) -> float:
+    """Return the angular acceleration of a drum by a weight on its string [rad/s²].
+
+    m g − T = m α r and T r = I α: m g r / (I + m r²).
+    """
+    return mass * g * radius / (moment + mass * radius**2)

@@ -1,14 +1,26 @@
 """Joints: each kind with a look of its own."""
 
 from collections.abc import Callable, Mapping, Sequence
-from math import cos, hypot, pi, sin
+from math import acos, atan2, cos, hypot, pi, sin, tau
 
 import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines, strings
-from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Spring, Wire
+from sandbox.model.joints import (
+    Joint,
+    Motor,
+    Pivot,
+    Pulley,
+    Rail,
+    Rod,
+    Rope,
+    Spring,
+    Weld,
+    Winding,
+    Wire,
+)
 from sandbox.model.shapes import XY
 
 COILS = 9
@@ -98,6 +110,35 @@ def _pivot(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
         lines.stroke(surface, theme.STRING, *ends, 1)
 
 
+def _motor(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
+    """Draw a driven pin: one in a bold ring."""
+    pygame.draw.aacircle(surface, theme.SURFACE_EDGE, corners[0], 12, 3)
+    _pivot(surface, corners, slack)
+
+
+def _weld(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    lines.path(surface, theme.SURFACE_EDGE, corners, 6)
+
+
+def _winding(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
+    """Draw a string from its end to where it meets a wheel, and around that."""
+    lines.path(surface, theme.STRING, corners[1:], 2)
+    if slack:
+        lines.dashed(surface, theme.STRING, corners[:2], 4, 4)
+    else:
+        lines.stroke(surface, theme.STRING, corners[0], corners[1], 2)
+    strings.eyes(surface, (corners[0], corners[0]))
+
+
+def around(end: XY, center: XY, radius: float, winding: Winding) -> list[XY]:
+    """Return the points of a string from its end to a wheel, and of the circle from there [m]."""
+    x, y = end[0] - center[0], end[1] - center[1]
+    side = acos(min(radius / (hypot(x, y) or radius), 1.0))
+    leaves = atan2(y, x) + (side if winding.unwinds == "clockwise" else -side)
+    angles = [leaves + tau * i / 48 for i in range(49)]
+    return [end, *((center[0] + radius * cos(a), center[1] + radius * sin(a)) for a in angles)]
+
+
 Look = Callable[[pygame.Surface, Sequence[XY], bool], None]
 """Draws a joint through pixels; the last argument says whether it is slack."""
 
@@ -109,8 +150,11 @@ LOOKS: Mapping[type, Look] = {
     Spring: _spring,
     Pivot: _pivot,
     Wire: _track,
+    Motor: _motor,
+    Weld: _weld,
+    Winding: _winding,
 }
 """What each kind looks like; any other is drawn plainly."""
 
-IN_FRONT = (Pivot,)
-"""The kinds that go through bodies, and are drawn over them; others end behind them."""
+IN_FRONT = (Pivot, Motor, Winding)
+"""The kinds that go through bodies or around them, drawn over them; others end behind them."""

@@ -15,7 +15,7 @@ from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Rail
+from sandbox.model.joints import Rail, Winding
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.anchor import Plane
 from sandbox.physics.trace import count_steps
@@ -219,6 +219,8 @@ class Stage:
             if isinstance(joint, Rail):
                 places = self._far_along(joint, places[1])
             path = [(float(place.real), float(place.imag)) for place in places]
+            if isinstance(joint, Winding):
+                path = joints.around(path[0], path[1], world.scene.joints.radii[name], joint)
             slack = snapshot.tension[row] == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
 

@@ -7,7 +7,18 @@ import numpy as np
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Positive, Values
-from sandbox.model.joints import Joint, Pivot, Pulley, Rail, Rod, Rope, Wire, bodies_of
+from sandbox.model.joints import (
+    Joint,
+    Motor,
+    Pivot,
+    Pulley,
+    Rail,
+    Rod,
+    Rope,
+    Winding,
+    Wire,
+    bodies_of,
+)
 from sandbox.model.level import Level, place, span
 from sandbox.model.parts import names_in
 from sandbox.model.shapes import evaluate
@@ -23,8 +34,17 @@ def conditions(level: Level) -> Iterator[Condition]:
             continue
         held = [level.bodies[body] for body in bodies_of(joint)]
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
-        last = "ends" if isinstance(joint, Pivot | Rail) else "length"
+        last = "ends" if isinstance(joint, Pivot | Motor | Winding | Rail) else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+        yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
+
+
+def _turning_fault(joint: Joint, level: Level, _values: Values) -> str | None:
+    """Say that what a joint turns cannot; a run in which rotation is switched off may do that."""
+    wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
+    if level.effects.rotation or not (wheel or isinstance(joint, Motor)):
+        return None
+    return f"'{joint.type}' is used but the effect 'rotation' is not declared"
 
 
 def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
@@ -35,8 +55,10 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
             return _rod_fault(distance, long)
         case Rope(length=Positive() as length) | Pulley(length=Positive() as length):
             return _string_fault(distance, length(values))
-        case Pivot() if distance > NEAR:
-            return f"a pivot's two points must be one, but they are {distance:g} m apart"
+        case Pivot() | Motor() if distance > NEAR:
+            return f"a {joint.type}'s two points must be one, but they are {distance:g} m apart"
+        case Winding(radius=radius):
+            return _winding_fault(distance, radius(values))
         case Rail():
             return _rail_fault(joint, level, values)
     return None
@@ -65,3 +87,10 @@ def _string_fault(path: float, long: float) -> str | None:
     if long < path * (1 - 1e-12):
         return f"the string is {long:g} m long, but its path is {path:g} m"
     return None
+
+
+def _winding_fault(distance: float, radius: float) -> str | None:
+    if distance > radius * (1 + NEAR):
+        return None
+    within = f"{distance:g} m from the wheel's centre, within its radius of {radius:g} m"
+    return f"the string's end is {within}; it must lie outside"

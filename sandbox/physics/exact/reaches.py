@@ -77,6 +77,7 @@ class Reaches:
         self._single = len(reaches) == len(rows) == shape[0]
         self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
         self._component = self._along != 0
+        self._has_lengths = not self._component.all()
         self._has_components = bool(self._component.any())
         levers = np.abs(self._point_a) * inverse_moment[self._a]
         levers += np.abs(self._point_b) * inverse_moment[self._b]
@@ -97,11 +98,7 @@ class Reaches:
             reach += arm_b - arm_a
         else:
             reach += self._offset
-        length = np.abs(reach)
-        unit = reach / np.maximum(length, TINY)
-        if self._has_components:
-            unit = np.where(self._component, self._along, unit)
-            length = np.where(self._component, (reach * self._along.conj()).real, length)
+        length, unit = self._measure(reach)
         gradient = self._scatter(unit, -unit)
         total: Array = length
         if not self._single:
@@ -111,6 +108,17 @@ class Reaches:
         lever = unit.conj() * 1j
         turning = self._scatter((lever * arm_b).real, -(lever * arm_a).real)
         return Rows(total, gradient, turning)
+
+    def _measure(self, reach: Plane) -> tuple[Array, Plane]:
+        """Return the lengths or components of the pieces, and the directions they change in."""
+        if not self._has_lengths:
+            return (reach * self._along.conj()).real, self._along
+        length = np.abs(reach)
+        unit = reach / np.maximum(length, TINY)
+        if self._has_components:
+            unit = np.where(self._component, self._along, unit)
+            length = np.where(self._component, (reach * self._along.conj()).real, length)
+        return length, unit
 
     def _scatter(self, of_b: NDArray[Any], of_a: NDArray[Any]) -> NDArray[Any]:
         """Put what belongs to the ends of the reaches in the rows' columns of their bodies."""

@@ -13,16 +13,21 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch
 from sandbox.physics.errors import JointFailure
 from sandbox.physics.exact.equations import Condition, Coordinates, Equation, Reply, Rows
 from sandbox.physics.exact.reaches import Reaches, Row
+from sandbox.physics.exact.turning import Turn
 
 MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
 """m, below which one more of Newton's steps leaves nothing but rounding."""
+
+PLANE, ANGLE = np.array([0, 1, 3, 4]), np.array([2, 5])
+"""The columns of a state that are places and velocities in the plane, and in the angle."""
 
 TAUT = 1e-12
 """m, by which a rope that does not pull may be too long: the rounding of its length."""
@@ -55,14 +60,25 @@ class ExactJoints:
         inverse_moment: Array,
     ) -> None:
         self._batch = batch
-        equations: tuple[Condition, ...] = (*rows, *others)
         # one body more: the plane itself, which nothing moves
         self._inverse_mass = np.append(inverse_mass, 0.0)
         self._inverse_moment = np.append(inverse_moment, 0.0)
+        self._lay_out(rows, others)
+        self._length = np.array([equation.length for equation in (*rows, *others)])
+        self._taut = ~self._pulls_only
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
+        self._struck = False
+        self._kick = self._drift = 0.0
+
+    def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Make the tables of all equations, the rows first."""
+        equations: tuple[Condition, ...] = (*rows, *others)
+        self._equations = rows, others
         self._joints = [equation.joint for equation in equations]
-        self._length = np.array([equation.length for equation in equations])
+        self._turn = np.array([isinstance(equation, Turn) for equation in equations], dtype=bool)
         self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
-        self._pulls_only = np.array([equation.pulls_only for equation in equations])
+        self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
         self._unilateral = bool(self._pulls_only.any())
         shape = (len(equations), len(self._inverse_mass))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
@@ -70,10 +86,34 @@ class ExactJoints:
         self._others = list(enumerate(others, len(rows)))
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
-        self._taut = ~self._pulls_only
-        self.tension = self._guess = np.zeros(len(equations))
-        self._warm = np.zeros(len(equations))  # impulses that have acted in this kick already
-        self._kick = self._drift = 0.0
+
+    def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Take on more equations; what they stop at once is an impact, over with the next kick."""
+        old_rows, old_others = self._equations
+        where = [len(old_rows)] * len(rows) + [len(self._length)] * len(others)
+        lengths = [equation.length for equation in (*rows, *others)]
+        self._length = np.insert(self._length, where, lengths)
+        self._taut = np.insert(self._taut, where, values=True)
+        self._steady = self._guess = np.insert(self._steady, where, 0.0)
+        self._warm = np.insert(self._warm, where, 0.0)
+        self._lay_out((*old_rows, *rows), (*old_others, *others))
+        self._struck = True
+
+    def place(self) -> Coordinates:
+        """Return where everything is."""
+        return self._coordinates()[0]
+
+    def force(self, name: str) -> float:
+        """Return the force with which a joint pulled in the last kick [N]."""
+        parts = self.tension[self._of(name) & ~self._turn]
+        return float(parts[0] if len(parts) == 1 else np.hypot(*parts))
+
+    def torque(self, name: str) -> float:
+        """Return the torque of a joint on its second body in the last kick [N m]."""
+        return -float(self.tension[self._of(name) & self._turn].sum())
+
+    def _of(self, name: str) -> NDArray[np.bool_]:
+        return np.array([joint == name for joint in self._joints])
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
@@ -84,7 +124,7 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self.tension = self._guess = np.zeros_like(self._length)
+        self.tension = self._steady = self._guess = np.zeros_like(self._length)
         self._taut = ~self._pulls_only
         self._fresh = True
 
@@ -92,12 +132,12 @@ class ExactJoints:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         place, _ = self._coordinates()
         here = self._look(place)
-        self._warm = self.tension * self._kick
-        pulled = self.tension @ here.gradient
+        self._warm = self._steady * self._kick
+        pulled = self._steady @ here.gradient
         wrench[:, 0] -= pulled.real[:-1]
         wrench[:, 1] -= pulled.imag[:-1]
         if here.turning is not None:
-            wrench[:, 2] -= (self.tension @ here.turning)[:-1]
+            wrench[:, 2] -= (self._steady @ here.turning)[:-1]
 
     def stiff(self) -> Array:
         """Return the gradients of what can push as well as pull: (m, n, 3)."""
@@ -121,6 +161,8 @@ class ExactJoints:
             If there are none: the joints contradict or repeat each other, or the step is too long
             for what they carry.
         """
+        if not self._joints:
+            return
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             place, motion = self._coordinates()
             here = self._look(place)
@@ -133,8 +175,11 @@ class ExactJoints:
         velocity[:, 0], velocity[:, 1] = moved.plane.real[:-1], moved.plane.imag[:-1]
         velocity[:, 2] = moved.angle[:-1]
         self._batch.set_velocity(velocity)
-        before, self.tension = self.tension, (self._warm + impulse) / self._kick
-        self._guess = 2 * self.tension - before
+        self.tension = (self._warm + impulse) / self._kick
+        self._guess = self._steady
+        if not self._struck:
+            self._guess, self._steady = 2 * self.tension - self._steady, self.tension
+        self._struck = False
         self._warm = np.zeros_like(impulse)
 
     def _lengths(self, t: float) -> Array:
@@ -149,9 +194,9 @@ class ExactJoints:
         """Return where everything is and how it moves, the plane itself last."""
         state = self._batch.state()
         plane = np.zeros((len(state) + 1, 2), dtype=complex)
-        plane[:-1].view(float)[:] = state[:, (0, 1, 3, 4)]
+        plane[:-1].view(float)[:] = state.take(PLANE, axis=1)
         angle = np.zeros((len(state) + 1, 2))
-        angle[:-1] = state[:, (2, 5)]
+        angle[:-1] = state.take(ANGLE, axis=1)
         return Coordinates(plane[:, 0], angle[:, 0]), Coordinates(plane[:, 1], angle[:, 1])
 
     def _look(self, place: Coordinates) -> Rows:
@@ -203,8 +248,11 @@ class ExactJoints:
         self, place: Coordinates, motion: Coordinates, reply: Reply, length: Array
     ) -> tuple[Array, Coordinates, Array]:
         """Return the impulses of the taut rows, the motion after them, and all rows' excess."""
-        taut, h = self._taut, self._drift
-        impulse = np.where(taut, self._guess * self._kick, 0.0) - self._warm
+        h = self._drift
+        slack = None if self._taut.all() else ~self._taut
+        impulse = self._guess * self._kick - self._warm
+        if slack is not None:
+            impulse[slack] = -self._warm[slack]
         for _ in range(MAX_ITERATIONS):
             moved = reply.to(impulse, motion)
             there = self._look(
@@ -214,11 +262,11 @@ class ExactJoints:
                 )
             )
             excess = there.total - length
-            wrong = np.where(taut, excess, 0.0) if self._unilateral else excess
-            slope = reply.answers(there)
-            if self._unilateral:
-                slope[~taut] = 0.0
-                slope[~taut, ~taut] = 1.0
+            wrong, slope = excess, reply.answers(there)
+            if slack is not None:
+                wrong = np.where(slack, 0.0, excess)
+                slope[slack] = 0.0
+                slope[slack, slack] = 1.0
             try:
                 impulse = impulse + _solved(slope, wrong) / h
             except np.linalg.LinAlgError:
