@@ -198,7 +198,7 @@ def page() -> str:
     lines = [
         "# The chapter, part by part",
         "",
-        f"{len(PARTS) - owed} of {len(PARTS)} parts can be played; the others are still owed.",
+        f"{len(PARTS) - owed} of {len(PARTS)} parts can be played.",
         "This page is written by `make docs`.",
     ]
     section = ""
