@@ -32,8 +32,11 @@ from sandbox.model.level import (
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
-from sandbox.model.shapes import Disc, Hoop
+from sandbox.model.shapes import Disc, Hoop, Polygon, Polyline, Shape
 from sandbox.model.suggest import suggestion
+
+MAX_SURFACES = 30_000
+"""How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
     "dynamic": (),
@@ -316,6 +319,26 @@ def _effects(level: Level) -> Iterator[Fault]:
         yield from _surface(level, kind)
 
 
+def _crowd(level: Level) -> Iterator[Fault]:
+    """Bodies that touch have no more surfaces than pymunk holds in reasonable time."""
+    if level.effects.contact is None:
+        return
+    count = sum(_pieces(body.shape) for body in level.bodies.values())
+    if count > MAX_SURFACES:
+        rule = f"have {count:,} surfaces in all; {MAX_SURFACES:,} are the most that may touch"
+        yield Fault(("bodies",), rule)
+
+
+def _pieces(shape: Shape) -> int:
+    """Return of how many convex pieces a shape is made at the most."""
+    match shape:
+        case Polyline(points=corners):
+            return len(corners) - 1
+        case Polygon(vertices=corners):
+            return len(corners) - 2
+    return 1
+
+
 def _rotation(level: Level) -> Iterator[Fault]:
     """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
@@ -437,5 +460,6 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _flows,
     _belts,
     _effects,
+    _crowd,
     _rotation,
 )

@@ -1,5 +1,7 @@
 """What a manifest of effects must not say, and where it is told."""
 
+import json
+
 import pytest
 
 from sandbox.model.errors import LevelError
@@ -31,3 +33,19 @@ def test_a_manifest_that_makes_no_sense_is_refused_at_its_place(effects: str, to
         parse(SCENE % effects, "level.json")
 
     assert f"level.json{told}" in str(caught.value)
+
+
+def test_more_surfaces_than_can_touch_are_refused_but_may_be_drawn() -> None:
+    """16 lines of 1,999 pieces and a disc; 15 lines are within bounds."""
+    points = [[i, i % 2] for i in range(2000)]
+    line = {"type": "static", "shape": {"type": "polyline", "points": points}}
+    disc = {"shape": {"type": "disc", "radius": 1}, "mass": 1, "position": [0, 9]}
+    for count, effects, fine in [(16, {"contact": {}}, False), (15, {"contact": {}}, True),
+                                 (16, {"gravity": {"acceleration": [0, -1]}}, True)]:  # fmt: skip
+        lines = {f"line{i}": line for i in range(count)}
+        said = {"format": 1, "title": "x", "bodies": {"a": disc, **lines}, "effects": effects}
+        if fine:
+            assert len(parse(json.dumps(said)).bodies) == count + 1
+        else:
+            with pytest.raises(LevelError, match="have 31,985 surfaces in all; 30,000 are"):
+                parse(json.dumps(said))
