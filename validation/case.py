@@ -13,6 +13,7 @@ from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.model.quantities import quantity
 from sandbox.physics.checks import relative_error, samples
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.trace import Trace, needed_at, simulate
 from validation.timing import step_seconds
 
@@ -122,7 +123,10 @@ def run(cases: Iterable[Case]) -> Iterator[Outcome]:
         runs = shared.setdefault(_key(case), _Runs(case))
         runs.record.update(dict.fromkeys(needed_at(case.quantity, case.at)))
     for case in cases:
-        yield _outcome(case, shared[_key(case)])
+        try:
+            yield _outcome(case, shared[_key(case)])
+        except SimulationError:
+            yield _stopped(case, shared[_key(case)])
 
 
 def _key(case: Case) -> Hashable:
@@ -199,6 +203,27 @@ def _outcome(case: Case, runs: _Runs) -> Outcome:
         step_seconds=runs.seconds[0],
         naive_step_seconds=runs.seconds[1],
         order=order,
+    )
+
+
+def _stopped(case: Case, runs: _Runs) -> Outcome:
+    """Return how a case comes out whose run had to stop."""
+    nan = float("nan")
+    return Outcome(
+        name=case.name,
+        level=case.level,
+        parameters=runs.values,
+        quantity=case.quantity,
+        unit=quantity(case.quantity, runs.level).unit,
+        measured=nan,
+        expected=nan,
+        error=float("inf"),
+        tolerance=case.tolerance,
+        passed=False,
+        naive_error=nan,
+        step_seconds=nan,
+        naive_step_seconds=nan,
+        order=None,
     )
 
 

@@ -99,3 +99,13 @@ def test_naive_means_pymunk_as_it_comes_at_the_levels_rate() -> None:
     assert stepping.scheme == "symplectic-euler"
     assert stepping.rate == 240
     assert stepping.iterations == 10
+
+
+def test_a_run_that_stops_fails_its_case_alone() -> None:
+    """After 1.7 s the lighter weight of the Atwood machine has been pulled up to the peg."""
+    case = next(case for case in CASES if case.name == "Atwood: tension at every step")
+
+    stopped, held = run([replace(case, duration=10.0), case])
+
+    assert not stopped.passed
+    assert held.passed
