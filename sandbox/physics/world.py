@@ -21,10 +21,13 @@ from sandbox.physics.build import Scene, make_scene
 from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
+from sandbox.physics.located import Located, locate
 from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
+
+Pair = frozenset[str]
 
 MAX_KICKS = 500
 """How often the first kick is repeated while contacts and strings come to terms."""
@@ -97,6 +100,7 @@ class World:
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
         self._sequence = self._make_sequence()
+        self._located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self._hand: pymunk.PivotJoint | None = None
         self.contacts: Contacts = NO_CONTACTS
@@ -106,6 +110,15 @@ class World:
     def t(self) -> float:
         """The time [s]."""
         return self.steps * self.dt
+
+    @property
+    def impacts(self) -> list[tuple[Pair, float]]:
+        """Who hit whom between the last two steps, and when [s], where that is located."""
+        if not self._located:
+            return []
+        names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
+        located = self._located.impacts
+        return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
 
     @property
     def hooks(self) -> int:
@@ -122,6 +135,8 @@ class World:
         """
         if self._early:
             self._apply_forces()
+        if self._located:
+            self._cut(self._located)
         self._space.step(self.dt)
         self.steps += 1
         if self._hook and self._hook.error:
@@ -169,6 +184,17 @@ class World:
         if dynamic is None or not (before or after):
             return None
         return Hook(self._space, dynamic, before, after)
+
+    def _cut(self, located: Located) -> None:
+        """Let what would touch in the coming drift collide there."""
+        try:
+            jump = located.cut(self._smooth, self._sequence.last.jump if self._sequence else 0.0)
+        except EndlessImpacts as error:
+            self._fail(error)
+        if jump is not None:
+            self._older = self._older + jump
+            if self._sequence:
+                self._sequence.shift(jump)
 
     def _collide(self) -> None:
         """Let one impact come after the other, if that is how the level wants them."""
@@ -236,6 +262,8 @@ class World:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
                 self._batch.set_velocity(after)
+        if self._located:
+            self._located.begin(acceleration)
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
         if self._guesses:
@@ -281,6 +309,8 @@ class World:
         state = self._batch.state()
         after = state[:, 3:]
         self._seen = self.steps, after
+        if self._located:
+            before = self._located.begun
         contacts = self._read_contacts()
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
@@ -295,6 +325,8 @@ class World:
                 hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
+        if self._located:
+            contacts = self._located.contacts().and_(contacts)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
         self._check_finite(snapshot)
         self.contacts = contacts
