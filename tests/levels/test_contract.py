@@ -171,7 +171,7 @@ def test_every_quantity_can_be_measured(level: Level) -> None:
     from sandbox.model.quantities import quantities
 
     world = build(level)
-    meter = Meter(world, [quantity.name for quantity in quantities(level)])
+    meter = Meter(world, [found.name for found in quantities(level) if not found.booked])
 
     start = world.snapshot if level.stepping.scheme == "leapfrog" else world.advance()
     for name, value in meter(start).items():
