@@ -131,9 +131,10 @@ class Ledger:
         rest = inertia * (after - before)
         rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
         rest -= self._joints(kick)
-        rest -= self._jump(kick)
+        jump = self._jump(kick)
+        rest -= jump
         rest -= self._hand(kick, rest)
-        self._touch(kick, rest)
+        self._touch(kick, rest, kick.work(jump))
         self._velocity, self._end = after, self._middle(0.5, after)
         self._store(self._end)
 
@@ -253,13 +254,11 @@ class Ledger:
         return together
 
     def _jump(self, kick: "_Kick") -> Array:
-        """Book the impacts that come one after the other, and return their impulses: (n, 3)."""
+        """Return the impulses of impacts that come one after the other: (n, 3)."""
         if self._world.jump is None:
             return np.zeros_like(self._mass)
         impulse = kick.inertia * self._world.jump
         self._give("supports", impulse, kick.place)
-        if not self._elastic:
-            self._lose("impacts", kick.work(impulse))
         return impulse
 
     def _lose(self, name: str, work: float) -> None:
@@ -280,8 +279,8 @@ class Ledger:
         self._give("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: "_Kick", rest: Array) -> None:
-        """Book what contacts did: all that is left to the bodies that touch."""
+    def _touch(self, kick: "_Kick", rest: Array, jumped: float) -> None:
+        """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
         contacts = self._world.contacts
         if not len(contacts.bodies):
             return
@@ -296,7 +295,7 @@ class Ledger:
         if "friction" in self._losses:
             self._losses["friction"] += across
         if not self._elastic:
-            self._lose("impacts", pressing - across - sum(drives.values()))
+            self._lose("impacts", jumped + pressing - across - sum(drives.values()))
 
     def _rub(self, contacts: Contacts, kick: "_Kick") -> tuple[float, dict[str, float]]:
         """Return the work of friction, and what belts and bodies that move as told put in."""

@@ -126,7 +126,7 @@ class Recorder:
             joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
             self._measured = [(np.concatenate(times), joined)]
         t, measured = self._measured[0]
-        kept = np.array(self._books).reshape(-1, len(self._booked))
+        kept = np.array(self._books).reshape(self._count, len(self._booked))
         columns = {**measured, **dict(zip(self._booked, kept.T, strict=True))}
         quantities = {**self._meter.quantities, **self._booked}
         units = {name: found.unit for name, found in quantities.items()}

@@ -179,6 +179,17 @@ def test_every_quantity_can_be_measured(level: Level) -> None:
         assert np.isfinite(value), name
 
 
+def test_every_account_can_be_kept(level: Level) -> None:
+    from sandbox.model.quantities import quantities
+
+    names = [found.name for found in quantities(level) if found.booked]
+
+    trace = simulate(level, duration=3 / level.stepping.rate, record=names)
+
+    assert list(trace.columns) == names
+    assert all(np.isfinite(column).all() for column in trace.columns.values())
+
+
 def values_between(level: Level, share: float) -> Values:
     """Return parameters at a share of the way through each range."""
     return {n: p.min + share * (p.max - p.min) for n, p in level.parameters.items()}

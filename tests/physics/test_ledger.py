@@ -1,5 +1,6 @@
 """The books of energy and momentum close, and show what a scheme makes up."""
 
+from itertools import pairwise
 from math import radians
 
 import numpy as np
@@ -8,13 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model import catalog
-from sandbox.model.level import Level, Stepping
+from sandbox.model.expressions import Array
+from sandbox.model.level import Stepping
 from sandbox.model.loading import load
+from sandbox.model.quantities import QuantityError
 from sandbox.physics.ledger import Balance, Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.trace import count_steps, simulate
 from sandbox.physics.world import World, build
-from tests.physics.scenes import G, GRAVITY, atwood, box, disc, floor, incline, level, orbit
+from tests.physics.scenes import GRAVITY, G, atwood, box, disc, floor, incline, level, orbit
 
 
 def watched(world: World, steps: int) -> list[Balance]:
@@ -71,7 +74,8 @@ def test_the_books_of_a_level_close(name: str) -> None:
     books = watched(world, count_steps(world))
 
     assert rest(books) < 1e-9
-    size = max(float(np.abs(v).max()) for b in books for v in b.impulse.values())
+    given = max((float(np.abs(v).max()) for b in books for v in b.impulse.values()), default=0)
+    size = max(given, np.sqrt(2 * world.scene.mass.sum() * scale(books)))
     assert np.abs([b.unexplained_impulse for b in books]).max() < 1e-12 * size
 
 
@@ -117,16 +121,20 @@ def test_drag_takes_what_the_body_loses() -> None:
 def test_friction_takes_mu_m_g_d() -> None:
     """And what the slope puts in is gravity's."""
     world = build(incline(radians(30), friction=0.3))
-    start = Ledger(world).balance
+    places = [_middle(world)]
     books = watched(world, 60)
-    way = float(np.hypot(*world.snapshot.position[0]))
-    ahead = float(np.hypot(*world.scene.batch.velocity()[0, :2])) * world.dt / 2
-    first = books[0].kinetic / (2 * G * (0.5 - 0.3 * np.cos(radians(30))))
+    places.append(_middle(world))
 
-    expected = 0.3 * 2 * G * np.cos(radians(30)) * (way + ahead - first)
+    expected = 0.3 * 2 * G * np.cos(radians(30)) * np.hypot(*(places[1] - places[0]))
 
-    assert start.loss["friction"] == 0
+    assert books[0].loss["friction"] == 0
     assert books[-1].loss["friction"] == pytest.approx(expected, rel=1e-9)
+
+
+def _middle(world: World) -> Array:
+    """Return where the first body is in the middle of the drift that follows."""
+    velocity = world.scene.batch.velocity()[0, :2]
+    return np.asarray(world.snapshot.position[0] + velocity * world.dt / 2)
 
 
 @pytest.mark.parametrize("restitution", [0.0, 0.3, 0.8])
@@ -173,7 +181,7 @@ def test_a_rope_that_is_jerked_taut_takes_energy_as_an_impact_does() -> None:
 
 
 def test_what_impacts_cannot_give_is_unexplained() -> None:
-    """Elastic discs that touch: pymunk solves all at once, and 1 to 2 % of the energy goes."""
+    """Elastic discs that touch: pymunk solves all at once, and 0.05 % of the energy goes."""
     rows = [(x, y) for x in range(5) for y in range(x + 1)]
     discs = {
         f"d{i}": disc((x * 0.75**0.5, y - x / 2), restitution=1) for i, (x, y) in enumerate(rows)
@@ -182,7 +190,7 @@ def test_what_impacts_cannot_give_is_unexplained() -> None:
     together = level({"cue": cue, **discs}, {"contact": {}, "restitution": {}})
     sequence = level({"cue": cue, **discs}, {"contact": {}, "restitution": {"impacts": "sequence"}})
 
-    assert rest(watched(build(together), 60)) > 1e-3
+    assert rest(watched(build(together), 60)) > 1e-4
     assert rest(watched(build(sequence), 60)) < 1e-12
 
 
@@ -228,7 +236,7 @@ def test_a_body_that_moves_as_told_puts_work_in() -> None:
 
 def test_a_rod_that_shortens_puts_work_in() -> None:
     """A mass that goes round is drawn in to half the radius: four times the energy."""
-    rod = {"type": "rod", "ends": [[0, 0], "bob"], "length": "1 - 0.5*min(t, 1)"}
+    rod = {"type": "rod", "ends": [[0, 0], "bob"], "length": "0.75 + 0.25*cos(pi*min(t, 1))"}
     scene = level({"bob": disc((1, 0), radius=0.1, velocity=[0, 2])}, {}, joints={"rod": rod})
 
     books = watched(build(scene, stepping=Stepping(rate=480)), 600)
@@ -251,7 +259,7 @@ places = st.tuples(st.floats(-2, 2), st.floats(-2, 2))
 
 
 @settings(max_examples=25, deadline=None)
-@given(st.lists(st.tuples(masses, places, places), min_size=2, max_size=5), st.floats(0, 5))
+@given(st.lists(st.tuples(masses, places, places), min_size=2, max_size=5), st.floats(0.1, 5))
 def test_bodies_between_themselves_give_no_momentum(
     drawn: list[tuple[float, tuple[float, float], tuple[float, float]]], damping: float
 ) -> None:
@@ -262,10 +270,7 @@ def test_bodies_between_themselves_give_no_momentum(
     }
     names = list(bodies)
     spring = {"type": "spring", "stiffness": 5, "damping": damping}
-    joints = {
-        f"s{i}": {**spring, "ends": [a, b]}
-        for i, (a, b) in enumerate(zip(names, names[1:], strict=False))
-    }
+    joints = {f"s{i}": {**spring, "ends": [a, b]} for i, (a, b) in enumerate(pairwise(names))}
 
     books = watched(build(level(bodies, GRAVITY, joints=joints), stepping=Stepping(rate=240)), 60)
 
@@ -278,23 +283,21 @@ def test_bodies_between_themselves_give_no_momentum(
 
 
 @settings(max_examples=25, deadline=None)
-@given(
-    st.lists(st.tuples(masses, places), min_size=2, max_size=6), st.floats(0, 1), st.floats(0, 2)
-)
+@given(st.lists(st.tuples(masses, places), min_size=2, max_size=6), st.floats(0, 1))
 def test_the_books_of_a_pile_up_close(
-    drawn: list[tuple[float, tuple[float, float]]], restitution: float, drag: float
+    drawn: list[tuple[float, tuple[float, float]]], restitution: float
 ) -> None:
-    """Discs that cross each other's ways collide, bounce and are slowed by drag."""
+    """Discs that fall freely cross each other's ways and bounce."""
     bodies = {
         f"b{i}": disc((2 * i, y / 4), mass=mass, velocity=[x, 0], restitution=restitution)
         for i, (mass, (x, y)) in enumerate(drawn)
     }
-    effects = {"contact": {}, "restitution": {"impacts": "sequence"}, "drag": {"linear": drag}}
+    effects = {**GRAVITY, "contact": {}, "restitution": {"impacts": "sequence"}}
 
     books = watched(build(level(bodies, effects)), 120)
 
-    assert abs(books[-1].unexplained) <= 1e-10 * max(scale(books), 1e-6)
-    assert min(books[-1].loss.values()) >= 0
+    assert abs(books[-1].unexplained) <= 1e-12 * scale(books)
+    assert books[-1].loss["impacts"] >= 0
 
 
 def test_what_is_watched_goes_the_same_way() -> None:
@@ -339,24 +342,6 @@ def test_the_books_are_recorded_as_quantities() -> None:
     assert trace.units["system.impulse.gravity.y"] == "N·s"
 
 
-def test_every_account_of_every_level_can_be_recorded(every_level: Level) -> None:
-    from sandbox.model.quantities import quantities
-
-    names = [found.name for found in quantities(every_level) if found.booked]
-
-    trace = simulate(every_level, duration=3 / every_level.stepping.rate, record=names)
-
-    assert list(trace.columns) == names
-    assert all(np.isfinite(column).all() for column in trace.columns.values())
-
-
-@pytest.fixture(params=catalog.names())
-def every_level(request: pytest.FixtureRequest) -> Level:
-    return load(catalog.find(request.param))
-
-
 def test_a_meter_sends_for_the_ledger() -> None:
-    from sandbox.model.quantities import QuantityError
-
     with pytest.raises(QuantityError, match="known only to a ledger"):
         Meter(build(atwood(1, 2)), ["system.unexplained_energy"])
