@@ -7,10 +7,10 @@ put in from outside.
 from collections.abc import Iterator
 
 from sandbox.model.effects import Force
-from sandbox.model.joints import Joint, Pulley, Rod, Rope, Spring, bodies_of
+from sandbox.model.joints import Joint, Motor, Pulley, Rod, Rope, Spring, Winding, bodies_of
 from sandbox.model.level import Level
 
-FIELDS = ("gravity", "attraction", "gravitation")
+FIELDS = ("gravity", "attraction", "gravitation", "centrifugal")
 """The effects that store energy."""
 
 DRIVES = ("thrust", "accretion", "belt")
@@ -53,10 +53,12 @@ def _losses(level: Level) -> Iterator[str]:
         yield "drag"
     if effects.friction:
         yield "friction"
-    if effects.contact or any(isinstance(joint, Rope | Pulley) for joint in joints):
+    if effects.contact or any(isinstance(joint, Rope | Pulley | Winding) for joint in joints):
         yield "impacts"
     if any(isinstance(joint, Spring) and damps(joint) for joint in joints):
         yield "damping"
+    if effects.sticking:
+        yield "sticking"
 
 
 def outside(level: Level) -> tuple[str, ...]:
@@ -77,8 +79,8 @@ def does_work(force: Force) -> bool:
 
 def drives(joint: Joint, level: Level) -> bool:
     """Whether an exact joint does work: it changes with time, or is held by what moves as told."""
-    if isinstance(joint, Spring):
-        return False
+    if isinstance(joint, Spring | Motor):
+        return isinstance(joint, Motor)
     if isinstance(joint, Rod) and joint.length is not None and "t" in joint.length.names:
         return True
     return any(level.bodies[body].type == "kinematic" for body in bodies_of(joint))

@@ -50,6 +50,7 @@ Turning = Pivot | Weld | Motor | Winding
 DRAWN = 200
 """How many pieces of a wire are shown."""
 
+
 class Pulls(NamedTuple):
     """What exact joints did in a kick; m equations, n bodies.
 

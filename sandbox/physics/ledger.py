@@ -245,8 +245,9 @@ class Ledger:
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._works:
             self._works["joints"] += float(works[drives].sum())
-        jerked = pulls.pulls_only & self._slack & ~drives
-        if jerked.any():
+        if len(self._slack) < len(works):
+            self._lose("sticking", float(works[~drives].sum()))
+        elif (jerked := pulls.pulls_only & self._slack & ~drives).any():
             self._lose("impacts", float(works[jerked].sum()))
         self._slack = pulls.tension <= 0
         together: Array = impulses.sum(axis=0)
