@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
+from sandbox.model import accounts
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.joints import Joint, Motor, Weld, Wire
 from sandbox.model.level import Level
@@ -47,6 +48,17 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
     },
 }
 
+_BOOKS: Mapping[str, str] = {
+    "work": "J",
+    "loss": "J",
+    "unexplained_energy": "J",
+    "impulse": "N·s",
+    "unexplained_momentum": "kg·m/s",
+    "angular_impulse": "N·m·s",
+    "unexplained_angular_momentum": "kg·m²/s",
+}
+"""What a ledger keeps of the system; the first, and the impulses, by what gave or took it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
@@ -80,6 +92,11 @@ class Quantity:
         """Whether it is an integral over time, from the start of a run."""
         return self.attribute == "action"
 
+    @property
+    def booked(self) -> bool:
+        """Whether it is known only to a ledger that has seen every step."""
+        return self.attribute.partition(".")[0] in _BOOKS
+
 
 TIME = Quantity("t", "time", "t", "t", None, "s")
 
@@ -93,6 +110,7 @@ def quantities(level: Level) -> Iterator[Quantity]:
     yield TIME
     for subject, owner in _owners(level).items():
         yield from _of(owner, subject)
+    yield from _of_accounts(level)
 
 
 def quantity(name: str, level: Level) -> Quantity:
@@ -111,7 +129,10 @@ def quantity(name: str, level: Level) -> Quantity:
         close = closest(subject, owners)
         hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
         raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
-    known = {quantity.name: quantity for quantity in _of(owners[subject], subject)}
+    found = [*_of(owners[subject], subject)]
+    if owners[subject] == "system":
+        found += _of_accounts(level)
+    known = {quantity.name: quantity for quantity in found}
     if name not in known:
         hint = suggestion(name, known, most=len(known))
         raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
@@ -130,6 +151,30 @@ def _kind(joint: Joint) -> Owner:
     if isinstance(joint, Wire):
         return "wire"
     return "fixture" if isinstance(joint, Weld | Motor) else "joint"
+
+
+def _of_accounts(level: Level) -> Iterator[Quantity]:
+    """Yield what a level's forces store, and what its ledger keeps."""
+    outside = accounts.outside(level)
+    for name in accounts.potentials(level):
+        yield _of_system(f"potential_energy.{name}", "J")
+    for book, names in {"work": accounts.works(level), "loss": accounts.losses(level)}.items():
+        for name in names:
+            yield _of_system(f"{book}.{name}", _BOOKS[book])
+    for attribute in (*(f"impulse.{name}" for name in outside), "unexplained_momentum"):
+        for component in ("x", "y", None):
+            yield _of_system(attribute, _BOOKS[attribute.partition(".")[0]], component)
+    for attribute in (
+        *(f"angular_impulse.{name}" for name in outside),
+        "unexplained_angular_momentum",
+        "unexplained_energy",
+    ):
+        yield _of_system(attribute, _BOOKS[attribute.partition(".")[0]])
+
+
+def _of_system(attribute: str, unit: str, component: Component | None = None) -> Quantity:
+    name = f"system.{attribute}" + (f".{component}" if component else "")
+    return Quantity(name, "system", "system", attribute, component, unit)
 
 
 def _of(owner: Owner, subject: str) -> Iterator[Quantity]:

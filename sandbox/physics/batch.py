@@ -62,6 +62,8 @@ class Contacts(NamedTuple):
         (k,), at how many points they touch, one or two.
     points
         (k, 2, 2), where those are; the second is nowhere if there is but one [m].
+    impulse
+        (k, 2), on the second body; the first got the opposite [N s].
     """
 
     bodies: Integers
@@ -71,6 +73,7 @@ class Contacts(NamedTuple):
     friction: Array
     touches: Integers
     points: Array
+    impulse: Array
 
     def and_(self, others: "Contacts") -> "Contacts":
         """Return these contacts and others."""
@@ -95,6 +98,7 @@ NO_CONTACTS = Contacts(
     np.empty(0),
     np.empty(0, dtype=np.intp),
     np.empty((0, 2, 2)),
+    np.empty((0, 2)),
 )
 
 
@@ -157,14 +161,23 @@ class Batch:
         impulse, direction = floats[live, :2], floats[live, 2:4]
         on_surfaces = floats[live, 4:].reshape(-1, 2, 2, 2)
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        normal = np.abs(np.sum(impulse * direction, axis=1))
+        along = np.sum(impulse * direction, axis=1)
+        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
+        normal = np.abs(along)
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
         # pymunk's order depends on where its objects lie in memory, and sums on the order
         keys = (*points[:, 0].T, friction, normal, bodies[:, 1], bodies[:, 0])
         o = np.lexsort(keys)
         first, touches = integers[live, 2] > 0, integers[live, 3].astype(np.intp)
         return Contacts(
-            bodies[o], first[o], direction[o], normal[o], friction[o], touches[o], points[o]
+            bodies[o],
+            first[o],
+            direction[o],
+            normal[o],
+            friction[o],
+            touches[o],
+            points[o],
+            impulse[o],
         )
 
 

@@ -6,7 +6,7 @@ five times as fast. All other exact joints are solved together.
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import cast
+from typing import NamedTuple, cast
 
 import numpy as np
 import pymunk
@@ -33,7 +33,7 @@ from sandbox.model.level import Level, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.anchor import Anchor, length
-from sandbox.physics.batch import Batch
+from sandbox.physics.batch import Batch, Booleans
 from sandbox.physics.exact.equations import Coordinates, Equation
 from sandbox.physics.exact.reaches import Row
 from sandbox.physics.exact.solver import ExactJoints
@@ -49,6 +49,27 @@ Turning = Pivot | Weld | Motor | Winding
 
 DRAWN = 200
 """How many pieces of a wire are shown."""
+
+
+class Pulls(NamedTuple):
+    """What exact joints did in a kick; m equations, n bodies.
+
+    Attributes
+    ----------
+    gradient
+        (m, n, 3), how what they keep changes with the bodies' places and angles.
+    tension
+        (m,), the force against that [N].
+    pulls_only
+        (m,), whether they may be shorter, as ropes.
+    changes
+        (m,), whether what they keep changes with time.
+    """
+
+    gradient: Array
+    tension: Array
+    pulls_only: Booleans
+    changes: Booleans
 
 
 class Joints:
@@ -199,6 +220,21 @@ class Joints:
         """Return the force with which each joint pulled in the last kick, or pulls now [N]."""
         return np.array([self._tension(name, motion) for name in self.paths])
 
+    def pulls(self, count: int) -> Pulls:
+        """Return what the exact joints did in the last kick, to so many bodies."""
+        parts = [
+            _of_string(string, [self.paths[name][end].body for end in (0, -1)], count)
+            for name, string in self.strings.items()
+        ]
+        if joints := self.together:
+            parts.append(
+                Pulls(joints.gradients(), joints.tension, joints.pulls_only, joints.changes)
+            )
+        if not parts:
+            none = np.zeros(0, dtype=bool)
+            return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none)
+        return Pulls(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
     def _tension(self, name: str, motion: Motion) -> float:
         if name in self.strings:
             return self.strings[name].tension
@@ -220,6 +256,14 @@ class Joints:
         yield from self.strings.values()
         if self.together:
             yield self.together
+
+
+def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
+    gradient = np.zeros((1, count, 3))
+    for row, direction in zip(rows, string.gradient(), strict=True):
+        if row is not None:
+            gradient[0, row, :2] += direction
+    return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
 
 
 def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:

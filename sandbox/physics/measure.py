@@ -6,7 +6,7 @@ from math import nan
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.quantities import Component, Quantity, quantity
+from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World
 
@@ -26,7 +26,7 @@ class Meter:
     Raises
     ------
     QuantityError
-        If the level has no such quantity.
+        If the level has no such quantity, or only a ledger knows it.
     """
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
@@ -47,6 +47,8 @@ class Meter:
         return {name: measure(snapshot) for name, measure in self._measurements.items()}
 
     def _bind(self, quantity: Quantity) -> Measurement:
+        if quantity.booked:
+            raise QuantityError(f"'{quantity.name}' is known only to a ledger of the whole run")
         match quantity.owner:
             case "time":
                 return lambda s: s.t
@@ -59,9 +61,7 @@ class Meter:
                 scalars = self._scalars_of_bodies[quantity.attribute]
                 return lambda s: scalars(s)[..., row]
             case "system":
-                if vector := self._vectors_of_system.get(quantity.attribute):
-                    return _component(vector, quantity.component)
-                return self._scalars_of_system[quantity.attribute]
+                return self._of_system(quantity)
 
     def _of_joint(self, name: str, attribute: str) -> Measurement:
         if attribute == "length":
@@ -73,6 +73,13 @@ class Meter:
         if attribute == "torque":
             return lambda s: s.torque[..., column]
         return lambda s: s.tension[..., column]
+
+    def _of_system(self, quantity: Quantity) -> Measurement:
+        if source := quantity.attribute.partition("potential_energy.")[2]:
+            return lambda s: self._stored(s, source).sum(axis=-1)
+        if vector := self._vectors_of_system.get(quantity.attribute):
+            return _component(vector, quantity.component)
+        return self._scalars_of_system[quantity.attribute]
 
     @property
     def _vectors_of_bodies(self) -> Mapping[str, Measurement]:
@@ -141,6 +148,12 @@ class Meter:
         for law in self._laws:
             potential = potential + law.potential_energy(s)
         return potential
+
+    def _stored(self, s: Snapshot, effect: str) -> Array:
+        """U by the laws of one effect."""
+        stores = [law for law in self._laws if law.effect == effect and law.book == "potential"]
+        energies = [law.potential_energy(s) for law in stores]
+        return sum(energies, np.zeros(s.position.shape[:-1]))
 
     def _energy(self, s: Snapshot) -> Array:
         return self._kinetic(s) + self._potential(s)

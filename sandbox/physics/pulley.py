@@ -57,6 +57,11 @@ class PulleyString:
         self._free_length = hypot(*self._arm_a) + hypot(*self._arm_b)
         self.tension = 0.0
 
+    def gradient(self) -> tuple[XY, XY]:
+        """Return how its length changes with the places of its ends."""
+        self._look()
+        return _direction(*self._arm_a), _direction(*self._arm_b)
+
     def _look(self) -> None:
         """See where the ends are, as seen from their pegs."""
         (x, y), (px, py) = self._a.position, self._peg_a
@@ -128,6 +133,11 @@ class PulleyString:
 
 def _inverse_mass(body: pymunk.Body) -> float:
     return 1 / body.mass if body.body_type == pymunk.Body.DYNAMIC else 0.0
+
+
+def _direction(x: float, y: float) -> XY:
+    """Return the unit vector; none where the end lies on its peg."""
+    return _unit(x, y) if x or y else (0.0, 0.0)
 
 
 def _unit(x: float, y: float) -> tuple[float, float]:

@@ -100,4 +100,5 @@ class Touches:
             np.append(contacts.friction, none),
             np.append(contacts.touches, np.ones(len(bodies), dtype=np.intp)),
             np.concatenate((contacts.points, places)),
+            np.append(contacts.impulse, np.zeros((len(bodies), 2)), axis=0),
         )

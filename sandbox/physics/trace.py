@@ -15,6 +15,8 @@ from sandbox.model.level import (
     Level,
     Stepping,
 )
+from sandbox.model.quantities import quantity
+from sandbox.physics.ledger import Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import Pair, World, build
@@ -66,11 +68,15 @@ class Trace:
 
 
 class Recorder:
-    """Watches a world and notes quantities, step by step."""
+    """Watches a world and notes quantities, step by step; with a ledger where one asks for it."""
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
-        self._meter = Meter(world, dict.fromkeys(names))
+        wanted = [quantity(name, world.level) for name in dict.fromkeys(names)]
+        self._meter = Meter(world, [q.name for q in wanted if not q.booked])
+        self._booked = {q.name: q for q in wanted if q.booked}
+        self._ledger = Ledger(world) if self._booked else None
+        self._books: list[list[float]] = []
         self._names = list(world.scene.bodies)
         self._fresh: list[Snapshot] = []  # not yet measured
         self._last: list[Snapshot] = []  # the last that was, from which integrals go on
@@ -95,6 +101,10 @@ class Recorder:
             pair = frozenset(self._names[row] for row in divmod(key, len(self._names)))
             self._contacts.setdefault(pair, self._count)
         self._touched |= touching
+        if self._ledger:
+            self._ledger.note()
+            balance = self._ledger.balance
+            self._books.append([balance.value(q) for q in self._booked.values()])
         self._fresh.append(self._world.snapshot)
         self._count += 1
         if len(self._fresh) == MANY:
@@ -106,8 +116,8 @@ class Recorder:
             known = len(self._last)
             stack = Snapshot.stack([*self._last, *self._fresh])
             columns = self._meter(stack)
-            for name, quantity in self._meter.quantities.items():
-                if known and quantity.adds_up:
+            for name, found in self._meter.quantities.items():
+                if known and found.adds_up:
                     columns[name] = columns[name] + self._measured[-1][1][name][-1]
             fresh = {name: column[known:] for name, column in columns.items()}
             self._measured.append((stack.t[known:], fresh))
@@ -122,8 +132,11 @@ class Recorder:
             times, parts = zip(*self._measured, strict=True)
             joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
             self._measured = [(np.concatenate(times), joined)]
-        t, columns = self._measured[0]
-        units = {name: quantity.unit for name, quantity in self._meter.quantities.items()}
+        t, measured = self._measured[0]
+        kept = np.array(self._books).reshape(self._count, len(self._booked))
+        columns = {**measured, **dict(zip(self._booked, kept.T, strict=True))}
+        quantities = {**self._meter.quantities, **self._booked}
+        units = {name: found.unit for name, found in quantities.items()}
         world = self._world
         return Trace(
             world.level,

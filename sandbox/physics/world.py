@@ -19,6 +19,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
 from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
+from sandbox.physics.hand import Hand
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
 from sandbox.physics.located import Located, locate
@@ -70,6 +71,10 @@ class World:
         The state when it was last observed.
     contacts
         Who touched whom when it was last observed.
+    hand
+        What takes hold of bodies.
+    kick
+        What the force laws saw in the last kick; None if there are none, or before it.
     disturbed
         Whether a hand has touched the scene, so that no formula for it holds any more.
     """
@@ -79,6 +84,7 @@ class World:
         self.dt = 1 / stepping.rate
         self.steps = 0
         self.disturbed = False
+        self.kick: Instant | None = None
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
@@ -102,7 +108,7 @@ class World:
         self._sequence = self._make_sequence()
         self._located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
-        self._hand: pymunk.PivotJoint | None = None
+        self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
         self.snapshot: Snapshot = self._start()
 
@@ -119,6 +125,11 @@ class World:
         names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
         located = self._located.impacts
         return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
+
+    @property
+    def jump(self) -> Array | None:
+        """What impacts in sequence changed in the last step [m/s, rad/s]: (n, 3); None without."""
+        return self._sequence.last.jump if self._sequence else None
 
     @property
     def hooks(self) -> int:
@@ -204,7 +215,7 @@ class World:
 
     def _apply_forces(self) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
-        motion = self._motion()
+        self.kick = motion = self._motion()
         if isinstance(self.scene.share, MassFlows):
             self._weigh(self.scene.share, motion.t)
         wrench = np.zeros_like(self._field)
@@ -384,25 +395,16 @@ class World:
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring."""
-        held = self.scene.bodies[body]
-        self.release()
-        hand = pymunk.PivotJoint(self._space.static_body, held, point, held.world_to_local(point))
-        hand.max_force = 200 * held.mass  # N, about twenty times its weight on Earth
-        hand.error_bias = 0.8**60
-        self._space.add(hand)
-        self._hand = hand
+        self.hand.grab(list(self.scene.bodies).index(body), point)
         self.disturbed = True
 
     def drag(self, point: tuple[float, float]) -> None:
         """Pull the body that is held towards a point of the plane [m]."""
-        if self._hand:
-            self._hand.anchor_a = point
+        self.hand.drag(point)
 
     def release(self) -> None:
         """Let go of the body that is held."""
-        if self._hand:
-            self._space.remove(self._hand)
-            self._hand = None
+        self.hand.release()
 
     def place(self, positions: Mapping[str, tuple[float, float]]) -> Snapshot:
         """Put bodies elsewhere [m] with the velocities they have; strings are cut to fit.

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.batch import Batch
+from sandbox.physics.batch import Batch, Booleans
 from sandbox.physics.errors import JointFailure
 from sandbox.physics.exact.equations import Condition, Coordinates, Equation, Reply, Rows
 from sandbox.physics.exact.reaches import Reaches, Row
@@ -141,11 +141,27 @@ class ExactJoints:
 
     def stiff(self) -> Array:
         """Return the gradients of what can push as well as pull: (m, n, 3)."""
+        return self.gradients()[~self._pulls_only]
+
+    def gradients(self) -> Array:
+        """Return how the rows change with the places and angles of the bodies: (m, n, 3)."""
         place, _ = self._coordinates()
-        here, rows = self._look(place), ~self._pulls_only
-        plane = here.gradient[rows, :-1]
-        turning = np.zeros(plane.shape) if here.turning is None else here.turning[rows, :-1]
+        here = self._look(place)
+        plane = here.gradient[:, :-1]
+        turning = np.zeros(plane.shape) if here.turning is None else here.turning[:, :-1]
         return np.stack((plane.real, plane.imag, turning), axis=2)
+
+    @property
+    def pulls_only(self) -> Booleans:
+        """Which rows can only pull: (m,)."""
+        return self._pulls_only
+
+    @property
+    def changes(self) -> Booleans:
+        """Which rows are of a length that changes with time: (m,)."""
+        changes = np.zeros(len(self._length), dtype=bool)
+        changes[[row for row, _ in self._changing]] = True
+        return changes
 
     def solve(self, until: float) -> None:
         """Find the impulses that keep the joints through the next drift, and apply them.

@@ -1,11 +1,13 @@
 """Attraction to a fixed centre."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
@@ -16,6 +18,9 @@ class Attraction:
 
     With p = 2 it is Newton's, and U = −mu m / |r|.
     """
+
+    effect: ClassVar[str] = "attraction"
+    book: ClassVar[Book] = "potential"
 
     mu: float  # m^(p + 1)/s²
     center: XY  # m

@@ -1,10 +1,12 @@
 """What a frame that turns does to what lies in it."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
@@ -16,6 +18,9 @@ class Centrifugal:
     Coriolis's force, 2 m ω times the horizontal velocity, is at right angles to the plane: whatever
     holds bodies in the plane carries it.
     """
+
+    effect: ClassVar[str] = "centrifugal"
+    book: ClassVar[Book] = "potential"
 
     rate: float  # rad/s, ω
     axis: float  # m, x0

@@ -1,17 +1,22 @@
 """Drag through a fluid at rest."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Integers
+from sandbox.physics.laws.law import Book
 from sandbox.physics.motion import Motion
 
 
 @dataclass(frozen=True, slots=True)
 class Drag:
     """F = −(linear + quadratic |v|) v: Stokes's drag, and that of a turbulent wake."""
+
+    effect: ClassVar[str] = "drag"
+    book: ClassVar[Book] = "loss"
 
     linear: float  # kg/s
     quadratic: float  # kg/m

@@ -1,11 +1,13 @@
 """Attraction of bodies to each other."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
@@ -17,6 +19,9 @@ class Gravitation:
     s² = r² + ε² is Plummer's softening: without it, the force of bodies that meet has no end. The
     energy of a pair belongs in equal parts to both.
     """
+
+    effect: ClassVar[str] = "gravitation"
+    book: ClassVar[Book] = "potential"
 
     constant: float  # m³/(kg s²), G
     bodies: NDArray[np.intp]  # (k,)

@@ -1,9 +1,11 @@
 """Uniform gravity."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
 
@@ -11,6 +13,9 @@ from sandbox.physics.motion import Motion
 @dataclass(frozen=True, slots=True)
 class Gravity:
     """F = m g, U = −m g · r. pymunk applies it itself, at no cost."""
+
+    effect: ClassVar[str] = "gravity"
+    book: ClassVar[Book] = "potential"
 
     acceleration: XY  # m/s²
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves

@@ -1,9 +1,12 @@
 """What a force law is."""
 
-from typing import Protocol
+from typing import Literal, Protocol
 
 from sandbox.model.expressions import Array
 from sandbox.physics.motion import Motion
+
+Book = Literal["potential", "loss", "work"]
+"""Where the energy is that a force takes: stored, lost, or put in from outside."""
 
 
 class Law(Protocol):
@@ -12,6 +15,16 @@ class Law(Protocol):
     Both work on arrays with any number of leading dimensions, so that the same lines serve a step
     and a whole recorded run. A law touches only the bodies that it acts on.
     """
+
+    @property
+    def effect(self) -> str:
+        """The name of what declares it: an effect, or `spring`."""
+        ...
+
+    @property
+    def book(self) -> Book:
+        """Where the ledger of energies finds what the force takes."""
+        ...
 
     @property
     def needs_velocity(self) -> bool:

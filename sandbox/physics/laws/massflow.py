@@ -4,11 +4,13 @@ u is the velocity of what leaves or comes relative to the body (Meshchersky's eq
 """
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Flow
 from sandbox.physics.motion import Motion
 
@@ -16,6 +18,9 @@ from sandbox.physics.motion import Motion
 @dataclass(frozen=True, slots=True)
 class Thrust:
     """A rocket's: F = u dm/dt, with the exhaust's u along the body's axes and dm/dt < 0."""
+
+    effect: ClassVar[str] = "thrust"
+    book: ClassVar[Book] = "work"
 
     flow: Flow
     exhaust: XY  # m/s, relative to the body, along its axes
@@ -43,6 +48,9 @@ class Thrust:
 @dataclass(frozen=True, slots=True)
 class Accretion:
     """A body gathers what moves at a velocity of its own: F = (w − v) dm/dt."""
+
+    effect: ClassVar[str] = "accretion"
+    book: ClassVar[Book] = "work"
 
     flow: Flow
     velocity: XY  # m/s, w

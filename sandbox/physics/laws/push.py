@@ -1,11 +1,13 @@
 """A given force."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.shapes import XY
+from sandbox.physics.laws.law import Book
 from sandbox.physics.motion import Motion
 
 
@@ -17,11 +19,19 @@ class Push:
     acts on. What turns with the body does work on a way round, so it has none.
     """
 
+    effect: ClassVar[str] = "force"
+
     force: tuple[Formula, Formula]  # N
     values: Values
     body: int
     point: XY  # m, from the centre of mass, along the body's axes
     turns: bool = False  # with the body
+
+    @property
+    def book(self) -> Book:
+        """Where it has a potential, that; else it does work."""
+        changes = self.turns or any("t" in component.names for component in self.force)
+        return "work" if changes else "potential"
 
     @property
     def needs_velocity(self) -> bool:
@@ -39,7 +49,7 @@ class Push:
     def potential_energy(self, motion: Motion) -> Array:
         """Return −F · r where the force is constant, zero where it changes."""
         energy = np.zeros(motion.position.shape[:-1])
-        if not (self.turns or any("t" in component.names for component in self.force)):
+        if self.book == "potential":
             x, y = self._force(motion)
             arm_x, arm_y = self._turned(motion, *self.point)
             place = motion.position[..., self.body, :]

@@ -1,11 +1,13 @@
 """A spring with a damper, between two points."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Anchor, Plane
+from sandbox.physics.laws.law import Book
 from sandbox.physics.motion import Motion
 
 
@@ -17,6 +19,9 @@ class SpringForce:
 
     Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
     """
+
+    effect: ClassVar[str] = "spring"
+    book: ClassVar[Book] = "potential"
 
     ends: tuple[Anchor, Anchor]
     stiffness: float  # N/m, k
