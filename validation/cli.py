@@ -1,6 +1,7 @@
 """The commands of `python -m validation`."""
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -99,6 +100,45 @@ def effects(
     except SandboxError as error:
         typer.echo(error, err=True)
         raise typer.Exit(2) from None
+
+
+@app.command()
+def report(
+    output: Annotated[Path, typer.Option(metavar="DIR", help="Where report.html goes.")],
+    source: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="DIR", help="Read the JSON of other commands found there."),
+    ] = None,
+    figures: Annotated[
+        bool, typer.Option("--figures", help="Also write each diagram as PNG and SVG.")
+    ] = False,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="A few cases and levels, and short runs.")
+    ] = False,
+) -> None:
+    """Write all of the validation as one HTML page that needs nothing but itself.
+
+    Exit status 1 if a part could not be measured or a case does not hold.
+    """
+    try:
+        passed = _writer()(output, source, quick=quick, figures=figures)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+    if not passed:
+        raise typer.Exit(1)
+
+
+def _writer() -> Callable[..., bool]:
+    """Return what writes reports, which needs libraries that nothing else does."""
+    try:
+        from validation.report.command import write
+    except ModuleNotFoundError as error:
+        raise SandboxError(
+            f"a report needs the library {error.name!r}, which is not installed:"
+            " python -m pip install 'mechanics-sandbox[report]' (in a checkout: -e '.[report]')"
+        ) from error
+    return write
 
 
 def _width() -> int | None:

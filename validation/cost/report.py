@@ -92,9 +92,14 @@ def order_in_words(error: float, power: float | None) -> str:
 
 def milliseconds(seconds: float) -> str:
     """Return a price as milliseconds of computing for a second of the scene."""
-    return f"{seconds * 1e3:.2g} ms/s"
+    return f"{two_digits(seconds * 1e3)} ms/s"
 
 
 def times(ratio: float) -> str:
     """Return a ratio in as many digits as count."""
-    return f"{ratio:.1e}×" if ratio >= 1e4 else f"{ratio:.2g}×"
+    return f"{ratio:.1e}×" if ratio >= 1e4 else f"{two_digits(ratio)}×"
+
+
+def two_digits(value: float) -> str:
+    """Return a positive number in two digits, without a power of ten if it is large."""
+    return f"{value:.2g}" if value < 99.5 else f"{float(f'{value:.2g}'):.0f}"
