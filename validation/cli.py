@@ -1,21 +1,17 @@
 """The commands of `python -m validation`."""
 
 import json
-import math
-from dataclasses import asdict
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
 from rich.console import Console
-from rich.progress import track
-from rich.table import Table
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import check_writable, write_atomically
-from validation.case import Case, Outcome, run
+from validation import suite
 from validation.cases import all_cases
-from validation.environment import environment
 
 app = typer.Typer(
     name="validation",
@@ -29,8 +25,6 @@ app = typer.Typer(
 JsonFile = Annotated[
     Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
 ]
-
-HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
 
 @app.callback()
@@ -48,15 +42,16 @@ def run_cases(json_file: JsonFile = None) -> None:
         if json_file:
             check_writable(json_file)
         cases = list(all_cases())
-        outcomes = _run(cases)
-        Console(width=_width()).print(_table(cases, outcomes))
+        outcomes = suite.outcomes(cases)
+        Console(width=_width()).print(suite.table(cases, outcomes))
         if json_file:
-            write_atomically(json_file, _json(outcomes))
+            text = json.dumps(suite.content(outcomes), indent=2, ensure_ascii=False)
+            write_atomically(json_file, text + "\n")
             typer.echo(f"Written to {json_file}.")
     except SandboxError as error:
         typer.echo(error, err=True)
         raise typer.Exit(2) from None
-    failed = [_named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
+    failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
     for name in failed:
         typer.echo(f"failed: {name}", err=True)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
@@ -107,61 +102,45 @@ def effects(
         raise typer.Exit(2) from None
 
 
-def _run(cases: list[Case]) -> list[Outcome]:
-    """Run the cases, with progress on a terminal."""
-    console = Console(stderr=True)
-    progress = track(
-        run(cases),
-        "Running cases",
-        total=len(cases),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    return list(progress)
+@app.command()
+def report(
+    output: Annotated[Path, typer.Option(metavar="DIR", help="Where report.html goes.")],
+    source: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="DIR", help="Read the JSON of other commands found there."),
+    ] = None,
+    figures: Annotated[
+        bool, typer.Option("--figures", help="Also write each diagram as PNG and SVG.")
+    ] = False,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="A few cases and levels, and short runs.")
+    ] = False,
+) -> None:
+    """Write all of the validation as one HTML page that needs nothing but itself.
+
+    Exit status 1 if a part could not be measured or a case does not hold.
+    """
+    try:
+        passed = _writer()(output, source, quick=quick, figures=figures)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+    if not passed:
+        raise typer.Exit(1)
+
+
+def _writer() -> Callable[..., bool]:
+    """Return what writes reports, which needs libraries that nothing else does."""
+    try:
+        from validation.report.command import write
+    except ModuleNotFoundError as error:
+        raise SandboxError(
+            f"a report needs the library {error.name!r}, which is not installed:"
+            " python -m pip install 'mechanics-sandbox[report]' (in a checkout: -e '.[report]')"
+        ) from error
+    return write
 
 
 def _width() -> int | None:
     """Return the width of a terminal; a pipe or a log has room for whole names."""
     return None if Console().is_terminal else 160
-
-
-def _named(case: Case) -> str:
-    """Return a case's name with what was chosen for it."""
-    chosen = ", ".join(f"{name}={value:g}" for name, value in case.parameters.items())
-    return f"{case.name} ({chosen})" if chosen else case.name
-
-
-def _table(cases: list[Case], outcomes: list[Outcome]) -> Table:
-    table = Table(title="Closed forms against runs", header_style="bold", row_styles=("", "dim"))
-    table.add_column("case")
-    for heading in HEADINGS:
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("")
-    for case, outcome in zip(cases, outcomes, strict=True):
-        table.add_row(
-            _named(case),
-            f"{outcome.measured:.7g} {outcome.unit}",
-            f"{outcome.expected:.7g}",
-            f"{outcome.error:.1e}",
-            f"{outcome.tolerance:.0e}",
-            "" if outcome.order is None else f"{outcome.order:.2f}",
-            f"{outcome.naive_error:.1e}",
-            f"{outcome.step_seconds * 1e6:.1f} µs",
-            f"{outcome.naive_step_seconds * 1e6:.1f} µs",
-            "[green]✓[/]" if outcome.passed else "[red]✗[/]",
-        )
-    return table
-
-
-def _json(outcomes: list[Outcome]) -> str:
-    """Return the outcome as JSON, which has no infinity and no NaN: such figures are null."""
-    cases = [
-        {
-            name: None if isinstance(value, float) and not math.isfinite(value) else value
-            for name, value in asdict(outcome).items()
-        }
-        for outcome in outcomes
-    ]
-    content = {"environment": environment(), "cases": cases}
-    return json.dumps(content, indent=2, ensure_ascii=False) + "\n"

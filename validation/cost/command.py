@@ -31,11 +31,10 @@ def measure(
         check_writable(json_file)
     for name in names:
         catalog.find(name)
-    found = _sweep(list(names) or catalog.names(), QUICK if quick else Budget())
+    found = sweep_all(list(names) or catalog.names(), quick=quick)
     Console(width=None if Console().is_terminal else 160).print(table(found))
     if json_file:
-        content = {"environment": environment(), "levels": [as_json(sweep) for sweep in found]}
-        write_atomically(json_file, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "\n")
         typer.echo(f"Written to {json_file}.")
     if output:
         from validation.cost.figure import draw  # matplotlib takes its time
@@ -49,11 +48,16 @@ def measure(
     return failed
 
 
-def _sweep(names: Sequence[str], budget: Budget) -> list[Sweep]:
-    """Sweep the levels, with progress on a terminal."""
+def content(found: Sequence[Sweep]) -> dict[str, object]:
+    """Return sweeps as the JSON file holds them."""
+    return {"environment": environment(), "levels": [as_json(sweep) for sweep in found]}
+
+
+def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
+    """Sweep levels, with progress on a terminal."""
     console = Console(stderr=True)
     progress = track(
-        sweeps(names, budget),
+        sweeps(names, QUICK if quick else Budget()),
         "Measuring what accuracy costs",
         total=len(names),
         console=console,

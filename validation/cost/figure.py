@@ -1,14 +1,13 @@
 """Work-precision diagrams: error against seconds, both logarithmic."""
 
-from io import BytesIO
 from itertools import groupby
 from pathlib import Path
 
-import matplotlib as mpl
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sandbox.model.files import write_atomically
+from validation import plots
 from validation.cost.summary import LEAST
 from validation.cost.sweep import Point, Sweep
 
@@ -29,19 +28,32 @@ def draw(sweep: Sweep, folder: Path) -> Path:
         If it cannot be written.
     """
     path = folder / f"{sweep.level.replace('/', '-')}.png"
-    image = BytesIO()
-    with mpl.rc_context({"font.size": 9}):
-        diagram(sweep).savefig(image, format="png", dpi=150)
-    write_atomically(path, image.getvalue())
+    write_atomically(path, plots.written(diagram(sweep), "png"))
     return path
 
 
 def diagram(sweep: Sweep) -> Figure:
     """Return the diagram of a level."""
-    figure = Figure(figsize=(5.2, 3.6), layout="constrained")
-    axes = figure.subplots()
-    for (scheme, iterations), points in groupby(sweep.points, lambda p: (p.scheme, p.iterations)):
-        _line(axes, scheme, iterations, [p for p in points if p.error < float("inf")])
+    with plots.style():
+        figure = Figure(figsize=(5.2, 3.9), layout="constrained")
+        figure.suptitle(sweep.level, fontsize=10)
+        axes = figure.subplots()
+        for setting, points in groupby(sweep.points, lambda p: (p.scheme, p.iterations)):
+            _line(axes, *setting, [p for p in points if p.error < float("inf")])
+        _own(axes, sweep)
+        plots.logarithmic(axes)
+        axes.set(
+            xlabel="ms of computing for a second of the scene", ylabel="largest error of the run"
+        )
+        handles, labels = axes.get_legend_handles_labels()
+        unique = dict(zip(labels, handles, strict=True))
+        if unique:
+            figure.legend(list(unique.values()), list(unique), loc="outside lower center", ncols=2)
+    return figure
+
+
+def _own(axes: Axes, sweep: Sweep) -> None:
+    """Mark where the level runs if nothing else is asked for."""
     own = [p for p in sweep.points if p.scheme == "leapfrog" and p.rate == sweep.own_rate]
     for point in own[:1]:
         axes.plot(
@@ -49,23 +61,13 @@ def diagram(sweep: Sweep) -> Figure:
             markersize=11, markerfacecolor="none", markeredgecolor="black",
             label=f"the level's own {sweep.own_rate:g} Hz",
         )  # fmt: skip
-    axes.set(
-        xscale="log", yscale="log", title=sweep.level,
-        xlabel="ms of computing for a second of the scene", ylabel="largest error of the run",
-    )  # fmt: skip
-    axes.grid(visible=True, which="major", alpha=0.3)
-    handles, labels = axes.get_legend_handles_labels()
-    unique = dict(zip(labels, handles, strict=True))
-    if unique:
-        axes.legend(list(unique.values()), list(unique), fontsize=7)
-    return figure
 
 
 def _line(axes: Axes, scheme: str, iterations: int, points: list[Point]) -> None:
     color, marker, dashes, label = LOOKS.get(scheme, ("#009e73", "d", "-.", scheme))
-    faint = 1.0 if iterations == 10 else 0.4
+    faint = iterations != 10
     axes.plot(
         [p.seconds_per_second * 1e3 for p in points], [max(p.error, LEAST) for p in points],
-        color=color, marker=marker, linestyle=dashes, markersize=4, linewidth=1.2, alpha=faint,
-        label=label if faint == 1 else f"{label}, {iterations} iterations",
+        color=color, marker=marker, linestyle=dashes, markersize=4, linewidth=1.2,
+        alpha=0.4 if faint else 1, label="faint: 4 and 40 iterations" if faint else label,
     )  # fmt: skip

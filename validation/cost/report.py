@@ -7,7 +7,7 @@ from dataclasses import asdict
 from rich.table import Table
 
 from sandbox.model.level import Scheme
-from validation.cost.summary import TARGETS, cost_to_reach, headline, order, pareto
+from validation.cost.summary import ROUNDING, TARGETS, cost_to_reach, headline, order, pareto
 from validation.cost.sweep import NAIVE, OURS, Point, Sweep
 
 HEADINGS = (
@@ -32,6 +32,7 @@ def as_json(sweep: Sweep) -> dict[str, object]:
         "level": sweep.level,
         "judged_by": sweep.judged_by,
         "quantities": sweep.quantities,
+        "own_rate": sweep.own_rate,
         "points": [_finite(asdict(point)) for point in sweep.points],
         "order": order(sweep.points, OURS),
         "orders": {scheme: order(sweep.points, scheme) for scheme in _schemes(sweep.points)},
@@ -72,7 +73,7 @@ def _cells(sweep: Sweep) -> list[str]:
     ours = [p for p in sweep.points if p.scheme != NAIVE]
     reached = (cost_to_reach(ours, target) for target in (1e-3, 1e-6, 1e-9))
     return [
-        "exact" if power is None else f"{power:.2f}",
+        order_in_words(best.error, power),
         f"{best.error:.1e}",
         milliseconds(best.seconds_per_second),
         f"{best.naive_error:.1e}",
@@ -82,11 +83,23 @@ def _cells(sweep: Sweep) -> list[str]:
     ]
 
 
+def order_in_words(error: float, power: float | None) -> str:
+    """Return an order; `exact` if the error is rounding, a dash if too few runs show one."""
+    if power is None:
+        return "exact" if error <= ROUNDING else "–"
+    return f"{power:.2f}"
+
+
 def milliseconds(seconds: float) -> str:
     """Return a price as milliseconds of computing for a second of the scene."""
-    return f"{seconds * 1e3:.2g} ms/s"
+    return f"{two_digits(seconds * 1e3)} ms/s"
 
 
 def times(ratio: float) -> str:
     """Return a ratio in as many digits as count."""
-    return f"{ratio:.1e}×" if ratio >= 1e4 else f"{ratio:.2g}×"
+    return f"{ratio:.1e}×" if ratio >= 1e4 else f"{two_digits(ratio)}×"
+
+
+def two_digits(value: float) -> str:
+    """Return a positive number in two digits, without a power of ten if it is large."""
+    return f"{value:.2g}" if value < 99.5 else f"{float(f'{value:.2g}'):.0f}"

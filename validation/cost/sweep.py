@@ -9,10 +9,10 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import needed, simulate
+from sandbox.physics.timing import STEPS, step_seconds
+from sandbox.physics.trace import count_steps, needed, simulate
 from sandbox.physics.world import build
 from validation.cost.yardstick import Yardstick, yardstick
-from validation.timing import step_seconds
 
 RATES = tuple(15.0 * 2**i for i in range(10))
 """Hz, 15 to 7,680."""
@@ -141,5 +141,6 @@ def _timed(point: Point, level: Level) -> Point:
     if point.failure:
         return point
     stepping = Stepping(rate=point.rate, iterations=point.iterations, scheme=point.scheme)
-    seconds = step_seconds(level, level.defaults, stepping)
+    steps = max(min(count_steps(build(level, stepping=stepping)), STEPS), 1)
+    (seconds,) = step_seconds([lambda: build(level, stepping=stepping).step], steps)
     return replace(point, seconds_per_second=seconds * point.rate)

@@ -1,0 +1,34 @@
+"""What effects cost over numbers of bodies, as a figure."""
+
+from collections.abc import Sequence
+from itertools import cycle
+
+from matplotlib.figure import Figure
+
+from validation import plots
+from validation.effects.costs import EffectCost
+
+MICRO = 1e6
+
+
+def diagram(costs: Sequence[EffectCost]) -> Figure:
+    """Return a step's time over the number of bodies, a line an effect, both logarithmic."""
+    with plots.style():
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        figure.suptitle("A step with an effect, over the number of bodies", fontsize=10)
+        axes = figure.subplots()
+        looks = zip(costs, plots.COLOURS, plots.MARKERS, cycle(plots.DASHES), strict=False)
+        for cost, color, marker, dashes in looks:
+            axes.plot(
+                cost.bodies, [seconds * MICRO for seconds in cost.step_seconds],
+                color=color, marker=marker, linestyle=dashes, markersize=4, linewidth=1.2,
+                label=_label(cost),
+            )  # fmt: skip
+        plots.logarithmic(axes)
+        axes.set(xlabel="bodies", ylabel="µs a step")
+        figure.legend(loc="outside lower center", ncols=3)
+    return figure
+
+
+def _label(cost: EffectCost) -> str:
+    return cost.effect if cost.exponent is None else f"{cost.effect}: n^{cost.exponent:.2f}"

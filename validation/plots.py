@@ -1,0 +1,86 @@
+"""How the figures of the reports look: readable in print, and by those who are colour-blind."""
+
+from contextlib import AbstractContextManager
+from io import BytesIO
+from math import ceil, floor, log10
+from typing import Literal
+
+import matplotlib as mpl
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator
+
+COLOURS = (
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f", "#882255",
+    "#117733",
+)  # fmt: skip
+"""Those of Okabe and Ito, which all can tell apart, and a few that stay apart from them."""
+
+Form = Literal["png", "svg"]
+FORMS: tuple[Form, ...] = ("png", "svg")
+
+MARKERS = "os^dvP*Xh"
+DASHES = ("-", "--", ":", "-.")
+FRAME = "#808080"  # between the ink and the paper of either a light or a dark page
+
+ROOM = 0.12  # decades beyond the last tick, so that no marker is cut
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def style() -> AbstractContextManager[None]:
+    """Return the settings that figures are made and written with."""
+    return mpl.rc_context(
+        {
+            "font.size": 9,
+            "axes.titlesize": 9,
+            "axes.edgecolor": FRAME,
+            "xtick.color": FRAME,
+            "ytick.color": FRAME,
+            "xtick.labelcolor": "black",
+            "ytick.labelcolor": "black",
+            "legend.fontsize": 7.5,
+            "legend.frameon": False,
+            "grid.color": FRAME,
+            "grid.alpha": 0.25,
+            "svg.fonttype": "none",
+        }
+    )
+
+
+def logarithmic(axes: Axes) -> None:
+    """Let both axes be logarithmic, and end at the powers of ten around what is drawn."""
+    axes.set(xscale="log", yscale="log")
+    limits = axes.dataLim
+    for axis, (low, high), limit in (
+        (axes.xaxis, limits.intervalx, axes.set_xlim),
+        (axes.yaxis, limits.intervaly, axes.set_ylim),
+    ):
+        if low <= high:  # something is drawn
+            limit(10 ** (floor(log10(low)) - ROOM), 10 ** (ceil(log10(high)) + ROOM))
+        axis.set_major_locator(LogLocator(numticks=9))
+        axis.set_major_formatter(FuncFormatter(power))
+    axes.minorticks_off()
+    axes.grid(visible=True)
+
+
+def power(value: float, _: object = None) -> str:
+    """Return a power of ten as text, such as 10⁻³; what is near 1 as it is."""
+    exponent = round(log10(value))
+    return f"{value:g}" if -2 <= exponent <= 3 else "10" + superscript(exponent)
+
+
+def superscript(exponent: int) -> str:
+    """Return an exponent as it stands above the line."""
+    return str(exponent).translate(_SUPERSCRIPTS)
+
+
+def written(figure: Figure, form: Form) -> bytes:
+    """Return a figure as the content of a file, the same for the same figure."""
+    image = BytesIO()
+    salt = figure.get_suptitle() or "figure"
+    with style(), mpl.rc_context({"svg.hashsalt": salt}):
+        figure.savefig(
+            image, format=form, dpi=150, metadata={"Date": None} if form == "svg" else {}
+        )
+    return image.getvalue()

@@ -1,0 +1,80 @@
+"""`python -m validation report`."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+import typer
+from rich.console import Console
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import check_writable, write_atomically
+from validation import plots
+from validation.report import page, parts
+
+PAGE = "report.html"
+FIGURES = "figures"
+
+
+def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> bool:
+    """Measure or read every part, write the page, and return whether all is well.
+
+    Parameters
+    ----------
+    output
+        The folder of the page, made if it is not there; the figures it shows are kept as JSON.
+    source
+        A folder with files of other commands, which are read instead of measured anew.
+    quick
+        Whether a few cases, levels and repetitions will do.
+    figures
+        Whether the diagrams are also written as files of their own.
+
+    Raises
+    ------
+    SandboxError
+        If the folder is no place for files, or there is nothing to read.
+    """
+    if source and not source.is_dir():
+        raise SandboxError(f"cannot read {source}: there is no such folder")
+    _make(output)
+    contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
+    found = page.report(contents, quick=quick)
+    for command, content in contents.items():
+        if isinstance(content, Mapping):
+            text = json.dumps(content, indent=2, ensure_ascii=False)
+            write_atomically(output / f"{command}.json", text + "\n")
+    if figures:
+        _draw(found, output / FIGURES)
+    write_atomically(output / PAGE, page.html(found))
+    typer.echo(f"Written to {output / PAGE}.")
+    for command, reason in found.failures.items():
+        typer.echo(f"missing: {command}: {reason}", err=True)
+    return found.passed
+
+
+def _collected(
+    part: parts.Part, source: Path | None, *, quick: bool
+) -> parts.Content | SandboxError:
+    """Return what a part measured, or why it did not: the others go on."""
+    Console(stderr=True, highlight=False).print(f"validation {part.command} ...")
+    try:
+        return parts.collect(part, source, quick=quick)
+    except SandboxError as error:
+        return error
+
+
+def _draw(found: page.Report, folder: Path) -> None:
+    _make(folder)
+    for name, figure in found.figures.items():
+        for form in plots.FORMS:
+            write_atomically(folder / f"{name}.{form}", plots.written(figure, form))
+
+
+def _make(folder: Path) -> None:
+    """Make a folder if it is not there, and refuse it if no file can be written in it."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SandboxError(f"cannot write {folder}: {error.strerror}") from error
+    check_writable(folder / PAGE)

@@ -1,0 +1,240 @@
+"""What a reader wants to know first: a few figures out of many."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from math import isfinite
+from statistics import median
+from typing import TypeVar
+
+from sandbox.model.catalog import find
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import load
+from validation.case import Outcome
+from validation.cost.summary import ROUNDING, Headline, headline, order
+from validation.cost.sweep import NAIVE, OURS, Sweep
+from validation.effects.costs import LevelCost
+
+TITLES = {"newton": "Newton's laws", "lagrange": "Lagrangian mechanics"}
+"""Of chapters that are not called as their folders are."""
+
+CLOSEST = 5
+"""How many cases are shown that come closest to their bounds."""
+
+
+T = TypeVar("T")
+
+Row = tuple[Sweep, Headline, float | None]
+"""A sweep, its headline, and the order of ours."""
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What is claimed of a quantity, and how it came out for certain parameters."""
+
+    name: str
+    level: str
+    quantity: str
+    because: str
+    rows: tuple[tuple[str, Outcome], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """The claims of a chapter."""
+
+    title: str
+    claims: tuple[Claim, ...]
+
+    @property
+    def outcomes(self) -> list[Outcome]:
+        """Of all its claims."""
+        return [outcome for claim in self.claims for _, outcome in claim.rows]
+
+    @property
+    def held(self) -> int:
+        """How many hold."""
+        return sum(outcome.passed for outcome in self.outcomes)
+
+
+@dataclass(frozen=True, slots=True)
+class Cases:
+    """All cases.
+
+    Attributes
+    ----------
+    chapters
+        They, chapter by chapter.
+    failed
+        Those that do not hold.
+    closest
+        Those whose errors are the largest parts of their bounds.
+    exact
+        How many are off by rounding alone.
+    least_order
+        The least order of those that claim one.
+    naive_missed
+        How many of the bounds pymunk misses at the same rate, used as it comes.
+    """
+
+    chapters: tuple[Chapter, ...]
+    failed: tuple[Outcome, ...]
+    closest: tuple[Outcome, ...]
+    exact: int
+    ordered: int
+    least_order: float
+    naive_missed: int
+    total: int
+
+
+def cases(outcomes: Sequence[Outcome]) -> Cases:
+    """Return what the cases say."""
+    orders = [o.order for o in outcomes if o.order is not None and isfinite(o.order)]
+    return Cases(
+        chapters=tuple(
+            Chapter(title, tuple(_claims(group)))
+            for title, group in by_chapter(outcomes, lambda outcome: outcome)
+        ),
+        failed=tuple(o for o in outcomes if not o.passed),
+        closest=tuple(sorted(outcomes, key=share, reverse=True)[:CLOSEST]),
+        exact=sum(o.error <= ROUNDING for o in outcomes),
+        ordered=len(orders),
+        least_order=min(orders, default=float("nan")),
+        naive_missed=sum(o.naive_error > o.tolerance for o in outcomes),
+        total=len(outcomes),
+    )
+
+
+def share(outcome: Outcome) -> float:
+    """Return which part of its bound an error takes up."""
+    return outcome.error / outcome.tolerance
+
+
+def chapter(level: str) -> str:
+    """Return the title of the chapter that a level belongs to."""
+    folder = level.partition("/")[0]
+    return TITLES.get(folder, folder.capitalize())
+
+
+def by_chapter(
+    things: Iterable[T], whose: Callable[[T], Outcome | Sweep]
+) -> list[tuple[str, list[T]]]:
+    """Return things chapter by chapter, each by the level of what it is about."""
+    groups: dict[str, list[T]] = {}
+    for thing in things:
+        groups.setdefault(chapter(whose(thing).level), []).append(thing)
+    return list(groups.items())
+
+
+def _claims(outcomes: Iterable[Outcome]) -> Iterator[Claim]:
+    def key(outcome: Outcome) -> tuple[str, str, str, str]:
+        return outcome.name, outcome.level, outcome.quantity, outcome.because
+
+    for which, group in groupby(outcomes, key):
+        yield Claim(*which, tuple((chosen(outcome), outcome) for outcome in group))
+
+
+def chosen(outcome: Outcome) -> str:
+    """Return the parameters that differ from the level's own, in words."""
+    try:
+        usual = load(find(outcome.level)).defaults
+    except SandboxError:
+        usual = {}
+    changed = {n: v for n, v in outcome.parameters.items() if usual.get(n) != v}
+    return ", ".join(f"{name} = {value:g}" for name, value in changed.items()) or "as it stands"
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """Levels that compare with pymunk in the same way."""
+
+    count: int
+    median: float
+    least: float
+
+
+@dataclass(frozen=True, slots=True)
+class Costs:
+    """What accuracy costs, over all levels.
+
+    Attributes
+    ----------
+    rows
+        Every sweep that shows a comparison, with its headline and order.
+    silent
+        The sweeps that show none.
+    exact, converging
+        How much closer than pymunk in the same time, where our error is rounding and where it is
+        not; None if there are no such levels.
+    no_closer
+        The levels on which pymunk does as well, or better.
+    price
+        What our step takes of pymunk's own, at the same rate: the median.
+    """
+
+    rows: tuple[Row, ...]
+    silent: tuple[Sweep, ...]
+    exact: Group | None
+    converging: Group | None
+    no_closer: tuple[str, ...]
+    price: float
+
+    @property
+    def chapters(self) -> list[tuple[str, list[Row]]]:
+        """The rows, chapter by chapter."""
+        return by_chapter(self.rows, lambda row: row[0])
+
+
+def costs(sweeps: Sequence[Sweep]) -> Costs:
+    """Return what the sweeps say."""
+    found = [(sweep, headline(sweep)) for sweep in sweeps]
+    rows = [(sweep, best, order(sweep.points, OURS)) for sweep, best in found if best]
+    exact = [best.closer for _, best, _ in rows if best.error <= ROUNDING]
+    others = [best.closer for _, best, _ in rows if best.error > ROUNDING]
+    prices = [ratio for sweep in sweeps for ratio in _prices(sweep)]
+    return Costs(
+        rows=tuple(rows),
+        silent=tuple(sweep for sweep, best in found if best is None),
+        exact=_group(exact),
+        converging=_group(others),
+        no_closer=tuple(sweep.level for sweep, best, _ in rows if best.closer <= 1),
+        price=median(prices) if prices else float("nan"),
+    )
+
+
+def _group(ratios: Sequence[float]) -> Group | None:
+    return Group(len(ratios), median(ratios), min(ratios)) if ratios else None
+
+
+def _prices(sweep: Sweep) -> Iterator[float]:
+    """Yield what ours takes of pymunk's time at the level's own rate, with the same iterations."""
+    naive = {(p.rate, p.iterations): p for p in sweep.points if p.scheme == NAIVE}
+    for point in sweep.points:
+        other = naive.get((point.rate, point.iterations))
+        if point.scheme == OURS and point.rate == sweep.own_rate and other:
+            ratio = point.seconds_per_second / other.seconds_per_second
+            if isfinite(ratio):
+                yield ratio
+
+
+@dataclass(frozen=True, slots=True)
+class Hooks:
+    """What levels pay for Python in their steps: the medians."""
+
+    without: int
+    ratio_without: float
+    having: int
+    added: float
+
+
+def hooks(levels: Sequence[LevelCost]) -> Hooks:
+    """Return what levels without hooks, and those that have one, pay beside the bare engine."""
+    bare = [cost for cost in levels if not cost.hooks]
+    having = [cost for cost in levels if cost.hooks]
+    nothing = float("nan")
+    return Hooks(
+        len(bare),
+        median([cost.ratio for cost in bare]) if bare else nothing,
+        len(having),
+        median([c.step_seconds - c.bare_step_seconds for c in having]) if having else nothing,
+    )

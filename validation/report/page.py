@@ -1,0 +1,213 @@
+"""The page: what was measured, put into templates."""
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from math import floor, isfinite, log10
+
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup
+from matplotlib.figure import Figure
+
+from sandbox.model.errors import SandboxError
+from validation import plots
+from validation.cost import figure as cost_figure
+from validation.cost import report as cost_report
+from validation.cost.summary import TARGETS, cost_to_reach
+from validation.cost.sweep import NAIVE, Sweep
+from validation.effects import figure as effects_figure
+from validation.effects.costs import EffectCost, LevelCost
+from validation.report import digest, parts
+from validation.report.svg import inline
+
+SHOWN = 4
+"""How many diagrams are in sight at once; the others fold away."""
+
+LARGE = 1e4
+"""A ratio from here on is told as a power of ten."""
+
+
+@dataclass(slots=True)
+class Report:
+    """What a page shows; a part that is None was not measured.
+
+    Attributes
+    ----------
+    failures
+        Why a part is missing, by its command.
+    environments
+        What parts were measured with, by their commands.
+    figures
+        All figures, by the names of their files.
+    """
+
+    quick: bool
+    cases: digest.Cases | None = None
+    costs: digest.Costs | None = None
+    levels: list[LevelCost] | None = None
+    effects: list[EffectCost] = field(default_factory=list)
+    failures: dict[str, str] = field(default_factory=dict)
+    environments: dict[str, Mapping[str, str]] = field(default_factory=dict)
+    figures: dict[str, Figure] = field(default_factory=dict)
+
+    @property
+    def passed(self) -> bool:
+        """Whether every part was measured, and every case holds."""
+        return not self.failures and self.cases is not None and not self.cases.failed
+
+
+def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool) -> Report:
+    """Return a report of what was measured, by command, or of why it was not."""
+    found = Report(quick=quick)
+    for command, content in contents.items():
+        try:
+            if isinstance(content, SandboxError):
+                raise content
+            _ADDED[command](found, content)
+            found.environments[command] = content["environment"]
+        except SandboxError as error:
+            found.failures[command] = str(error)
+    return found
+
+
+def _add_cases(found: Report, content: parts.Content) -> None:
+    found.cases = digest.cases(parts.outcomes(content))
+
+
+def _add_costs(found: Report, content: parts.Content) -> None:
+    found.costs = digest.costs(parts.sweeps(content))
+    for sweep, _, _ in found.costs.rows:
+        found.figures[figure_name(sweep.level)] = cost_figure.diagram(sweep)
+
+
+def _add_effects(found: Report, content: parts.Content) -> None:
+    found.levels, found.effects = parts.level_costs(content), parts.effect_costs(content)
+    if found.effects:
+        found.figures["effects"] = effects_figure.diagram(found.effects)
+
+
+_ADDED: Mapping[str, Callable[[Report, parts.Content], None]] = {
+    "run": _add_cases,
+    "cost": _add_costs,
+    "effects": _add_effects,
+}
+
+
+def figure_name(level: str) -> str:
+    """Return the name of the file that holds a level's diagram."""
+    return "cost-" + level.replace("/", "-")
+
+
+def html(found: Report) -> str:
+    """Return the page."""
+    environment = Environment(
+        loader=PackageLoader("validation.report"),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters.update(
+        sci=scientific,
+        number=number,
+        micro=micro,
+        price=price,
+        ratio=cost_report.times,
+        times=times,
+        share=digest.share,
+        chosen=digest.chosen,
+        groupby_chapter=lambda pairs: digest.by_chapter(pairs, lambda pair: pair[0]),
+    )
+    page = environment.get_template("report.html")
+    return page.render(
+        report=found,
+        hooks=digest.hooks(found.levels or []),
+        diagrams=_diagrams(found),
+        effects_figure=_effects_figure(found),
+        shown=SHOWN,
+        targets=TARGETS,
+        reach=_reach,
+        order=cost_report.order_in_words,
+        environments=_environments(found.environments),
+        now=datetime.now(UTC),
+    )
+
+
+def scientific(value: float | None) -> str:
+    """Return an error in two digits; in words if there is none."""
+    if value is None or value != value:
+        return "–"
+    return f"{value:.1e}" if isfinite(value) else "∞"
+
+
+def number(value: float) -> str:
+    """Return a measured value in seven digits."""
+    return f"{value:.7g}" if isfinite(value) else "–"
+
+
+def micro(seconds: float) -> str:
+    """Return a time in µs."""
+    return f"{seconds * 1e6:.3g} µs".replace("-", "−") if isfinite(seconds) else "–"
+
+
+def times(ratio: float) -> str:
+    """Return a ratio as prose has it: 12 times, 3.4 × 10⁹ times."""
+    if ratio < LARGE:
+        return f"{cost_report.two_digits(ratio)} times"
+    exponent = floor(log10(ratio))
+    return f"{ratio / 10**exponent:.1f} × 10{plots.superscript(exponent)} times"
+
+
+def price(seconds: float | None) -> str:
+    """Return the price of a second of the scene in ms."""
+    return "–" if seconds is None else cost_report.two_digits(seconds * 1e3)
+
+
+def _reach(sweep: Sweep, target: float) -> float | None:
+    return cost_to_reach([p for p in sweep.points if p.scheme != NAIVE], target)
+
+
+def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
+    """Return the diagrams, those of a quick report's levels first."""
+    rows = found.costs.rows if found.costs else ()
+    sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda s: s.level not in parts.SAMPLE)
+    return [
+        (sweep, inline(found.figures[figure_name(sweep.level)], _told(sweep))) for sweep in sweeps
+    ]
+
+
+def _told(sweep: Sweep) -> str:
+    """Return in words what a diagram shows."""
+    ran = [p for p in sweep.points if isfinite(p.error)]
+    least = {
+        scheme: min(p.error for p in ran if p.scheme == scheme)
+        for scheme in dict.fromkeys(p.scheme for p in ran)
+    }
+    errors = ", ".join(f"{scheme} {error:.1e}" for scheme, error in least.items())
+    return f"{sweep.level}: error against computing time. Least error of each scheme: {errors}."
+
+
+def _effects_figure(found: Report) -> Markup | None:
+    if "effects" not in found.figures:
+        return None
+    slopes = ", ".join(
+        f"{cost.effect} {cost.exponent:.2f}" for cost in found.effects if cost.exponent is not None
+    )
+    return inline(
+        found.figures["effects"],
+        f"Time of a step over the number of bodies, for each effect. Fitted exponents: {slopes}.",
+    )
+
+
+def _environments(
+    environments: Mapping[str, Mapping[str, str]],
+) -> Iterable[tuple[str, Mapping[str, str]]]:
+    """Return each environment once, with the commands that ran in it."""
+    found: list[tuple[list[str], Mapping[str, str]]] = []
+    for command, environment in environments.items():
+        same = next((commands for commands, other in found if other == environment), None)
+        if same is None:
+            found.append(([command], environment))
+        else:
+            same.append(command)
+    return [(", ".join(commands), environment) for commands, environment in found]

@@ -1,0 +1,151 @@
+"""The parts of a report: each is what another command measures, in the form of its JSON."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from math import inf, nan
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from validation import suite
+from validation.case import Case, Outcome
+from validation.cases import PHENOMENA, all_cases
+from validation.cost import command as cost
+from validation.cost.sweep import Sweep
+from validation.effects import command as effects
+from validation.effects.costs import EffectCost, LevelCost
+
+SAMPLE = (
+    "kinematics/projectile",
+    "newton/atwood",
+    "newton/incline-with-friction",
+    "energy/kepler-ellipse",
+    "momentum/bouncing-ball",
+    "lagrange/simple-pendulum",
+    "lagrange/double-pendulum",
+)
+"""The levels of which a quick report shows what accuracy costs."""
+
+T = TypeVar("T")
+
+Content = Mapping[str, Any]
+"""What a command writes as JSON."""
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """What a command measures.
+
+    Attributes
+    ----------
+    command
+        Its name, which is that of its file, too.
+    measure
+        Measures it, quickly or not, and returns what the command writes.
+    """
+
+    command: str
+    measure: Callable[[bool], Content]
+
+
+def _cases(quick: bool) -> Content:
+    return suite.content(suite.outcomes(quick_cases() if quick else list(all_cases())))
+
+
+def quick_cases() -> list[Case]:
+    """Return the first case of every phenomenon."""
+    return [next(iter(phenomenon.cases())) for phenomenon in PHENOMENA]
+
+
+def _cost(quick: bool) -> Content:
+    return cost.content(cost.sweep_all(SAMPLE if quick else catalog.names(), quick=quick))
+
+
+def _effects(quick: bool) -> Content:
+    return effects.content(*effects.measured(quick=quick))
+
+
+PARTS = (Part("run", _cases), Part("cost", _cost), Part("effects", _effects))
+
+
+def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
+    """Return a part from its file in a folder, or measure it if there is none.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be read or measured.
+    """
+    file = source / f"{part.command}.json" if source else None
+    if file is None or not file.exists():
+        return part.measure(quick)
+    try:
+        content = json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise SandboxError(f"cannot read {file}: {error}") from error
+    if not isinstance(content, dict):
+        raise SandboxError(f"{file} is not what `validation {part.command} --json` writes")
+    return content
+
+
+def outcomes(content: Content) -> list[Outcome]:
+    """Return the cases of `validation run`.
+
+    Raises
+    ------
+    SandboxError
+        If that is not what it is.
+    """
+    rows = [_filled(row, error=inf, naive_error=inf) for row in _rows(content, "cases")]
+    return _validated(TypeAdapter(list[Outcome]), rows)
+
+
+def sweeps(content: Content) -> list[Sweep]:
+    """Return the levels of `validation cost`; raise as `outcomes` does."""
+    rows = [
+        {**row, "points": [_point(point) for point in _rows(row, "points")]}
+        for row in _rows(content, "levels")
+    ]
+    return _validated(TypeAdapter(list[Sweep]), rows)
+
+
+def level_costs(content: Content) -> list[LevelCost]:
+    """Return the levels of `validation effects`; raise as `outcomes` does."""
+    return _validated(TypeAdapter(list[LevelCost]), _rows(content, "levels"))
+
+
+def effect_costs(content: Content) -> list[EffectCost]:
+    """Return the effects of `validation effects`; raise as `outcomes` does."""
+    return _validated(TypeAdapter(list[EffectCost]), _rows(content, "costs"))
+
+
+def _rows(content: Content, key: str) -> list[dict[str, Any]]:
+    return _validated(TypeAdapter(list[dict[str, Any]]), content.get(key))
+
+
+def _validated(adapter: TypeAdapter[T], rows: object) -> T:
+    try:
+        return adapter.validate_python(rows)
+    except ValidationError as error:
+        where = ".".join(map(str, error.errors()[0]["loc"]))
+        reason = f"{where}: {error.errors()[0]['msg']}".removeprefix(": ")
+        raise SandboxError(f"figures in another form than this version writes: {reason}") from error
+
+
+def _filled(row: Mapping[str, Any], **lost: float) -> dict[str, Any]:
+    """Return a row with the figures that JSON does not know: infinite ones, and NaN."""
+    optional = {"order"}
+    return {
+        name: lost.get(name, nan) if value is None and name not in optional else value
+        for name, value in row.items()
+    }
+
+
+def _point(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a point of a sweep: one that did not fail lacks its error if an event never came."""
+    failure = row.get("failure")
+    return {**_filled(row, error=nan if failure else inf), "failure": failure}
