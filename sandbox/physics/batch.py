@@ -79,15 +79,7 @@ class Contacts(NamedTuple):
         """Return these contacts and others."""
         if not len(self.bodies):
             return others
-        return Contacts(
-            np.concatenate((self.bodies, others.bodies)),
-            np.concatenate((self.first, others.first)),
-            np.concatenate((self.direction, others.direction)),
-            np.concatenate((self.normal, others.normal)),
-            np.concatenate((self.friction, others.friction)),
-            np.concatenate((self.touches, others.touches)),
-            np.concatenate((self.points, others.points)),
-        )
+        return Contacts._make(np.concatenate(both) for both in zip(self, others, strict=True))
 
 
 NO_CONTACTS = Contacts(

@@ -53,7 +53,7 @@ class Impact(NamedTuple):
     points
         Where they touched [m].
     impulse, friction
-        The sizes of the impulses along the normal and across it [N s].
+        The impulses on the second body along the normal and across it, to its left [N s].
     """
 
     bodies: tuple[int, int]
@@ -62,6 +62,11 @@ class Impact(NamedTuple):
     points: tuple[complex, ...]
     impulse: float
     friction: float
+
+    @property
+    def vector(self) -> complex:
+        """The impulse on the second body [N s]; the first got the opposite."""
+        return self.normal * complex(self.impulse, self.friction)
 
 
 class Coefficients(NamedTuple):
@@ -173,9 +178,10 @@ class Located:
             np.ones(len(two), dtype=bool),
             np.array([(i.normal.real, i.normal.imag) for i in self.impacts]),
             np.array([i.impulse for i in self.impacts]),
-            np.array([i.friction for i in self.impacts]),
+            np.array([abs(i.friction) for i in self.impacts]),
             np.array([len(i.points) for i in self.impacts], dtype=np.intp),
             np.array([[(p.real, p.imag) for p in points] for points in two]),
+            np.array([(i.vector.real, i.vector.imag) for i in self.impacts]),
         )
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
@@ -258,7 +264,7 @@ class Located:
         if rests:
             holds = _impulses(matrix[:count, :count], pulls, np.zeros(count), 0.0)
             path.pull += np.tensordot(holds, answer[:count], 1)
-        friction = float(np.abs(impulse[count:]).sum())
+        friction = float(impulse[count:].sum())
         self.impacts.append(
             Impact(
                 hit.bodies, hit.time, hit.normal, hit.points, float(impulse[:count].sum()), friction
