@@ -140,9 +140,9 @@ def _names_in_joints(level: Level) -> Iterator[tuple[Path, str]]:
 
 def _names_in_effects(level: Level) -> Iterator[tuple[Path, str]]:
     """Yield the bodies that an effect acts on."""
-    for name, bodies in _lists(level):
+    for path, bodies in _lists(level):
         for index, body in enumerate(bodies):
-            yield ("effects", name, "bodies", index), body
+            yield (*path, index), body
     for index, force in enumerate(level.effects.force or ()):
         yield ("effects", "force", index, "body"), force.body
     yield from _names_of_flows(level)
@@ -155,11 +155,13 @@ def _names_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
             yield ("effects", kind, index, "body"), flow.body
 
 
-def _lists(level: Level) -> Iterator[tuple[str, tuple[str, ...]]]:
+def _lists(level: Level) -> Iterator[tuple[Path, tuple[str, ...]]]:
     """Yield the effects that may name the bodies they act on, with those they name."""
+    contact = level.effects.contact
+    yield ("effects", "contact", "located"), (contact and contact.located) or ()
     drag, gravitation = level.effects.drag, level.effects.gravitation
-    yield "drag", (drag and drag.bodies) or ()
-    yield "gravitation", (gravitation and gravitation.bodies) or ()
+    yield ("effects", "drag", "bodies"), (drag and drag.bodies) or ()
+    yield ("effects", "gravitation", "bodies"), (gravitation and gravitation.bodies) or ()
 
 
 def _end_names(path: Path, end: End) -> Iterator[tuple[Path, str]]:
@@ -251,9 +253,9 @@ def _laws(level: Level) -> Iterator[Fault]:
     for path, name in _names_in_effects(level):
         if name in level.bodies and (kind := level.bodies[name].type) != "dynamic":
             yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
-    for effect, bodies in _lists(level):
+    for path, bodies in _lists(level):
         if len(set(bodies)) < len(bodies):
-            yield Fault(("effects", effect, "bodies"), "a body is named twice")
+            yield Fault(path, "a body is named twice")
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if level.effects.gravitation and len(dynamic) == 1:
         rule = "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
@@ -420,6 +422,12 @@ def _sticking(level: Level) -> Iterator[Fault]:
     if level.effects.in_sequence:
         rule = "what sticks cannot be declared with impacts in 'sequence'"
         yield Fault(("effects", "sticking"), rule)
+    located = (level.effects.contact and level.effects.contact.located) or ()
+    for name in {name for pair in sticking.pairs for name in pair.bodies}.intersection(located):
+        rule = (
+            f"'{brief(name)}' sticks at its first touch; such an impact cannot be located in time"
+        )
+        yield Fault(("effects", "contact", "located", located.index(name)), rule)
     for index, pair in enumerate(sticking.pairs):
         held = [level.bodies[body] for body in pair.bodies if body in level.bodies]
         if len(held) == 2 and not any(body.type == "dynamic" for body in held):

@@ -24,6 +24,9 @@ class Contact(Model):
     declares restitution, for pushing bodies apart adds to the energy of their bounces"""
     slop: NonNegative = NonNegative(1e-6)
     """m, the overlap that is left alone"""
+    located: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+    """the dynamic bodies whose impacts are located in time, within the step; those of the others
+    are found at the next step, or missed where a body passes through another in between"""
 
 
 class Pair(Model):

@@ -99,7 +99,10 @@ def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
 
 
 class ContactEvent(Model):
-    """Two bodies touch for the first time; measured one step later, when the impact is over."""
+    """Two bodies touch for the first time; measured one step later, when the impact is over.
+
+    Just after the impact itself where it is located in time.
+    """
 
     event: Literal["contact"]
     bodies: tuple[str, str]

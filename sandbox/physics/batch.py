@@ -78,6 +78,20 @@ class Contacts(NamedTuple):
     impulse: Array
     depth: Array
 
+    def and_(self, others: "Contacts") -> "Contacts":
+        """Return these contacts and others."""
+        if not len(self.bodies):
+            return others
+        return Contacts(
+            np.concatenate((self.bodies, others.bodies)),
+            np.concatenate((self.first, others.first)),
+            np.concatenate((self.direction, others.direction)),
+            np.concatenate((self.normal, others.normal)),
+            np.concatenate((self.friction, others.friction)),
+            np.concatenate((self.touches, others.touches)),
+            np.concatenate((self.points, others.points)),
+        )
+
 
 NO_CONTACTS = Contacts(
     np.empty((0, 2), dtype=np.intp),
@@ -127,6 +141,11 @@ class Batch:
         """Write vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
         self._velocity[self._rows] = velocity
         set_space_bodies(self._space, _VELOCITY, self._velocity_buffer)
+
+    def set_state(self, state: Array) -> None:
+        """Write x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""
+        self._state[self._rows] = state
+        set_space_bodies(self._space, _STATE, self._state_buffer)
 
     def set_force(self, force: Array) -> None:
         """Write force and torque that act in the next kick: (n, 3) [N, N m]."""

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 from math import inf
+from typing import Literal
 
 import numpy as np
 import pymunk
@@ -55,6 +56,8 @@ GOLDEN = 0.6180339887498949
 CORRECTION = 0.2
 """The share of an overlap that a step takes back, where the level has nothing else to say."""
 
+
+Rub = Literal["friction", "restitution"]
 
 Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
 
@@ -328,6 +331,20 @@ def _settle(space: pymunk.Space, level: Level, values: Values, dt: float) -> Non
     space.collision_slop = contact.slop(values)
 
 
+def pair_coefficients(level: Level, values: Values, kind: Rub) -> np.ndarray:
+    """Return the coefficients of all pairs: (n, n)."""
+    effect, names = getattr(level.effects, kind), list(level.bodies)
+    if effect is None:
+        return np.zeros((len(names), len(names)))
+    given = (getattr(body, kind) for body in level.bodies.values())
+    own = [coefficient(values) if coefficient else 0.0 for coefficient in given]
+    coefficients = np.outer(own, own)
+    for pair in effect.pairs:
+        a, b = (names.index(name) for name in pair.bodies)
+        coefficients[a, b] = coefficients[b, a] = pair.coefficient(values)
+    return coefficients
+
+
 def _sequence(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:
     """Take the bounces from pymunk's solver, and return the pairs' coefficients: (n, n).
 
@@ -337,14 +354,7 @@ def _sequence(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:
         shape.elasticity = 0.0
         if isinstance(shape, pymunk.Circle):
             shape.unsafe_set_radius(shape.radius + HAIR)
-    effect, names = level.effects.restitution, list(level.bodies)
-    assert effect is not None
-    own = [body.restitution(values) if body.restitution else 0.0 for body in level.bodies.values()]
-    coefficients = np.outer(own, own)
-    for pair in effect.pairs:
-        a, b = (names.index(name) for name in pair.bodies)
-        coefficients[a, b] = coefficients[b, a] = pair.coefficient(values)
-    return coefficients
+    return pair_coefficients(level, values, "restitution")
 
 
 def _pairs(space: pymunk.Space, level: Level, values: Values) -> int:

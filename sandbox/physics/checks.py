@@ -14,8 +14,9 @@ from sandbox.model.level import (
     Instant,
     LandingEvent,
 )
-from sandbox.physics.interpolation import crossing, value_at
+from sandbox.physics.interpolation import crossing, value_at, value_before
 from sandbox.physics.trace import Trace
+from sandbox.physics.world import Pair
 
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
@@ -127,11 +128,19 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
         first = 0 if trace.stepping.scheme == "leapfrog" else 1
         return (trace.t[first:], column[first:]) if len(trace.t) > first else None
     if isinstance(at, ContactEvent):
-        touched = trace.first_contacts.get(frozenset(at.bodies), len(trace.t))
-        after = slice(touched + 1, touched + 2)
-        return (trace.t[after], column[after]) if touched + 1 < len(trace.t) else None
+        return _after_contact(trace, column, frozenset(at.bodies))
     time = _time(trace, at)
     return None if time is None else (np.array([time]), np.array([value_at(trace.t, column, time)]))
+
+
+def _after_contact(trace: Trace, column: Array, pair: Pair) -> tuple[Array, Array] | None:
+    """Return when two bodies first touch and what is measured then: just after it if located."""
+    touched = trace.first_contacts.get(pair, len(trace.t))
+    time = trace.impact_times.get(pair)
+    if time is not None and touched + 3 < len(trace.t):
+        return np.array([time]), np.array([value_before(trace.t, column, time, touched)])
+    after = slice(touched + 1, touched + 2)
+    return (trace.t[after], column[after]) if time is None and touched + 1 < len(trace.t) else None
 
 
 def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:

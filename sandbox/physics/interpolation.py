@@ -23,6 +23,12 @@ def value_at(t: Array, samples: Array, at: float) -> float:
     return _Cubic(samples, end)(float(at - t[end]) / step)
 
 
+def value_before(t: Array, samples: Array, at: float, first: int) -> float:
+    """Return the value at a time shortly before four samples, the first of which is given [s]."""
+    end = first + 3
+    return _Cubic(samples, end)(float(at - t[end]) / float(t[end] - t[first]) * 3)
+
+
 def crossing(
     t: Array, samples: Array, level: float, direction: Literal["up", "down", "either"]
 ) -> float | None:

@@ -125,6 +125,10 @@ class Sequence:
         self._begun, self._pull = begins + jump, pull
         self._lasted = self._dt / 2 if start else self._dt
 
+    def shift(self, jump: Array) -> None:
+        """Take in how velocities jumped since the last kick, by impacts located in time: (n, 3)."""
+        self._begun = self._begun + jump
+
     def _exchange(
         self,
         contacts: Contacts,
@@ -148,7 +152,7 @@ class Sequence:
             near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
             points, parting, allowed = points.only(near), parting[near], allowed[near]
         gradient = points.over(len(place))
-        answer = self._answer(gradient)
+        answer = answers(gradient, self._agility, self._joints)
         a, b = points.bodies.T
         pile = _Pile(
             answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T,
@@ -162,17 +166,16 @@ class Sequence:
         np.add.at(impulse, a, pushes)
         np.add.at(impulse, b, pushes)
 
-    def _answer(self, gradient: Array) -> Array:
-        """Return how bodies, joints included, answer a unit impulse of each contact: (k, n, 3)."""
-        answer = gradient * self._agility
-        if not self._joints:
-            return answer
-        holds = self._joints.stiff().reshape(-1, self._agility.size)
-        held = holds * self._agility.reshape(-1)
-        flat = answer.reshape(len(answer), -1)
-        return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(
-            answer.shape
-        )
+
+def answers(gradient: Array, agility: Array, joints: ExactJoints | None) -> Array:
+    """Return how bodies, joints included, answer a unit impulse along each gradient: (k, n, 3)."""
+    answer = gradient * agility
+    if not joints:
+        return answer
+    holds = joints.stiff().reshape(-1, agility.size)
+    held = holds * agility.reshape(-1)
+    flat = answer.reshape(len(answer), -1)
+    return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(answer.shape)
 
 
 class _Points(NamedTuple):

@@ -19,9 +19,7 @@ from sandbox.model.quantities import quantity
 from sandbox.physics.ledger import Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.world import World, build
-
-Pair = frozenset[str]
+from sandbox.physics.world import Pair, World, build
 
 MANY = 1000
 """How many snapshots are kept before they are measured."""
@@ -43,6 +41,8 @@ class Trace:
         The quantities' units.
     first_contacts
         For each pair of bodies that touched, the index of the first instant at which it did.
+    impact_times
+        For those whose first impact was located, when it was [s]: before that instant.
     """
 
     level: Level
@@ -52,15 +52,18 @@ class Trace:
     columns: Mapping[str, Array]
     units: Mapping[str, str]
     first_contacts: Mapping[Pair, int]
+    impact_times: Mapping[Pair, float]
 
     def until(self, t: float) -> "Trace":
         """Return the part of the run up to a time [s]: to the first step not before it."""
         count = _steps(t, self.stepping.rate) + 1
+        first_contacts = {pair: i for pair, i in self.first_contacts.items() if i < count}
         return replace(
             self,
             t=self.t[:count],
             columns={name: column[:count] for name, column in self.columns.items()},
-            first_contacts={pair: i for pair, i in self.first_contacts.items() if i < count},
+            first_contacts=first_contacts,
+            impact_times={p: t for p, t in self.impact_times.items() if p in first_contacts},
         )
 
 
@@ -81,6 +84,7 @@ class Recorder:
         self._count = 0
         self._contacts: dict[Pair, int] = {}
         self._touched: set[int] = set()  # the same pairs, as numbers
+        self._impacts: dict[Pair, float] = {}
         self.note()
 
     def __len__(self) -> int:
@@ -88,6 +92,9 @@ class Recorder:
 
     def note(self) -> None:
         """Note the world's last observed state."""
+        for pair, time in self._world.impacts:
+            if pair not in self._contacts:
+                self._impacts.setdefault(pair, time)
         a, b = self._world.contacts.bodies.T
         touching = set((a * len(self._names) + b).tolist())
         for key in touching - self._touched:
@@ -131,7 +138,16 @@ class Recorder:
         quantities = {**self._meter.quantities, **self._booked}
         units = {name: found.unit for name, found in quantities.items()}
         world = self._world
-        return Trace(world.level, world.values, world.stepping, t, columns, units, self._contacts)
+        return Trace(
+            world.level,
+            world.values,
+            world.stepping,
+            t,
+            columns,
+            units,
+            self._contacts,
+            self._impacts,
+        )
 
 
 def simulate(

@@ -22,11 +22,14 @@ from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
 from sandbox.physics.hand import Hand
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
+from sandbox.physics.located import Located, locate
 from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.watchdog import Watchdog
+
+Pair = frozenset[str]
 
 MAX_KICKS = 500
 """How often the first kick is repeated while contacts and strings come to terms."""
@@ -104,6 +107,7 @@ class World:
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
         self._sequence = self._make_sequence()
+        self._located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
@@ -121,6 +125,15 @@ class World:
         return self._sequence.last.jump if self._sequence else None
 
     @property
+    def impacts(self) -> list[tuple[Pair, float]]:
+        """Who hit whom between the last two steps, and when [s], where that is located."""
+        if not self._located:
+            return []
+        names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
+        located = self._located.impacts
+        return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
+
+    @property
     def hooks(self) -> int:
         """How many Python callbacks a step makes, if each pair that needs any has one contact."""
         return (self._hook.count if self._hook else 0) + self.scene.pair_callbacks
@@ -135,6 +148,8 @@ class World:
         """
         if self._early:
             self._apply_forces()
+        if self._located:
+            self._cut(self._located)
         self._space.step(self.dt)
         self.steps += 1
         if self._hook and self._hook.error:
@@ -182,6 +197,17 @@ class World:
         if dynamic is None or not (before or after):
             return None
         return Hook(self._space, dynamic, before, after)
+
+    def _cut(self, located: Located) -> None:
+        """Let what would touch in the coming drift collide there."""
+        try:
+            jump = located.cut(self._smooth, self._sequence.last.jump if self._sequence else 0.0)
+        except EndlessImpacts as error:
+            self._fail(error)
+        if jump is not None:
+            self._older = self._older + jump
+            if self._sequence:
+                self._sequence.shift(jump)
 
     def _collide(self) -> None:
         """Let one impact come after the other, if that is how the level wants them."""
@@ -249,6 +275,8 @@ class World:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
                 self._batch.set_velocity(after)
+        if self._located:
+            self._located.begin(acceleration)
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
         if self._guesses:
@@ -293,6 +321,8 @@ class World:
         state = self._batch.state()
         after = state[:, 3:]
         self._seen = self.steps, after
+        if self._located:
+            before = self._located.begun
         contacts = self._read_contacts()
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
@@ -307,6 +337,8 @@ class World:
                 hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
+        if self._located:
+            contacts = self._located.contacts().and_(contacts)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
         try:
             self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)

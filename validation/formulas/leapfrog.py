@@ -55,14 +55,3 @@ def turning_error(r: float, share: float, mu: float, dt: float) -> float:
     It turns at −μ / E: the loss of energy over |E| = (1 − f²) μ / r; 0 ≤ f < 1.
     """
     return escape_energy_error(r, share, mu, dt) / ((1 - share**2) * mu / r)
-
-
-def rebound_height_error(height: float, e: float, g: float, dt: float) -> float:
-    """Return by how much a ball's height after its first bounce can be off, of the right height.
-
-    The impact at the speed v = √(2 g h) is found up to dt late, δ ≤ v dt below the ground. From
-    there a speed of v² + 2 g δ is turned round and scaled, and the ball comes e² δ − δ less high.
-    And it is the speed half a step before the impact that is scaled: e (1 − e) g dt v / (2 g) more.
-    """
-    late = float((2 * g * height) ** 0.5) * dt
-    return max((1 - e**2) * late, e * (1 - e) * late / 2) / (e**2 * height)

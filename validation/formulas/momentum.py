@@ -72,6 +72,11 @@ def rebound_speed(height: float, e: float, g: float) -> float:
     return e * float(np.sqrt(2 * g * height))
 
 
+def fall_time(height: float, g: float) -> float:
+    """Return how long a ball falls [s]; g > 0."""
+    return float(np.sqrt(2 * height / g))
+
+
 def rebound_time(height: float, e: float, g: float) -> float:
     """Return when it is at the top after the bounce [s].
 

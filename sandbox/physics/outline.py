@@ -1,0 +1,174 @@
+"""The outlines of shapes, how far they are from each other, and where they would touch.
+
+To pymunk a disc is a point with a radius, a wall two points with a radius, a polygon its corners
+with a very small one. So the distance of two shapes is that of two cores, points of the plane (here
+complex numbers) joined by straight edges, less two radii.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import pymunk
+
+FLUSH = 1e-10
+"""m, by which the two ends of a side may differ in distance and both touch."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """A shape, in the axes of its body.
+
+    Attributes
+    ----------
+    body
+        The body's index.
+    corners
+        Of the core, counter-clockwise [m].
+    radius
+        [m].
+    reach
+        How far the core is from the centre of the body at the most [m].
+    group
+        Shapes of the same one do not touch, unless it is 0.
+    ways
+        From the ends of a line to where it goes on; 0 where it ends.
+    """
+
+    body: int
+    corners: tuple[complex, ...]
+    radius: float
+    reach: float
+    group: int = 0
+    ways: tuple[complex, complex] = (0j, 0j)
+
+
+class Gap(NamedTuple):
+    """Between two shapes.
+
+    Attributes
+    ----------
+    distance
+        Negative where they overlap [m].
+    normal
+        The unit vector from the first to the second.
+    points
+        Where they touch if they do, one or the two ends of a side, on the first one's core [m].
+    """
+
+    distance: float
+    normal: complex
+    points: tuple[complex, ...]
+
+
+def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
+    """Return the outlines of all shapes, in an order that does not depend on memory addresses."""
+    found = [_outline(shape, row, body) for row, body in enumerate(bodies) for shape in body.shapes]
+    return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners]))
+
+
+def _outline(shape: pymunk.Shape, row: int, body: pymunk.Body) -> Outline:
+    group = shape.filter.group
+    match shape:
+        case pymunk.Circle():
+            center = complex(*shape.offset)
+            return Outline(row, (center,), shape.radius, abs(center), group)
+        case pymunk.Segment():
+            others = [s for s in body.shapes if s is not shape and isinstance(s, pymunk.Segment)]
+            lines = [(complex(*line.a), complex(*line.b)) for line in others]
+            a, b = complex(*shape.a), complex(*shape.b)
+            ways = _goes_on(a, lines), _goes_on(b, lines)
+            return Outline(row, (a, b), shape.radius, max(abs(a), abs(b)), group, ways)
+        case pymunk.Poly():
+            corners = tuple(dict.fromkeys(complex(*corner) for corner in shape.get_vertices()))
+            return Outline(row, corners, shape.radius, max(map(abs, corners)), group)
+    raise TypeError(f"no outline of a {type(shape).__name__}")
+
+
+def _goes_on(end: complex, lines: Sequence[tuple[complex, complex]]) -> complex:
+    """Return the way from an end of a line to where another goes on from there."""
+    for a, b in lines:
+        if end in (a, b):
+            return (b if end == a else a) - end
+    return 0j
+
+
+class _Near(NamedTuple):
+    """A corner of one core and the nearest point of an edge of another."""
+
+    distance: float
+    normal: complex  # from the first core to the second
+    point: complex  # on the first core
+
+
+def gap(one: Sequence[complex], other: Sequence[complex], radii: float) -> Gap:
+    """Return the gap between two cores, placed in the plane, thickened by two radii [m]."""
+    overlap = _overlap(one, other)
+    if overlap:
+        return Gap(overlap.distance - radii, overlap.normal, (overlap.point,))
+    near = [*_nearest(one, other)]
+    near += [_Near(d, -n, p + n * d) for d, n, p in _nearest(other, one)]
+    best = min(near, key=lambda n: n.distance)
+    side = best.normal * 1j
+    touch = [best.point]
+    for distance, normal, point in near:
+        if distance <= best.distance + FLUSH and dot(normal, best.normal) > 1 - FLUSH:
+            touch.append(point)
+    ends = min(touch, key=lambda p: dot(p, side)), max(touch, key=lambda p: dot(p, side))
+    points = ends if abs(ends[1] - ends[0]) > FLUSH else (best.point,)
+    return Gap(best.distance - radii, best.normal, points)
+
+
+def dot(a: complex, b: complex) -> float:
+    """Return the scalar product of two vectors."""
+    return a.real * b.real + a.imag * b.imag
+
+
+def _edges(core: Sequence[complex]) -> Iterator[tuple[complex, complex]]:
+    """Yield the edges of a core; a line has two, there and back, a point has none."""
+    for i in range(len(core) if len(core) > 1 else 0):
+        yield core[i - 1], core[i]
+
+
+def _nearest(one: Sequence[complex], other: Sequence[complex]) -> Iterator[_Near]:
+    """Yield for every corner of one core how near each edge of the other is.
+
+    Beside an edge the normal is the edge's own, which stays right however near they are.
+    """
+    for p in one:
+        if len(other) == 1:
+            yield _to_point(p, other[0])
+        for a, b in _edges(other):
+            along = b - a
+            share = dot(p - a, along)
+            if 0 < share < dot(along, along):
+                out = -1j * along / abs(along)
+                high = dot(p - a, out)
+                yield _Near(abs(high), -out if high > 0 else out, p)
+            else:
+                yield _to_point(p, a if share <= 0 else b)
+
+
+def _to_point(p: complex, q: complex) -> _Near:
+    distance = abs(q - p)
+    return _Near(distance, (q - p) / distance if distance else 1j, p)
+
+
+def _overlap(one: Sequence[complex], other: Sequence[complex]) -> _Near | None:
+    """Return the least overlap of two cores along the normal of an edge; None if they are apart.
+
+    Lines and points overlap with polygons only.
+    """
+    if len(one) < 3 > len(other):
+        return None
+    least: _Near | None = None
+    for core, against, sign in ((one, other, 1), (other, one, -1)):
+        for a, b in _edges(core):
+            out = -1j * (b - a) / abs(b - a)
+            deepest = min(against, key=lambda p, out=out: dot(p, out))  # type: ignore[misc]
+            distance = dot(deepest - a, out)
+            if distance > 0:
+                return None
+            if least is None or distance > least.distance:
+                least = _Near(distance, sign * out, deepest)
+    return least

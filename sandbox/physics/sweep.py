@@ -1,0 +1,196 @@
+"""When two outlines on parabolas touch, found by conservative advancement.
+
+No corner can cross the gap between two convex outlines, as it is seen along its normal, before a
+bound on its motion does. So time goes on to that bound, the gap is looked at again, and so on until
+they touch: never too late, and with the speed of Newton's method (B. V. Mirtich: Impulse-based
+Dynamic Simulation, 1996; E. Catto: Continuous Collision, GDC 2013).
+"""
+
+from cmath import rect
+from collections.abc import Sequence
+from math import inf, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Booleans
+from sandbox.physics.outline import FLUSH, Outline, dot, gap
+
+TOUCH = -1e-9
+"""m, the gap of shapes that touch: flat ones stand proud by as much, and what comes to rest must
+be in contact, whatever the last digit says."""
+
+CLOSE = 1e-12
+"""m, how exactly that is met; at a distance from the origin this share of it, if that is more:"""
+FAR = 1e-15
+
+TRIES = 200
+"""How often two outlines are advanced towards each other in a step."""
+
+ROUNDING = 1e-12
+"""An approach slower than this share of the speeds that it is the difference of is none."""
+
+
+class Hit(NamedTuple):
+    """Two bodies that are about to touch.
+
+    Attributes
+    ----------
+    time
+        Since the step before [s].
+    bodies
+        Their indices.
+    normal
+        The unit vector from the first to the second.
+    points
+        Where they touch, in the plane [m].
+    """
+
+    time: float
+    bodies: tuple[int, int]
+    normal: complex
+    points: tuple[complex, ...]
+
+
+class Path:
+    """Where n bodies are between two kicks: each on a parabola since its last impact.
+
+    Attributes
+    ----------
+    since
+        (n,), when that was [s].
+    place, velocity
+        (n, 3), x, y and angle then, and their rates [m, rad, m/s, rad/s].
+    pull
+        (n, 3), their accelerations [m/s², rad/s²].
+    struck
+        (n,), which had an impact.
+    """
+
+    def __init__(self, place: Array, velocity: Array, pull: Array) -> None:
+        self.place, self.velocity, self.pull = place.copy(), velocity.copy(), pull.copy()
+        self.since = np.zeros(len(place))
+        self.struck = np.zeros(len(place), dtype=bool)
+
+    def at(self, t: float) -> tuple[Array, Array]:
+        """Return places and velocities at a time."""
+        lasted = (t - self.since)[:, None]
+        velocity = self.velocity + self.pull * lasted
+        return self.place + (self.velocity + velocity) * (lasted / 2), velocity
+
+    def turn(self, t: float, jump: Array, struck: Booleans) -> None:
+        """Add to the velocities of those bodies that are struck at a time."""
+        place, velocity = self.at(t)
+        self.place[struck] = place[struck]
+        self.velocity[struck] = (velocity + jump)[struck]
+        self.since[struck] = t
+        self.struck |= struck
+
+
+class _Motion:
+    """A body at a time on its path, as complex numbers."""
+
+    def __init__(self, path: Path, body: int, t: float) -> None:
+        lasted = t - float(path.since[body])
+        x, y, angle = path.place[body].tolist()
+        vx, vy, spin = path.velocity[body].tolist()
+        ax, ay, self.twist = path.pull[body].tolist()
+        self.pull = complex(ax, ay)
+        self.velocity = complex(vx, vy) + self.pull * lasted
+        self.spin = spin + self.twist * lasted
+        self.place = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
+        self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
+
+    def put(self, corners: Sequence[complex]) -> list[complex]:
+        """Return where points of the body are."""
+        return [self.place + self.turned * corner for corner in corners]
+
+    def speed(self, point: complex) -> complex:
+        """Return the velocity of the body at a point of the plane."""
+        return self.velocity + 1j * self.spin * (point - self.place)
+
+    def bend(self, reach: float, dt: float) -> float:
+        """Return a bound on the acceleration, by its turning, of what is within its reach."""
+        fastest = abs(self.spin) + abs(self.twist) * dt
+        return reach * (fastest * fastest + abs(self.twist))
+
+
+def meet(
+    path: Path, one: Outline, other: Outline, since: float, until: float, adds: Array
+) -> Hit | None:
+    """Return when two shapes touch that approach each other, None if they do not.
+
+    Shapes that touch from the beginning, and do so with no more speed than their pull gives them in
+    a step, rest on each other: that is for pymunk to solve.
+
+    Parameters
+    ----------
+    path
+        Where their bodies are.
+    since, until
+        The times between which they may [s].
+    adds
+        (n, 3), what gravity and laws add to the velocities in a step [m/s, rad/s].
+    """
+    t = since
+    pulled = complex(*(adds[other.body] - adds[one.body])[:2].tolist())
+    for _ in range(TRIES):
+        here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+        cores = here.put(one.corners), there.put(other.corners)
+        found = gap(*cores, one.radius + other.radius)
+        n = found.normal
+        if found.distance <= TOUCH + max(CLOSE, FAR * abs(here.place), FAR * abs(there.place)):
+            if _passes(one, cores, n) or _passes(other, cores[::-1], -n):
+                return None
+            points = tuple(p + n * one.radius for p in found.points)
+            parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
+            allowed = ROUNDING * max(abs(here.velocity), abs(there.velocity))
+            if t == since:
+                allowed += abs(dot(n, pulled))
+            if parting < -allowed:
+                return Hit(t, (one.body, other.body), n, points)
+            if parting <= allowed:
+                return None
+        bend = here.bend(one.reach, until) + there.bend(other.reach, until)
+        curve = dot(n, there.pull - here.pull) - bend
+        t += min(
+            _crossing(
+                dot(n, q - p) - one.radius - other.radius,
+                dot(n, there.speed(q) - here.speed(p)),
+                curve,
+            )
+            for p in cores[0]
+            for q in cores[1]
+        )
+        if t > until:
+            return None
+    return None
+
+
+def _crossing(height: float, rate: float, curve: float) -> float:
+    """Return when height + rate t + curve t² / 2 falls to `TOUCH`, or, if it is there, returns."""
+    above = max(height - TOUCH, 0.0)
+    square = rate * rate - 2 * curve * above
+    if square < 0:
+        return inf
+    if rate > 0:
+        return (-rate - sqrt(square)) / curve if curve < 0 else inf
+    falls = sqrt(square) - rate
+    return 2 * above / falls if falls > 0 else inf
+
+
+def _passes(line: Outline, cores: tuple[Sequence[complex], ...], normal: complex) -> bool:
+    """Return whether a disc touches the end of a line on the side where the next goes on.
+
+    There, the next is what it touches: no ball trips where lines join. As pymunk has it.
+    """
+    if not any(line.ways) or len(cores[1]) > 1:
+        return False
+    (a, b), center = cores[0], cores[1][0]
+    ahead = (b - a) / (line.corners[1] - line.corners[0])  # how the line is turned
+    for end, way in zip((a, b), line.ways, strict=True):
+        reached = abs(abs(center - end) - abs(dot(normal, center - end))) <= FLUSH
+        if way and reached and dot(-normal, way * ahead) < 0:
+            return True
+    return False

@@ -1,0 +1,348 @@
+"""Impacts located in time: bullets, bounces at their own time, and what they keep."""
+
+from math import sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.trace import simulate
+from sandbox.physics.world import World, build
+from tests.physics.scenes import (
+    GRAVITY,
+    G,
+    Spec,
+    box,
+    disc,
+    fixed,
+    floor,
+    level,
+    measured,
+    run,
+    worst,
+)
+
+
+def located(*names: str, **rest: object) -> Spec:
+    return {"contact": {"located": names}, "restitution": {}, **rest}
+
+
+def kinetic(world: World, flight: Snapshot) -> Array:
+    scene = world.scene
+    linear = np.sum(scene.mass * np.sum(flight.velocity**2, axis=-1), axis=-1)
+    return np.asarray((linear + np.sum(scene.moment * flight.angular_velocity**2, axis=-1)) / 2)
+
+
+def bouncing(e: float, rate: float, effects: Spec) -> Level:
+    """A ball that falls 3 m."""
+    return level(
+        {"ball": disc((0, 3.2), radius=0.2, restitution=e), "floor": floor(restitution=1)},
+        {**GRAVITY, **effects},
+        stepping={"rate": rate},
+    )
+
+
+def height(t: float, e: float) -> float:
+    """Return how high a ball is that fell 3 m, and bounced as often as it could [m]."""
+    speed, fall = sqrt(2 * G * 3), sqrt(2 * 3 / G)
+    if t < fall:
+        return 3 - G * t * t / 2
+    t -= fall
+    while (speed := e * speed) > 1e-9:
+        if t < 2 * speed / G:
+            return speed * t - G * t * t / 2
+        t -= 2 * speed / G
+    return 0.0
+
+
+@pytest.mark.parametrize("rate", [60, 240])
+@pytest.mark.parametrize("e", [0, 0.3, 0.8, 1])
+def test_a_bouncing_ball_is_where_the_textbook_has_it(rate: int, e: float) -> None:
+    flight = run(build(bouncing(e, rate, located("ball"))), 3 * rate)
+    expected = np.array([height(t, e) for t in flight.t])
+
+    last = (G / rate / 2) ** 2 / 2 / G  # m, a bounce that a step does not see is none
+    bound = last if e < 0.5 else 1e-12
+    assert np.abs(flight.position[:, 0, 1] - 0.2 - expected).max() <= bound  # 2e-14 of 3 m
+
+
+def test_without_locating_its_bounce_is_late() -> None:
+    """The check above can fail."""
+    flight = run(build(bouncing(0.8, 240, {"contact": {}, "restitution": {}})), 720)
+    expected = np.array([height(t, 0.8) for t in flight.t])
+
+    assert np.abs(flight.position[:, 0, 1] - 0.2 - expected).max() > 1e-2
+
+
+def test_a_ball_that_hardly_bounces_any_more_rests() -> None:
+    flight = run(build(bouncing(0.8, 240, located("ball"))), 10 * 240)
+
+    assert np.abs(flight.position[-240:, 0, 1] - 0.2).max() <= 1e-8
+    assert np.abs(flight.velocity[-240:, 0]).max() <= 1e-12
+    assert worst(flight.normal[-240:, 0], G) <= 1e-9
+
+
+def test_forty_nine_elastic_balls_keep_their_energy() -> None:
+    """SimBenchmark's "bouncing": the mean of (E − E0)² is 1.9e-2 J² with the best published."""
+    balls = {f"ball{i}": disc((0.5 * i, 5), radius=0.1, mass=10, restitution=1) for i in range(49)}
+    scene = level(
+        {**balls, "floor": floor(restitution=1)},
+        {**GRAVITY, **located(*balls)},
+        stepping={"rate": 1000},
+    )
+    energy = measured(build(scene), 2500, "system.energy")["system.energy"]
+
+    assert np.mean((energy - 49 * 10 * G * 5) ** 2) <= 1e-15  # 1e-20
+
+
+@pytest.mark.parametrize("shape", ["disc", "box"])
+@pytest.mark.parametrize("speed", [10.0, 1e3, 1e6])
+def test_no_bullet_passes_a_thin_wall(shape: str, speed: float) -> None:
+    """At the most it goes 1.7 million times its own size in a step."""
+    rest: Spec = {"velocity": [speed, 0.3 * speed], "angular_velocity": 3, "restitution": 0.5}
+    bullet = disc((-1.04, 0), radius=0.005, **rest)
+    if shape == "box":
+        bullet = box((-1.04, 0), size=(0.01, 0.01), **rest)
+    wall = fixed({"type": "box", "width": 0.001, "height": 1e8}, restitution=1)
+    scene = {"bullet": bullet, "wall": wall}
+    flight = run(build(level(scene, {**located("bullet"), "rotation": {}})), 60)
+
+    assert flight.position[:, 0, 0].max() < 0
+    assert flight.velocity[-1, 0, 0] < -0.3 * speed
+    naive = run(build(level(scene, {**located("bullet"), "rotation": {}, "contact": {}})), 60)
+    assert naive.position[-1, 0, 0] > 1, "pymunk alone does not see the wall"
+
+
+def room() -> Spec:
+    """Walls around 4 m x 3 m."""
+    corners = [[0, 0], [4, 0], [4, 3], [0, 3]]
+    return {
+        f"wall{i}": fixed({"type": "segment", "start": corners[i - 1], "end": a}, restitution=1)
+        for i, a in enumerate(corners)
+    }
+
+
+@st.composite
+def crowds(draw: st.DrawFn) -> Spec:
+    """Discs and boxes thrown about in a room, up to half of it a step."""
+    bodies: Spec = {}
+    for i in range(draw(st.integers(1, 8))):
+        place = (0.5 + i % 4, 0.5 + i // 4)
+        speed = 10 ** draw(st.floats(-1, 2))
+        direction = draw(st.floats(0, 6.3))
+        rest: Spec = {
+            "mass": 10 ** draw(st.floats(-1, 1)),
+            "velocity": [speed * np.cos(direction), speed * np.sin(direction)],
+            "angular_velocity": draw(st.floats(-20, 20)),
+            "restitution": 1,
+        }
+        made = disc(place, radius=0.15, **rest)
+        bodies[f"body{i}"] = made if draw(st.booleans()) else box(place, size=(0.2, 0.3), **rest)
+    return bodies
+
+
+@settings(max_examples=25, deadline=None)
+@given(crowds())
+def test_elastic_bodies_keep_their_energy_and_stay_in_their_room(bodies: Spec) -> None:
+    scene = level({**bodies, **room()}, {**located(*bodies), "rotation": {}})
+    world = build(scene)
+    flight = run(world, 30)
+    energy, inside = kinetic(world, flight), flight.position[:, : len(bodies)]
+
+    assert worst(energy, energy[0]) <= 1e-10  # 3e-14
+    assert inside.min() > 0
+    assert (inside < [4, 3]).all()
+
+
+def test_an_impact_keeps_momentum_and_angular_momentum() -> None:
+    """A bullet hits a board at its rim, and friction and e < 1 take what they may."""
+    rest: Spec = {"restitution": 0.5, "friction": 0.5}
+    bodies = {
+        "bullet": disc((-2, 0.4), radius=0.01, mass=0.1, velocity=[200, -13], **rest),
+        "board": box(size=(0.05, 1), mass=2, angle=0.3, **rest),
+    }
+    scene = level(bodies, {**located("bullet"), "rotation": {}, "friction": {}})
+    found = measured(
+        build(scene),
+        60,
+        "system.momentum.x",
+        "system.momentum.y",
+        "system.angular_momentum",
+        "board.angular_velocity",
+        "system.energy",
+    )
+
+    assert worst(found["system.momentum.x"], 20) <= 1e-14
+    assert worst(found["system.momentum.y"], -1.3) <= 1e-13
+    assert worst(found["system.angular_momentum"], found["system.angular_momentum"][0]) <= 1e-12
+    assert np.abs(found["board.angular_velocity"][-1]) > 1
+    assert found["system.energy"][-1] < found["system.energy"][0]
+
+
+@pytest.mark.parametrize(("mu", "slows", "turns"), [(1.0, 2 / 3, -2 / 3), (0.05, None, None)])
+def test_a_disc_that_rubs_as_it_bounces_is_turned(
+    mu: float, slows: float | None, turns: float | None
+) -> None:
+    """It rolls off where friction holds it; else friction takes mu times what the floor gave."""
+    rest: Spec = {"restitution": 0.9, "friction": mu}
+    bodies = {
+        "ball": disc((0, 1.1), radius=0.1, velocity=[2, 0], **rest),
+        "floor": floor(restitution=1, friction=1),
+    }
+    scene = level(bodies, {**GRAVITY, **located("ball"), "rotation": {}, "friction": {}})
+    end = build(scene).advance(40)
+    push = 1.9 * sqrt(2 * G * 1.0)
+    velocity = 2 * slows if slows else 2 - mu * push
+    spin = 2 * turns / 0.1 if turns else -mu * push * 0.1 / (0.01 / 2)
+
+    assert end.velocity[0, 0] == pytest.approx(velocity, rel=1e-12)
+    assert end.angular_velocity[0] == pytest.approx(spin, rel=1e-12)
+
+
+def test_a_box_that_lands_flat_does_not_turn() -> None:
+    bodies = {"box": box((0, 2), size=(1, 0.5), restitution=0.8), "floor": floor(restitution=1)}
+    flight = run(build(level(bodies, {**GRAVITY, **located("box"), "rotation": {}})), 60)
+
+    assert np.abs(flight.angular_velocity).max() <= 1e-12
+    assert flight.velocity[:, 0, 1].max() > 1
+
+
+def test_a_ball_that_rolls_does_not_trip_where_lines_join() -> None:
+    points = [[0.1 * i, 0] for i in range(90)]
+    rest: Spec = {"restitution": 0.5, "friction": 1}
+    bodies = {
+        "ball": disc((0.33, 0.1), radius=0.1, velocity=[3, 0], angular_velocity=-30, **rest),
+        "floor": fixed({"type": "polyline", "points": points}, **rest),
+    }
+    effects = {**GRAVITY, **located("ball"), "rotation": {}, "friction": {}}
+    roll = run(build(level(bodies, effects)), 120)
+
+    assert worst(roll.velocity[:, 0, 0], 3) <= 1e-12
+    assert np.abs(roll.velocity[:, 0, 1]).max() <= 1e-12
+
+
+def test_a_ball_on_a_spring_bounces_to_second_order() -> None:
+    def end(rate: float) -> float:
+        spring = {"type": "spring", "ends": [[0, 3], "ball"], "stiffness": 30, "length": 2.9}
+        scene = level(
+            {
+                "ball": disc((0, 0.3), radius=0.1, velocity=[0, -3], restitution=0.7),
+                "floor": floor(-0.1, restitution=1),
+            },
+            located("ball"),
+            joints={"spring": spring},
+            stepping={"rate": rate},
+        )
+        return float(build(scene).advance(round(rate / 4)).position[0, 1])
+
+    right = end(7680)
+    errors = [abs(end(rate) - right) for rate in (240, 960)]
+    assert errors[1] <= 1e-5  # 4e-6
+    assert errors[0] / errors[1] > 12, "16 for second order"
+
+
+@pytest.mark.parametrize("names", [["ball0"], [f"ball{i}" for i in range(5)]])
+def test_a_row_that_touches_passes_the_shot_on(names: list[str]) -> None:
+    """Whether the row's own impacts are located, or left to the sequence at the next step."""
+    balls = {
+        f"ball{i}": disc(
+            (0.2 * i - 0.35 * (i == 0), 0),
+            radius=0.1,
+            velocity=[2.0 * (i == 0), 0],
+            restitution=1,
+        )
+        for i in range(5)
+    }
+    effects = {**located(*names), "restitution": {"impacts": "sequence"}}
+    end = build(level(balls, effects)).advance(60)
+
+    assert np.abs(end.velocity[:, 0] - [0, 0, 0, 0, 2]).max() <= 1e-12
+
+
+@pytest.mark.parametrize("rate", [240, 960])
+def test_a_bullet_swings_the_block_that_it_hits(rate: int) -> None:
+    """m v = (m + M) u, though the block hangs on a rod."""
+    bodies = {
+        "bullet": disc((-1, 0), radius=0.01, mass=0.01, velocity=[300, 0]),
+        "block": box(size=(0.3, 0.3), mass=2, restitution=0),
+    }
+    bodies["bullet"]["restitution"] = 0
+    rod = {"type": "rod", "ends": [[0, 2], "block"]}
+    scene = level(
+        bodies, {**GRAVITY, **located("bullet")}, joints={"rod": rod}, stepping={"rate": rate}
+    )
+    found = measured(build(scene), rate // 50, "block.velocity.x", "rod.length")
+
+    assert found["block.velocity.x"][-1] == pytest.approx(3 / 2.01, rel=3e-3)
+    assert worst(found["rod.length"], 2) <= 1e-6 * (240 / rate) ** 2
+
+
+def test_a_run_is_the_same_every_time() -> None:
+    random = np.random.default_rng(3)
+    balls = {
+        f"ball{i}": disc(
+            (0.5 + 0.4 * (i % 7), 0.5 + 0.4 * (i // 7)),
+            radius=0.1,
+            velocity=random.normal(size=2).tolist(),
+            restitution=0.9,
+        )
+        for i in range(20)
+    }
+    scene = level({**balls, **room()}, {**GRAVITY, **located(*balls)})
+    first, second = (run(build(scene), 120) for _ in range(2))
+
+    assert (first.position == second.position).all()
+    assert (first.velocity == second.velocity).all()
+
+
+def test_the_contact_is_known_though_no_step_sees_it() -> None:
+    world = build(bouncing(1, 60, located("ball")))
+    steps = int(sqrt(2 * 3 / G) * 60) + 1
+    flight = run(world, steps)
+
+    assert world.contacts.bodies.tolist() == [[0, 1]]
+    assert flight.normal[-1, 0] == pytest.approx(2 * sqrt(2 * G * 3) * 60, rel=1e-12)
+    assert worst(flight.acceleration[:, 0, 1], -G) <= 1e-10, "an impact is no acceleration"
+    ((pair, time),) = world.impacts
+    assert pair == {"ball", "floor"}
+    assert time == pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
+
+
+def test_a_run_knows_when_bodies_first_met() -> None:
+    trace = simulate(bouncing(0.5, 60, located("ball")), duration=1, record=["t"])
+
+    assert trace.impact_times == {
+        frozenset(("ball", "floor")): pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
+    }
+    assert trace.until(0.5).impact_times == {}
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [(["bal"], "unknown body 'bal'"), (["floor"], "is static"), (["ball", "ball"], "named twice")],
+)
+def test_what_cannot_be_located_is_refused(names: list[str], said: str) -> None:
+    with pytest.raises(LevelError, match=said):
+        bouncing(1, 60, located(*names))
+
+
+def test_what_is_welded_does_not_hit_itself() -> None:
+    bodies = {"left": disc((-0.4, 0), restitution=1), "right": disc((0.4, 0), restitution=1)}
+    weld = {"type": "weld", "ends": ["left", "right"]}
+    effects = {**GRAVITY, **located("left", "right"), "rotation": {}}
+    fall = run(build(level(bodies, effects, joints={"weld": weld})), 60)
+
+    assert worst(fall.velocity[:, 0, 1], -G * fall.t) <= 1e-12
+    assert (fall.normal == 0).all()
+
+
+def test_what_sticks_is_not_located() -> None:
+    bodies = {"ball": disc((0, 2), restitution=1), "floor": floor(restitution=1)}
+    sticking = {"pairs": [{"bodies": ["ball", "floor"]}]}
+    with pytest.raises(LevelError, match="'ball' sticks at its first touch"):
+        level(bodies, {**located("ball"), "sticking": sticking})
