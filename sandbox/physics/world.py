@@ -34,6 +34,15 @@ Pair = frozenset[str]
 MAX_KICKS = 500
 """How often the first kick is repeated while contacts and strings come to terms."""
 
+PATIENCE = 50
+"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
+
+UNSETTLED = 1000
+"""How many times the rounding velocities must still change for that."""
+
+MAX_SWEEPS = 5000
+"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
+
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
     """Make the world of a level.
@@ -304,17 +313,23 @@ class World:
         velocities, each time from the impulses found before, until nothing changes any more.
         """
         self._joints.time(kick, self.dt)
+        swept = self._space.iterations
         close = 1e-15 * kick * np.abs(self._smooth).max(initial=0.0)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
-        for _ in range(MAX_KICKS if self.level.effects.contact else 1):
+        for count in range(MAX_KICKS if self.level.effects.contact else 1):
             previous = after
             self._batch.set_velocity(start)
             self._space.step(kick)
             if self._hook and self._hook.error:
                 self._fail(self._hook.error)
             after = self._batch.velocity()
-            if np.abs(after - previous).max(initial=0.0) <= close:
+            change = np.abs(after - previous).max(initial=0.0)
+            if change <= close:
                 break
+            if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
+                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
+                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
+        self._space.iterations = swept
         return after
 
     def _observe(self, before: Array) -> Snapshot:
