@@ -82,15 +82,11 @@ class Contacts(NamedTuple):
         """Return these contacts and others."""
         if not len(self.bodies):
             return others
-        return Contacts(
-            np.concatenate((self.bodies, others.bodies)),
-            np.concatenate((self.first, others.first)),
-            np.concatenate((self.direction, others.direction)),
-            np.concatenate((self.normal, others.normal)),
-            np.concatenate((self.friction, others.friction)),
-            np.concatenate((self.touches, others.touches)),
-            np.concatenate((self.points, others.points)),
-        )
+        return Contacts._make(map(np.concatenate, zip(self, others, strict=True)))
+
+    def after(self, count: int) -> "Contacts":
+        """Return all but the first."""
+        return Contacts._make(field[count:] for field in self) if count else self
 
 
 NO_CONTACTS = Contacts(

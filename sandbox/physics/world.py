@@ -85,6 +85,8 @@ class World:
         What takes hold of bodies.
     kick
         What the force laws saw in the last kick; None if there are none, or before it.
+    located
+        Finds the impacts that are located in time; None if none are.
     disturbed
         Whether a hand has touched the scene, so that no formula for it holds any more.
     """
@@ -116,7 +118,7 @@ class World:
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
         self._sequence = self._make_sequence()
-        self._located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
+        self.located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
@@ -136,10 +138,10 @@ class World:
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
         """Who hit whom between the last two steps, and when [s], where that is located."""
-        if not self._located:
+        if not self.located:
             return []
         names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
-        located = self._located.impacts
+        located = self.located.impacts
         return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
 
     @property
@@ -157,8 +159,8 @@ class World:
         """
         if self._early:
             self._apply_forces()
-        if self._located:
-            self._cut(self._located)
+        if self.located:
+            self._cut(self.located)
         self._space.step(self.dt)
         self.steps += 1
         if self._hook and self._hook.error:
@@ -284,8 +286,8 @@ class World:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
                 self._batch.set_velocity(after)
-        if self._located:
-            self._located.begin(acceleration)
+        if self.located:
+            self.located.begin(acceleration)
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
         if self._guesses:
@@ -336,8 +338,8 @@ class World:
         state = self._batch.state()
         after = state[:, 3:]
         self._seen = self.steps, after
-        if self._located:
-            before = self._located.begun
+        if self.located:
+            before = self.located.begun
         contacts = self._read_contacts()
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
@@ -352,8 +354,8 @@ class World:
                 hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
-        if self._located:
-            contacts = self._located.contacts().and_(contacts)
+        if self.located:
+            contacts = self.located.contacts().and_(contacts)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
         try:
             self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)
