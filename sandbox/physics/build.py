@@ -33,8 +33,8 @@ from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.convex import convex_parts, twice_area
 from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
-from sandbox.physics.limits import smallest
 from sandbox.physics.massflow import Share, mass_share
+from sandbox.physics.outline import smallest
 from sandbox.physics.solids import Touches
 from sandbox.physics.sticking import Sticking, sticking
 from sandbox.physics.stiffness import check_springs
