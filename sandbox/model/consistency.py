@@ -197,7 +197,11 @@ def _quantity_names(level: Level) -> Iterator[tuple[Path, str]]:
 
 def _contact(level: Level) -> Iterator[Fault]:
     """Whatever waits for bodies to touch needs bodies that can."""
-    if level.effects.contact:
+    contact = level.effects.contact
+    if contact:
+        if contact.piles and contact.slop is not None:
+            rule = "'piles' choose the overlap that is left alone; leave out one of the two"
+            yield Fault(("effects", "contact", "slop"), rule)
         return
     for path, name in _quantity_names(level):
         if ".contact." in name:

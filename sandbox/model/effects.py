@@ -22,8 +22,12 @@ class Contact(Model):
     correction: Fraction | None = None
     """the share of an overlap that each step takes back; if left out 0.2, but 0 where the level
     declares restitution, for pushing bodies apart adds to the energy of their bounces"""
-    slop: NonNegative = NonNegative(1e-6)
-    """m, the overlap that is left alone"""
+    slop: NonNegative | None = None
+    """m, the overlap that is left alone; if left out 1e-6 m, and for piles half a hundredth of the
+    narrowest body that moves"""
+    piles: bool = False
+    """whether bodies lie on each other in piles, which overlaps that are taken back to the last
+    would stir, so that they never come to rest"""
     located: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
     """the dynamic bodies whose impacts are located in time, within the step; those of the others
     are found at the next step, or missed where a body passes through another in between"""

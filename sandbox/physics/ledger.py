@@ -123,7 +123,7 @@ class Ledger:
         if world.steps != self._steps + 1:
             raise ValueError(f"the ledger has seen step {self._steps}, the world {world.steps}")
         self._steps = world.steps
-        before, after = self._velocity, self._scene.batch.velocity()
+        before, after = self._cut(), self._scene.batch.velocity()
         t = world.t if world.kick is None else float(world.kick.t)
         inertia = self._inertia(t)
         kick = _Kick(t, world.snapshot.position, (before + after) / 2, inertia)
@@ -189,6 +189,29 @@ class Ledger:
         """Book what gave momentum, unless bodies give it to each other."""
         if name in self._impulses:
             self._impulses[name] = self._impulses[name] + _total(impulse, place)
+
+    def _cut(self) -> Array:
+        """Book the impacts that cut the last drift; return the velocities that it ended with.
+
+        Before and after them the books stand as if the drift had not been cut, in its middle.
+        """
+        located = self._world.located
+        if located is None or not located.impacts:
+            return self._velocity
+        had = self._kinetic(self._end) + sum(self._potential.values())
+        self._end = self._middle(-0.5, located.begun)
+        gained = self._store(self._end) - had
+        told = sum(impact.told for impact in located.impacts)
+        rubbed = sum(impact.rubbed for impact in located.impacts)
+        if "bodies" in self._works:
+            self._works["bodies"] += told
+        if "friction" in self._losses:
+            self._losses["friction"] += rubbed
+        if not self._elastic:
+            self._lose("impacts", gained - told - rubbed)
+        if "supports" in self._impulses:
+            self._impulses["supports"] += sum(i.given for i in located.impacts)
+        return located.begun
 
     def _carry(self, t: float, before: Array, after: Array) -> None:
         """Book what matter brings, or takes along, that is not a force."""
@@ -282,7 +305,8 @@ class Ledger:
 
     def _touch(self, kick: "_Kick", rest: Array, jumped: float) -> None:
         """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
-        contacts = self._world.contacts
+        located = self._world.located
+        contacts = self._world.contacts.after(len(located.impacts) if located else 0)
         if not len(contacts.bodies):
             return
         touching = np.zeros(len(rest), dtype=bool)

@@ -52,21 +52,25 @@ class Impact(NamedTuple):
         The unit vector from the first to the second.
     points
         Where they touched [m].
-    impulse, friction
-        The impulses on the second body along the normal and across it, to its left [N s].
+    impulse
+        What the second got; the first got the opposite [N s].
+    told
+        The work of a body that nothing moves, but that moves as told [J].
+    rubbed
+        The work of friction [J].
+    given
+        The momentum, and the angular momentum, that bodies which nothing moves have given
+        [kg m/s, kg m²/s].
     """
 
     bodies: tuple[int, int]
     time: float
     normal: complex
     points: tuple[complex, ...]
-    impulse: float
-    friction: float
-
-    @property
-    def vector(self) -> complex:
-        """The impulse on the second body [N s]; the first got the opposite."""
-        return self.normal * complex(self.impulse, self.friction)
+    impulse: complex
+    told: float
+    rubbed: float
+    given: Array
 
 
 class Coefficients(NamedTuple):
@@ -173,15 +177,17 @@ class Located:
         if not self.impacts:
             return NO_CONTACTS
         two = [(i.points[0], i.points[-1]) for i in self.impacts]
+        across = [i.impulse / i.normal for i in self.impacts]
         return Contacts(
             np.array([i.bodies for i in self.impacts], dtype=np.intp),
             np.ones(len(two), dtype=bool),
             np.array([(i.normal.real, i.normal.imag) for i in self.impacts]),
-            np.array([i.impulse for i in self.impacts]),
-            np.array([abs(i.friction) for i in self.impacts]),
+            np.array([a.real for a in across]),
+            np.array([abs(a.imag) for a in across]),
             np.array([len(i.points) for i in self.impacts], dtype=np.intp),
             np.array([[(p.real, p.imag) for p in points] for points in two]),
-            np.array([(i.vector.real, i.vector.imag) for i in self.impacts]),
+            np.array([(i.impulse.real, i.impulse.imag) for i in self.impacts]),
+            np.zeros(len(two)),
         )
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
@@ -249,7 +255,7 @@ class Located:
         place, velocity = path.at(hit.time)
         e, mu = (float(table[hit.bodies]) for table in self._coefficients)
         gradient = _gradient(hit, place, rubs=mu > 0)
-        count = len(hit.points)
+        count, left = len(hit.points), self._dt - hit.time
         answer = answers(gradient, self._agility, self._joints)
         matrix = np.einsum("knc,lnc->kl", answer, gradient)
         rates = np.einsum("knc,nc->k", gradient, velocity)
@@ -261,13 +267,26 @@ class Located:
         impulse = _impulses(matrix, rates, leaves, mu)
         struck = np.asarray(answer.any(axis=(0, 2)))
         path.turn(hit.time, np.tensordot(impulse, answer, 1), struck)
+        given = np.tensordot(impulse, gradient, 1)
+        told = -float(np.sum((given * velocity)[self._mass == 0]))
+        rubbed = float(impulse[count:] @ (rates + matrix @ impulse / 2)[count:])
         if rests:
             holds = _impulses(matrix[:count, :count], pulls, np.zeros(count), 0.0)
             path.pull += np.tensordot(holds, answer[:count], 1)
-        friction = float(impulse[count:].sum())
+            given += np.tensordot(holds, gradient[:count], 1) * (left - self._dt / 2)
+        given[self._mass == 0] = 0.0
+        x, y = place[:, :2].T
+        turning = x * given[:, 1] - y * given[:, 0] + given[:, 2]
         self.impacts.append(
             Impact(
-                hit.bodies, hit.time, hit.normal, hit.points, float(impulse[:count].sum()), friction
+                hit.bodies,
+                hit.time,
+                hit.normal,
+                hit.points,
+                hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
+                told,
+                rubbed,
+                np.array([*given[:, :2].sum(axis=0), turning.sum()]),
             )
         )
         return struck

@@ -27,11 +27,21 @@ from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.watchdog import Watchdog
 
 Pair = frozenset[str]
 
 MAX_KICKS = 500
 """How often the first kick is repeated while contacts and strings come to terms."""
+
+PATIENCE = 50
+"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
+
+UNSETTLED = 1000
+"""How many times the rounding velocities must still change for that."""
+
+MAX_SWEEPS = 5000
+"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
@@ -75,6 +85,8 @@ class World:
         What takes hold of bodies.
     kick
         What the force laws saw in the last kick; None if there are none, or before it.
+    located
+        Finds the impacts that are located in time; None if none are.
     disturbed
         Whether a hand has touched the scene, so that no formula for it holds any more.
     """
@@ -106,11 +118,12 @@ class World:
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
         self._sequence = self._make_sequence()
-        self._located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
+        self.located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
         self.snapshot: Snapshot = self._start()
+        self._watchdog = self._make_watchdog()
 
     @property
     def t(self) -> float:
@@ -118,18 +131,18 @@ class World:
         return self.steps * self.dt
 
     @property
-    def impacts(self) -> list[tuple[Pair, float]]:
-        """Who hit whom between the last two steps, and when [s], where that is located."""
-        if not self._located:
-            return []
-        names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
-        located = self._located.impacts
-        return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
-
-    @property
     def jump(self) -> Array | None:
         """What impacts in sequence changed in the last step [m/s, rad/s]: (n, 3); None without."""
         return self._sequence.last.jump if self._sequence else None
+
+    @property
+    def impacts(self) -> list[tuple[Pair, float]]:
+        """Who hit whom between the last two steps, and when [s], where that is located."""
+        if not self.located:
+            return []
+        names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
+        located = self.located.impacts
+        return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
 
     @property
     def hooks(self) -> int:
@@ -146,8 +159,8 @@ class World:
         """
         if self._early:
             self._apply_forces()
-        if self._located:
-            self._cut(self._located)
+        if self.located:
+            self._cut(self.located)
         self._space.step(self.dt)
         self.steps += 1
         if self._hook and self._hook.error:
@@ -172,7 +185,7 @@ class World:
             self.step()
         before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # what is not finite is told by name
             self.snapshot = self._observe(before)
         return self.snapshot
 
@@ -273,13 +286,12 @@ class World:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settle(start, self.dt)
                 self._batch.set_velocity(after)
-        if self._located:
-            self._located.begin(acceleration)
+        if self.located:
+            self.located.begin(acceleration)
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
         if self._guesses:
             self._older = begun + (begun - after)
-        self._check_finite(snapshot)
         return snapshot
 
     @contextmanager
@@ -303,25 +315,31 @@ class World:
         velocities, each time from the impulses found before, until nothing changes any more.
         """
         self._joints.time(kick, self.dt)
+        swept = self._space.iterations
         close = 1e-15 * kick * np.abs(self._smooth).max(initial=0.0)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
-        for _ in range(MAX_KICKS if self.level.effects.contact else 1):
+        for count in range(MAX_KICKS if self.level.effects.contact else 1):
             previous = after
             self._batch.set_velocity(start)
             self._space.step(kick)
             if self._hook and self._hook.error:
                 self._fail(self._hook.error)
             after = self._batch.velocity()
-            if np.abs(after - previous).max(initial=0.0) <= close:
+            change = np.abs(after - previous).max(initial=0.0)
+            if change <= close:
                 break
+            if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
+                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
+                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
+        self._space.iterations = swept
         return after
 
     def _observe(self, before: Array) -> Snapshot:
         state = self._batch.state()
         after = state[:, 3:]
         self._seen = self.steps, after
-        if self._located:
-            before = self._located.begun
+        if self.located:
+            before = self.located.begun
         contacts = self._read_contacts()
         velocity, acceleration = after, (after - before) / self.dt
         if self._leapfrog:
@@ -336,10 +354,14 @@ class World:
                 hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
-        if self._located:
-            contacts = self._located.contacts().and_(contacts)
+        if self.located:
+            contacts = self.located.contacts().and_(contacts)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
-        self._check_finite(snapshot)
+        try:
+            self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)
+        except SimulationError as error:
+            self._ended = error
+            raise
         self.contacts = contacts
         return snapshot
 
@@ -373,21 +395,18 @@ class World:
             torque=self._joints.torque(),
         )
 
-    def _check_finite(self, snapshot: Snapshot) -> None:
-        turning = np.stack((snapshot.angle, snapshot.angular_velocity), axis=1)
-        rows = np.concatenate((snapshot.position, snapshot.velocity, turning), axis=1)
-        if not np.isfinite(rows).all():
-            bad = ~np.isfinite(rows).all(axis=1)
-            name = list(self.scene.bodies)[int(np.argmax(bad))]
-            reason = f"the body '{name}' is no longer anywhere finite"
-            self._ended = SimulationError(name, self.t, reason)
-            raise self._ended
+    def _make_watchdog(self) -> Watchdog:
+        start, contacts = self.snapshot, self.contacts
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            dog = Watchdog(self.level, self.values, self.stepping, self.scene, start, contacts)
+            dog.look(start, contacts, disturbed=True)
+        return dog
 
     def _fail(self, error: Exception) -> NoReturn:
         """Raise what a hook has kept; such a world has ended."""
         self._ended = error
         if isinstance(error, JointFailure):
-            self._ended = SimulationError(error.joint, self.t, str(error))
+            self._ended = SimulationError(error.joint, self.t, str(error), error.rate)
         elif isinstance(error, EndlessImpacts):
             body = list(self.scene.bodies)[error.body]
             self._ended = SimulationError(body, self.t, str(error))
@@ -419,6 +438,7 @@ class World:
         self._batch.set_velocity(np.column_stack((snapshot.velocity, snapshot.angular_velocity)))
         self.disturbed = True
         self.snapshot = self._start()
+        self._watchdog = self._make_watchdog()
         return self.snapshot
 
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.ledger import Ledger
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.trace import simulate
 from sandbox.physics.world import World, build
@@ -346,3 +347,40 @@ def test_what_sticks_is_not_located() -> None:
     sticking = {"pairs": [{"bodies": ["ball", "floor"]}]}
     with pytest.raises(LevelError, match="'ball' sticks at its first touch"):
         level(bodies, {**located("ball"), "sticking": sticking})
+
+
+@pytest.mark.parametrize("e", [0.3, 0.8, 1])
+def test_the_books_close_over_impacts_within_a_drift(e: float) -> None:
+    """What was there at first is there, or was lost in impacts."""
+    world = build(bouncing(e, 60, located("ball")))
+    ledger = Ledger(world)
+    for _ in range(180):
+        world.advance()
+        ledger.note()
+    balance = ledger.balance
+
+    assert abs(balance.unexplained) <= 1e-12 * 3 * G  # 8e-14
+    assert np.abs(balance.unexplained_impulse).max() <= 1e-11
+    assert (balance.loss["impacts"] > 10) == (e < 1)
+
+
+def test_the_books_know_what_rubs_and_what_is_moved_as_told() -> None:
+    lift = {
+        "type": "kinematic",
+        "shape": {"type": "box", "width": 9, "height": 0.2},
+        "velocity": [1, 0.5],
+        "restitution": 1,
+        "friction": 1,
+    }
+    ball = disc((0, 1), radius=0.1, restitution=0.8, friction=0.05)
+    effects = {**GRAVITY, **located("ball"), "rotation": {}, "friction": {}}
+    world = build(level({"lift": lift, "ball": ball}, effects))
+    ledger = Ledger(world)
+    for _ in range(60):
+        world.advance()
+        ledger.note()
+    balance = ledger.balance
+
+    assert abs(balance.unexplained) <= 1e-13 * G
+    assert balance.loss["friction"] > 0.1
+    assert balance.work["bodies"] > 1
