@@ -32,6 +32,9 @@ def _version(value: object) -> object:
 MAX_BODIES = 20_000
 """How many bodies a level may have: ten thousand are in time at 60 Hz."""
 
+HIGHEST_RATE = 100_000
+"""Hz, the most steps that a second may have."""
+
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 Scheme = Literal["leapfrog", "symplectic-euler", "explicit-euler"]
 
@@ -167,7 +170,7 @@ class Check(Model):
 class Stepping(Model):
     """How time advances."""
 
-    rate: Annotated[float, Field(ge=1, le=100_000)] = 60.0
+    rate: Annotated[float, Field(ge=1, le=HIGHEST_RATE)] = 60.0
     """Hz, steps a second"""
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
     """sweeps of the solver over contacts and joints, a step"""

@@ -64,6 +64,8 @@ class Contacts(NamedTuple):
         (k, 2, 2), where those are; the second is nowhere if there is but one [m].
     impulse
         (k, 2), on the second body; the first got the opposite [N s].
+    depth
+        (k,), by how much they overlap [m].
     """
 
     bodies: Integers
@@ -74,6 +76,7 @@ class Contacts(NamedTuple):
     touches: Integers
     points: Array
     impulse: Array
+    depth: Array
 
     def and_(self, others: "Contacts") -> "Contacts":
         """Return these contacts and others."""
@@ -91,6 +94,7 @@ NO_CONTACTS = Contacts(
     np.empty(0, dtype=np.intp),
     np.empty((0, 2, 2)),
     np.empty((0, 2)),
+    np.empty(0),
 )
 
 
@@ -152,6 +156,9 @@ class Batch:
         bodies = self._order[np.searchsorted(self._ids, integers[live, :2])]
         impulse, direction = floats[live, :2], floats[live, 2:4]
         on_surfaces = floats[live, 4:].reshape(-1, 2, 2, 2)
+        overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
+        depth = np.einsum("kpc,kc->kp", overlap, direction)
+        depth = np.where(integers[live, 3] > 1, depth.max(axis=1), depth[:, 0])
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         along = np.sum(impulse * direction, axis=1)
         impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
@@ -170,6 +177,7 @@ class Batch:
             touches[o],
             points[o],
             impulse[o],
+            depth[o],
         )
 
 

@@ -216,6 +216,10 @@ class Joints:
         if self.together:
             self.together.refit(t)
 
+    def parting(self) -> tuple[str, float]:
+        """Return which of those solved together is furthest off, and by how much [m, rad]."""
+        return self.together.parting() if self.together else ("", 0.0)
+
     def tension(self, motion: Motion) -> Array:
         """Return the force with which each joint pulled in the last kick, or pulls now [N]."""
         return np.array([self._tension(name, motion) for name in self.paths])

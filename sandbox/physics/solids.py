@@ -101,4 +101,5 @@ class Touches:
             np.append(contacts.touches, np.ones(len(bodies), dtype=np.intp)),
             np.concatenate((contacts.points, places)),
             np.append(contacts.impulse, np.zeros((len(bodies), 2)), axis=0),
+            np.append(contacts.depth, none),
         )

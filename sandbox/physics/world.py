@@ -27,6 +27,7 @@ from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.watchdog import Watchdog
 
 Pair = frozenset[str]
 
@@ -111,6 +112,7 @@ class World:
         self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
         self.snapshot: Snapshot = self._start()
+        self._watchdog = self._make_watchdog()
 
     @property
     def t(self) -> float:
@@ -172,7 +174,7 @@ class World:
             self.step()
         before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is told by name
+        with np.errstate(all="ignore"):  # what is not finite is told by name
             self.snapshot = self._observe(before)
         return self.snapshot
 
@@ -279,7 +281,6 @@ class World:
         self._kicks_after = 1
         if self._guesses:
             self._older = begun + (begun - after)
-        self._check_finite(snapshot)
         return snapshot
 
     @contextmanager
@@ -339,7 +340,11 @@ class World:
         if self._located:
             contacts = self._located.contacts().and_(contacts)
         snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
-        self._check_finite(snapshot)
+        try:
+            self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)
+        except SimulationError as error:
+            self._ended = error
+            raise
         self.contacts = contacts
         return snapshot
 
@@ -373,21 +378,18 @@ class World:
             torque=self._joints.torque(),
         )
 
-    def _check_finite(self, snapshot: Snapshot) -> None:
-        turning = np.stack((snapshot.angle, snapshot.angular_velocity), axis=1)
-        rows = np.concatenate((snapshot.position, snapshot.velocity, turning), axis=1)
-        if not np.isfinite(rows).all():
-            bad = ~np.isfinite(rows).all(axis=1)
-            name = list(self.scene.bodies)[int(np.argmax(bad))]
-            reason = f"the body '{name}' is no longer anywhere finite"
-            self._ended = SimulationError(name, self.t, reason)
-            raise self._ended
+    def _make_watchdog(self) -> Watchdog:
+        start, contacts = self.snapshot, self.contacts
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            dog = Watchdog(self.level, self.values, self.stepping, self.scene, start, contacts)
+            dog.look(start, contacts, disturbed=True)
+        return dog
 
     def _fail(self, error: Exception) -> NoReturn:
         """Raise what a hook has kept; such a world has ended."""
         self._ended = error
         if isinstance(error, JointFailure):
-            self._ended = SimulationError(error.joint, self.t, str(error))
+            self._ended = SimulationError(error.joint, self.t, str(error), error.rate)
         elif isinstance(error, EndlessImpacts):
             body = list(self.scene.bodies)[error.body]
             self._ended = SimulationError(body, self.t, str(error))
@@ -419,6 +421,7 @@ class World:
         self._batch.set_velocity(np.column_stack((snapshot.velocity, snapshot.angular_velocity)))
         self.disturbed = True
         self.snapshot = self._start()
+        self._watchdog = self._make_watchdog()
         return self.snapshot
 
 

@@ -303,8 +303,37 @@ class ExactJoints:
                 reason = f"'{name}' and the joints beside it are stretched: none can give way"
                 return JointFailure(name, reason)
         name = self._joints[row]
-        reason = f"nothing keeps '{name}' as it is through the next step; take a higher 'rate'"
-        return JointFailure(name, reason)
+        needed, now = self._needed(), 1 / self._drift
+        reason = (
+            f"nothing keeps '{name}' as it is through the next step;"
+            f" take a higher 'rate': {needed:,.0f}, not {now:g}"
+        )
+        return JointFailure(name, reason, needed)
+
+    def _needed(self) -> float:
+        """Return the rate at which joints under this tension should hold [Hz].
+
+        A taut chain swings across with up to ω² = 2 T (1/m_a + 1/m_b) / l; ω dt should be 1/2.
+        """
+        place, _ = self._coordinates()
+        here = self._look(place)
+        replies = self._reply(here).answers(here).diagonal()
+        with np.errstate(all="ignore"):
+            square = 2 * np.abs(self.tension) * replies / np.abs(here.total)
+        square = square[np.isfinite(square)]
+        omega = float(np.sqrt(square.max(initial=0.0)))
+        return float(np.ceil(max(2 * omega, 2 / self._drift)))
+
+    def parting(self) -> tuple[str, float]:
+        """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
+        place, _ = self._coordinates()
+        off = self._look(place).total - self._length
+        off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
+        off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more
+        if not len(off):
+            return "", 0.0
+        worst = int(off.argmax())
+        return self._joints[worst], float(off[worst])
 
     def _overlapping(self, row: int) -> JointFailure:
         name = self._joints[row]

@@ -1,0 +1,259 @@
+"""Stops a run that has gone wrong, says what did, and at which rate it should hold.
+
+It looks at what is observed anyway, and changes nothing. What makes a look dear, energies and the
+joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad: of
+them it asks only that everything is somewhere.
+"""
+
+from math import inf
+
+import numpy as np
+
+from sandbox.model import accounts
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import HIGHEST_RATE, Body, Level, Stepping
+from sandbox.model.shapes import Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.batch import Contacts
+from sandbox.physics.build import Scene, local_points
+from sandbox.physics.convex import twice_area
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.laws.law import Law
+from sandbox.physics.motion import Instant
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.stiffness import limit
+
+EVERY = 8
+"""How many observations pass between two looks at energies and joints."""
+
+DEEP = 0.5
+"""The share of its thickness that a body may be within another."""
+
+PARTED = 0.05
+"""The share of the thinnest body's thickness by which an exact joint may be off."""
+
+UNNOTICED = 1e-3
+"""A motion of this share of its thickness in a step is none to speak of."""
+
+COARSE = 0.5
+"""ω dt, above which a force changes too much in a step to be blamed on anything else."""
+
+NUDGE = 1e-6
+"""By how much a body is displaced to see how its force changes, of its thickness."""
+
+
+class Watchdog:
+    """Watches a world from its start; n bodies.
+
+    Parameters
+    ----------
+    level, values, stepping
+        What the world was built from.
+    scene
+        Its objects.
+    start, contacts
+        Its state at the start.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        values: Values,
+        stepping: Stepping,
+        scene: Scene,
+        start: Snapshot,
+        contacts: Contacts,
+    ) -> None:
+        self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
+        self._strict = stepping.scheme == "leapfrog"
+        self._thick = np.where(
+            scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
+        )
+        self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
+        self._closed = self._strict and not accounts.works(level)
+        self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
+        self._energy = self._lowest = 0.0
+        if self._closed:
+            self._energy, self._lowest = self._energies(start)
+        self._least, self._swing = self._unnoticed(start), self._swings(start)
+        self._recent = [start]
+
+    def look(self, now: Snapshot, contacts: Contacts, *, disturbed: bool) -> None:
+        """Look at what was observed.
+
+        Parameters
+        ----------
+        now, contacts
+            The observation.
+        disturbed
+            Whether a hand has given energy to the scene.
+
+        Raises
+        ------
+        SimulationError
+            If something is wrong: where it is nowhere, too deep in another, parted, or has energy
+            from nowhere.
+        """
+        self._look_for_lost(now)
+        if not self._strict:
+            return
+        if len(contacts.bodies):
+            self._look_for_sunk(now, contacts)
+        self._recent.append(now)
+        if len(self._recent) > EVERY:
+            self._look_for_parted(now)
+            if self._closed and not disturbed:
+                self._look_for_energy(now)
+            self._recent = self._recent[-1:]
+
+    def _look_for_lost(self, now: Snapshot) -> None:
+        turning = np.stack((now.angle, now.angular_velocity), axis=1)
+        rows = np.concatenate((now.position, now.velocity, turning), axis=1)
+        if not np.isfinite(rows).all():
+            row = int(np.argmax(~np.isfinite(rows).all(axis=1)))
+            reason = f"the body '{self._names[row]}' is no longer anywhere finite"
+            cause, rate = self._cause(row)
+            raise SimulationError(self._names[row], float(now.t), f"{reason}{cause}", rate)
+
+    def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
+        depth = self._depth(contacts)
+        worst = int(depth.argmax())
+        if not depth[worst] > self._deepest:
+            return
+        a, b = sorted(contacts.bodies[worst].tolist(), key=lambda row: float(self._thick[row]))
+        reason = (
+            f"'{self._names[a]}' is {contacts.depth[worst]:.3g} m deep in '{self._names[b]}', more"
+            f" than half its thickness"
+        )
+        speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
+        way = DEEP * self._thick[a]
+        if speed > way * self._rate:
+            needed = 2 * speed / way
+            reason += f": at {speed:.3g} m/s a step is too long for it"
+        else:
+            needed = 4 * self._rate
+            reason += ": what presses on it is too much for the solver"
+        raise SimulationError(
+            self._names[a], float(now.t), f"{reason}; {_way_out(needed, self._rate)}", needed
+        )
+
+    def _depth(self, contacts: Contacts) -> Array:
+        """Return how deep pairs are in each other, over what is allowed: (k,)."""
+        allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
+        return np.asarray(contacts.depth / allowed)
+
+    def _look_for_parted(self, now: Snapshot) -> None:
+        thin = self._thick.min(initial=inf)
+        name, gap = self._scene.joints.parting()
+        if gap > PARTED * thin:
+            reason = (
+                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed apart"
+                " against it; let them start apart, or give 'contact' a 'correction' of 0"
+            )
+            raise SimulationError(name, float(now.t), reason)
+
+    def _look_for_energy(self, now: Snapshot) -> None:
+        energy, stored = self._energies(now)
+        self._lowest = min(self._lowest, stored)
+        there_was = self._energy - self._lowest + self._least
+        if energy - self._energy <= there_was * self._swing:
+            return
+        row = int(np.argmax(self._kinetic(now)))
+        name, gained = self._names[row], energy - self._energy
+        reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
+        cause, rate = self._cause(row)
+        raise SimulationError(name, float(now.t), f"{reason}{cause}", rate)
+
+    def _kinetic(self, now: Snapshot) -> Array:
+        square = np.sum(now.velocity * now.velocity, axis=1)
+        return (self._scene.mass * square + self._scene.moment * now.angular_velocity**2) / 2
+
+    def _energies(self, now: Snapshot) -> tuple[float, float]:
+        """Return the whole energy and what is stored of it [J]."""
+        stores = (law for law in self._laws if law.book == "potential")
+        stored = sum(float(law.potential_energy(now).sum()) for law in stores)
+        return float(self._kinetic(now).sum()) + stored, stored
+
+    def _unnoticed(self, start: Snapshot) -> float:
+        """Return an energy that is nothing beside the scene: of a hair's motion, and of its height.
+
+        Taking back overlaps lifts bodies; it cannot lift them higher than the scene is wide.
+        """
+        mass, finite = self._scene.mass, np.where(np.isfinite(self._thick), self._thick, 0.0)
+        motion = float(np.sum(mass * (UNNOTICED * finite * self._rate) ** 2)) / 2
+        field = self._scene.gravity
+        if field is None or not mass.any():
+            return motion
+        extent = float(np.ptp(start.position[mass > 0], axis=0).max() + finite.max())
+        return motion + float(mass.sum() * np.hypot(*field.acceleration)) * extent
+
+    def _swings(self, start: Snapshot) -> float:
+        """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
+        needed, _ = limit(self._scene.joints.springs, self._scene.agility, start.angle)
+        return 1 / max(1 - (needed / self._rate) ** 2, UNNOTICED)
+
+    def _cause(self, row: int) -> tuple[str, float | None]:
+        """Return the force that was too stiff for a body, and the rate that it needs [Hz]."""
+        found = [
+            (self._stiffness(law, row, then), law)
+            for then in self._recent
+            for law in self._scene.laws
+        ]
+        omega, law = max(found, key=lambda pair: pair[0], default=(0.0, None))
+        if law is None or not omega > COARSE * self._rate:
+            return f"; {_way_out(4 * self._rate, self._rate)}", 4 * self._rate
+        needed = omega / COARSE
+        return (
+            f": {self._called(law)} changes too fast for a step, it"
+            f" needs a 'rate' of {np.ceil(needed):,.0f} or more, not {self._rate:g}"
+        ), needed
+
+    def _called(self, law: Law) -> str:
+        for name, spring in self._scene.joints.springs.items():
+            if spring is law:
+                return f"the spring '{name}'"
+        return f"the effect '{law.effect}'"
+
+    def _stiffness(self, law: Law, row: int, then: Snapshot) -> float:
+        """Return ω of a body in a force: that of the steepest change of it with its place."""
+        nudge = NUDGE * min(float(self._thick[row]), 1.0)
+        slope = np.empty((2, 2))
+        for axis in (0, 1):
+            there = []
+            for sign in (-1, 1):
+                place = then.position.copy()
+                place[row, axis] += sign * nudge
+                wrench = np.zeros((len(place), 3))
+                with np.errstate(all="ignore"):
+                    law.add(
+                        Instant(then.t, place, then.angle, then.velocity, then.angular_velocity),
+                        wrench,
+                    )
+                there.append(wrench[row, :2])
+            slope[axis] = (there[1] - there[0]) / (2 * nudge)
+        if not np.isfinite(slope).all() or not self._scene.mass[row]:
+            return 0.0
+        return float(np.sqrt(np.linalg.norm(slope, 2) / self._scene.mass[row]))
+
+
+def _way_out(needed: float, rate: float) -> str:
+    if needed > HIGHEST_RATE:
+        return "no 'rate' that a level may have is enough"
+    return f"take a higher 'rate': {np.ceil(needed):,.0f}, not {rate:g}"
+
+
+def _thickness(body: Body, values: Values) -> float:
+    """Return how thick a body is [m]; a line has no thickness to speak of."""
+    match body.shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return 2 * radius(values)
+        case Box(width=width, height=height):
+            return min(width(values), height(values))
+        case Polygon():
+            corners = np.array(local_points(body, values))
+            return float(abs(twice_area(corners)) / _around(corners)) * 2
+        case Segment() | Polyline():
+            return inf
+
+
+def _around(corners: Array) -> float:
+    return float(np.hypot(*(np.roll(corners, -1, axis=0) - corners).T).sum())

@@ -1,0 +1,183 @@
+"""A run that goes wrong stops in its last good state, and says what to do about it."""
+
+import numpy as np
+import pytest
+
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.world import World, build
+from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level, orbit
+
+
+def advance(world: World, steps: int) -> None:
+    """Observe every step."""
+    for _ in range(steps):
+        world.advance()
+
+
+def stopped(world: World, steps: int = 600) -> SimulationError:
+    """Run until the watchdog stops the world, and return what it says."""
+    with pytest.raises(SimulationError) as told:
+        advance(world, steps)
+    assert np.isfinite(world.snapshot.position).all()
+    with pytest.raises(SimulationError) as again:
+        world.advance()
+    assert again.value is told.value
+    return told.value
+
+
+def holds(scene: Level, rate: float | None, steps: int = 600) -> None:
+    """Run the scene at the rate that was advised."""
+    assert rate is not None
+    advance(build(scene, stepping=Stepping(rate=rate)), steps)
+
+
+def test_a_spring_that_is_too_stiff_is_refused_with_a_rate_that_holds() -> None:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 1e6, "length": 1}
+    scene = level({"bob": disc((1.1, 0))}, {}, joints={"k": spring})
+
+    with pytest.raises(SimulationError, match=r"'k' needs a 'rate' of at least 500") as told:
+        build(scene)
+
+    assert (told.value.subject, told.value.time, told.value.rate) == ("k", 0.0, 2000)
+    holds(scene, told.value.rate)
+
+
+def test_a_rate_that_no_level_may_have_is_not_advised() -> None:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 1e12, "length": 1}
+
+    with pytest.raises(SimulationError, match=r"at least 500,000") as told:
+        build(level({"bob": disc((1.1, 0))}, {}, joints={"k": spring}))
+
+    assert told.value.rate is None
+
+
+def test_energy_from_nowhere_names_the_effect_that_a_step_is_too_long_for() -> None:
+    """A planet falls almost into the sun: at 60 Hz it is thrown out faster than it came."""
+    fall = orbit(speed=0.05)
+
+    told = stopped(build(fall))
+
+    assert told.subject == "planet"
+    assert "have come from nowhere, and 'planet' has most of it" in str(told)
+    assert "the effect 'attraction' changes too fast for a step" in str(told)
+    assert told.rate is not None
+    assert told.rate > 1000
+    holds(fall, told.rate, int(5 * told.rate))
+
+
+def test_a_swing_that_is_only_coarse_goes_on() -> None:
+    """A spring at ω dt = 1.9 has ten times its energy now and then, and gives it back."""
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 12996, "length": 1}
+    world = build(level({"bob": disc((1, 0), velocity=[1, 0])}, {}, joints={"k": spring}))
+
+    advance(world, 600)
+
+    assert np.abs(world.snapshot.position).max() < 1.1
+
+
+def test_a_body_that_is_deep_in_another_is_stopped() -> None:
+    """A ball that a step carries through a floor's surface."""
+    ball = disc((0, 0.95), radius=0.1, velocity=[0, -21])
+    ground = fixed({"type": "box", "width": 4, "height": 1}, (0, -0.5))
+    scene = level({"ball": ball, "floor": ground}, {"contact": {}})
+
+    told = stopped(build(scene))
+
+    assert told.subject == "ball"
+    assert "m deep in 'floor', more than half its thickness" in str(told)
+    assert "at 21 m/s a step is too long for it; take a higher 'rate': 420, not 60" in str(told)
+    holds(scene, told.rate)
+
+
+def test_what_presses_too_hard_is_told_apart_from_what_is_too_fast() -> None:
+    """A thousand tonnes on a box of a gram, with one sweep of the solver a step."""
+    scene = level(
+        {
+            "light": box((0, 0.25), mass=1e-3),
+            "heavy": box((0, 0.75), mass=1e6),
+            "floor": fixed({"type": "box", "width": 4, "height": 1}, (0, -0.5)),
+        },
+        {**GRAVITY, "contact": {}},
+        stepping={"iterations": 1},
+    )
+
+    told = stopped(build(scene))
+
+    assert told.subject in ("light", "heavy")
+    assert "what presses on it is too much for the solver" in str(told)
+
+
+def test_an_overlap_at_the_start_may_part_gently() -> None:
+    """Two boxes three quarters within each other; they only must not sink any deeper."""
+    scene = level(
+        {"low": box((0, 0.25)), "high": box((0.02, 0.38)), "floor": floor()},
+        {**GRAVITY, "contact": {}, "rotation": {}},
+    )
+    world = build(scene)
+
+    advance(world, 300)
+
+    assert np.abs(world.snapshot.velocity[:2]).max() < 1.0
+
+
+@pytest.mark.parametrize(
+    ("apart", "says"),
+    [(0.6, "the joint 'rod' has parted by"), (0.9, "J have come from nowhere")],
+)
+def test_joints_against_which_contacts_push_are_stopped(apart: float, says: str) -> None:
+    """Overlapping discs are pushed apart while a rod holds them at their distance."""
+    rod = {"type": "rod", "ends": ["a", "b"]}
+    scene = level(
+        {"a": disc((-apart / 2, 0)), "b": disc((apart / 2, 0))},
+        {"contact": {}},
+        joints={"rod": rod},
+    )
+
+    assert says in str(stopped(build(scene)))
+
+
+def test_a_chain_too_stiff_for_the_step_says_which_rate_would_do() -> None:
+    """Twenty links swing with ten thousand times the mass at the end."""
+    names = [f"link{i}" for i in range(20)]
+    links = {n: disc((0.1 * (i + 1), 0), radius=0.03, mass=0.01) for i, n in enumerate(names)}
+    links["link19"] = {**links["link19"], "mass": 100}
+    rods = {
+        f"rod{i}": {"type": "rod", "ends": [names[i - 1] if i else [0, 0], n]}
+        for i, n in enumerate(names)
+    }
+    scene = level(links, GRAVITY, joints=rods)
+
+    told = stopped(build(scene))
+
+    assert told.subject.startswith("rod")
+    assert "take a higher 'rate': " in str(told)
+    assert told.rate is not None
+    assert told.rate > 60
+
+
+def test_what_goes_to_infinity_names_the_body() -> None:
+    told = stopped(build(level({"ball": disc(velocity=[1e308, 0])}, GRAVITY)))
+
+    assert told.subject == "ball"
+    assert "'ball' is no longer anywhere finite" in str(told)
+
+
+def test_eulers_schemes_may_be_as_bad_as_they_are() -> None:
+    world = build(orbit(speed=0.3, scheme="explicit-euler"))
+
+    advance(world, 600)
+
+    assert np.hypot(*world.snapshot.position[0]) > 10
+
+
+def test_a_bare_step_is_not_watched(monkeypatch: pytest.MonkeyPatch) -> None:
+    world = build(orbit())
+
+    def bark(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr(world._watchdog, "look", bark)
+
+    for _ in range(10):
+        world.step()
