@@ -146,8 +146,8 @@ class Watchdog:
         name, gap = self._scene.joints.parting()
         if gap > PARTED * thin:
             reason = (
-                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed apart"
-                " against it; let them start apart, or give 'contact' a 'correction' of 0"
+                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed"
+                " apart against it; let them start apart, or give 'contact' a 'correction' of 0"
             )
             raise SimulationError(name, float(now.t), reason)
 
