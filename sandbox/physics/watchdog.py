@@ -155,7 +155,7 @@ class Watchdog:
         energy, stored = self._energies(now)
         self._lowest = min(self._lowest, stored)
         there_was = self._energy - self._lowest + self._least
-        if energy - self._energy <= there_was * self._swing:
+        if not energy - self._energy > there_was * self._swing or not np.isfinite(energy):
             return
         row = int(np.argmax(self._kinetic(now)))
         name, gained = self._names[row], energy - self._energy
@@ -202,10 +202,8 @@ class Watchdog:
         if law is None or not omega > COARSE * self._rate:
             return f"; {_way_out(4 * self._rate, self._rate)}", 4 * self._rate
         needed = omega / COARSE
-        return (
-            f": {self._called(law)} changes too fast for a step, it"
-            f" needs a 'rate' of {np.ceil(needed):,.0f} or more, not {self._rate:g}"
-        ), needed
+        way_out = _way_out(needed, self._rate)
+        return f": {self._called(law)} changes too fast for a step; {way_out}", needed
 
     def _called(self, law: Law) -> str:
         for name, spring in self._scene.joints.springs.items():
