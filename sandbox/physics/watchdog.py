@@ -52,6 +52,11 @@ class Watchdog:
         Its objects.
     start, contacts
         Its state at the start.
+
+    Attributes
+    ----------
+    good
+        The last state in which all was well, as far as was looked.
     """
 
     def __init__(
@@ -76,6 +81,7 @@ class Watchdog:
             self._energy, self._lowest = self._energies(start)
         self._least, self._swing = self._unnoticed(start), self._swings(start)
         self._recent = [start]
+        self.good = start
 
     def look(self, now: Snapshot, contacts: Contacts, *, disturbed: bool) -> None:
         """Look at what was observed.
@@ -93,13 +99,16 @@ class Watchdog:
             If something is wrong: where it is nowhere, too deep in another, parted, or has energy
             from nowhere.
         """
+        self.good = self._recent[-1]
         self._look_for_lost(now)
         if not self._strict:
+            self._recent = [now]
             return
         if len(contacts.bodies):
             self._look_for_sunk(now, contacts)
         self._recent.append(now)
         if len(self._recent) > EVERY:
+            self.good = self._recent[0]
             self._look_for_parted(now)
             if self._closed and not disturbed:
                 self._look_for_energy(now)
