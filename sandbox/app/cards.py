@@ -12,9 +12,12 @@ from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level, Parameter
 from sandbox.physics.comparison import Difference
+from sandbox.physics.ledger import Balance
 
 GAP = 3  # px
 INDENT = 24  # px
+LABEL = 108  # px, left of a bar
+NUMBER = 92  # px, right of it
 COLUMNS = (0.4, 0.4, 0.2)
 """How wide measured, expected and error are."""
 
@@ -225,9 +228,9 @@ def _badge(verdict: str, color: Color) -> pygame.Surface:
 
 
 def energy(
-    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface | None = None
+    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface
 ) -> pygame.Surface:
-    """Draw the energies as bars, or above a graph, and what has become of their sum."""
+    """Draw the energies above a graph of them, and what has become of their sum."""
     card = Card(pen, width)
     card.heading("Energy")
     rows = (
@@ -235,13 +238,9 @@ def energy(
         ("potential", now.potential, theme.POTENTIAL),
         ("total", now.total, theme.TOTAL),
     )
-    if graph is None:
-        scale = max(abs(value) for e in (start, now) for value in (e.kinetic, e.potential, e.total))
-        _bars(card, rows, scale)
-    else:
-        _legend(card, rows)
-        card.put(graph, 0)
-        card.y += graph.height + 3
+    _legend(card, rows)
+    card.put(graph, 0)
+    card.y += graph.height + 3
     drift = now.total - start.total
     relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
     text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
@@ -251,15 +250,27 @@ def energy(
     return card.drawn()
 
 
-def _bars(card: Card, rows: Sequence[tuple[str, float, Color]], scale: float) -> None:
-    """Add a bar an energy."""
-    pen, width = card.pen, card.width
+def ledger(pen: Pen, width: int, books: Balance) -> pygame.Surface:
+    """Draw as bars where the energy is, where it came from and went, and what has no cause."""
+    card = Card(pen, width)
+    card.heading("Energy")
+    rows = [
+        ("kinetic", books.kinetic, theme.KINETIC),
+        *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),
+        ("total", books.energy, theme.TOTAL),
+        *((f"work: {name}", value, theme.ACCENT) for name, value in books.work.items()),
+        *((f"lost: {name}", value, theme.NOTICE) for name, value in books.loss.items()),
+        ("unexplained", books.unexplained, theme.FAILED),
+    ]
+    scale = max(abs(value) for _, value, _ in rows)
     for name, value, color in rows:
         card.put(pen.write(name, 13, theme.DIM), 0)
         text = pen.write(wording.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
-        card.put(_bar(max(width - 170, 20), value / scale if scale else 0.0, color), 68, 5)
+        bar = _bar(max(width - LABEL - NUMBER, 20), value / scale if scale else 0.0, color)
+        card.put(bar, LABEL, 5)
         card.y += pen.height(13) + 1
+    return card.drawn()
 
 
 def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:

@@ -17,9 +17,11 @@ from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.ledger import Balance, Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.trace import Recorder, count_steps, needed
 from sandbox.physics.world import World, build
@@ -66,11 +68,14 @@ class Session:
         If the level cannot be run with these values.
     """
 
-    def __init__(self, level: Level, values: Values | None = None) -> None:
+    def __init__(
+        self, level: Level, values: Values | None = None, rate: float | None = None
+    ) -> None:
         self.level = level
         self.playing = False
         self.speed = 1.0
-        self._begin(build(level, level.defaults if values is None else values))
+        self._stepping = stepping_at(level, rate)
+        self._begin(build(level, values, self._stepping))
 
     def _begin(self, world: World) -> None:
         self.world = world
@@ -78,6 +83,7 @@ class Session:
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
+        self._ledger = Ledger(world)
         self._recorder = Recorder(world, [*needed(self.level), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
         self._owed = 0.0  # steps
@@ -118,9 +124,20 @@ class Session:
         """
         values = choose(self.level, {**self.values, **(settings or {})})
         try:
-            self._begin(build(self.level, values))
+            self._begin(build(self.level, values, self._stepping))
         except SandboxError as error:
             self._stop(error)
+
+    @property
+    def advised(self) -> float | None:
+        """The rate at which a run that had to stop should hold; None if none is known [Hz]."""
+        return self.failure.rate if isinstance(self.failure, SimulationError) else None
+
+    def rerun(self, rate: float) -> None:
+        """Play anew at another rate, from now on [Hz]."""
+        self._stepping = stepping_at(self.level, rate)
+        self.restart()
+        self.playing = self.failure is None
 
     def toggle(self) -> None:
         """Play, or pause."""
@@ -166,6 +183,7 @@ class Session:
         except SandboxError as error:
             self._stop(error)
             return
+        self._ledger.note()
         self.trail.add(snapshot.position)
         if self.world.steps % self._every == 0:
             self._history.add(self._energies_at())
@@ -192,6 +210,11 @@ class Session:
     def energies(self) -> Energies:
         """Return the energies of now."""
         return Energies(*(float(value) for value in self._meter(self.world.snapshot).values()))
+
+    @property
+    def balance(self) -> Balance:
+        """The books of the run, from its start or from where a hand last put a body."""
+        return self._ledger.balance
 
     @property
     def start_energies(self) -> Energies:
@@ -248,5 +271,11 @@ class Session:
         except SandboxError as error:
             self._stop(error)
             return
+        self._ledger = Ledger(self.world)
         self.trail.restart(snapshot.position)
         self._history.restart(self._energies_at())
+
+
+def stepping_at(level: Level, rate: float | None) -> Stepping:
+    """Return a level's stepping, at another rate if one is given [Hz]."""
+    return level.stepping.model_copy(update={} if rate is None else {"rate": float(rate)})

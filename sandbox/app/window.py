@@ -18,6 +18,7 @@ from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose, load
+from sandbox.physics.errors import SimulationError
 
 SIZE = (1280, 800)  # px
 RATE = 60  # frames a second
@@ -61,6 +62,7 @@ class Window:
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
         self._refused = ""
+        self._advised: float | None = None  # the rate for a level that cannot be opened [Hz]
         self._note = ("", 0.0)
         self._help = False
         self._quiet = 0.0  # s since the last event
@@ -105,15 +107,16 @@ class Window:
             return
         self._open(path, settings or {})
 
-    def _open(self, path: Path, settings: Mapping[str, float]) -> None:
+    def _open(self, path: Path, settings: Mapping[str, float], rate: float | None = None) -> None:
         if path not in [entry.path for entry in self._entries]:
             self._entries.insert(0, levels.entry(path, "opened"))
         self._path, self._settings = path, settings
         try:
             level = load(path)
-            session = Session(level, choose(level, settings))
+            session = Session(level, choose(level, settings), rate)
         except SandboxError as error:
             self._refuse(path, str(error))
+            self._advised = error.rate if isinstance(error, SimulationError) else None
             return
         if self.session is not None:
             session.speed = self.session.speed
@@ -127,6 +130,7 @@ class Window:
 
     def _refuse(self, path: Path | None, text: str) -> None:
         self._path, self._refused, self.session = path, text, None
+        self._advised = None
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -156,6 +160,7 @@ class Window:
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._handle(event)
+        self.panels.advise(self.session.advised if self.session else self._advised)
         self.panels.manager.update(seconds)
         self._note = self._note[0], self._note[1] - seconds
         if self.session is not None:
@@ -199,6 +204,8 @@ class Window:
         """Give an event to the list, to the controls, or to the stage."""
         if self.panels.list is not None and (path := self.panels.list.process(event)):
             self._open(path, {})
+        elif self.panels.accepts(event):
+            self._run_as_advised()
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
         elif self.panels.side is not None and (wanted := self.panels.side.process(event)):
@@ -209,6 +216,16 @@ class Window:
                 self.hand.wheel(event.precise_y, mouse, self.panels.layout.stage)
             elif event.type in _MOUSE:
                 self.hand.process(event, self.panels.layout.stage, self.session)
+
+    def _run_as_advised(self) -> None:
+        """Run again at the rate that was offered."""
+        rate = self.session.advised if self.session else self._advised
+        if self.session is None and self._path is not None:
+            self._open(self._path, self._settings, rate)
+        elif self.session is not None and rate is not None:
+            self.session.rerun(rate)
+        if self.session is not None and rate is not None:
+            self._tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
 
     def _change(self, event: pygame.event.Event) -> bool:
         side = self.panels.side

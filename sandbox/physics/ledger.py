@@ -100,7 +100,7 @@ class Ledger:
         self._surfaces = _surfaces(world)
         self._elastic = _elastic(world)
         self._potential = dict.fromkeys(accounts.potentials(level), 0.0)
-        self._works = dict.fromkeys(accounts.works(level), 0.0)
+        self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
         self._losses = dict.fromkeys(accounts.losses(level), 0.0)
         self._impulses = {name: np.zeros(3) for name in accounts.outside(level)}
         self._steps, self._velocity = world.steps, scene.batch.velocity()
@@ -298,7 +298,7 @@ class Ledger:
         row, (x, y) = hold
         pull = rest[row, :2] - _pressed(self._world.contacts, row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
-        self._works["hand"] = self._works.get("hand", 0.0) + kick.work(impulse)
+        self._works["hand"] += kick.work(impulse)
         self._impulses.setdefault("hand", np.zeros(3))
         self._give("hand", impulse, kick.place)
         return impulse

@@ -52,6 +52,11 @@ class Watchdog:
         Its objects.
     start, contacts
         Its state at the start.
+
+    Attributes
+    ----------
+    good
+        The last state in which all was well, as far as was looked.
     """
 
     def __init__(
@@ -76,6 +81,7 @@ class Watchdog:
             self._energy, self._lowest = self._energies(start)
         self._least, self._swing = self._unnoticed(start), self._swings(start)
         self._recent = [start]
+        self.good = start
 
     def look(self, now: Snapshot, contacts: Contacts, *, disturbed: bool) -> None:
         """Look at what was observed.
@@ -93,13 +99,16 @@ class Watchdog:
             If something is wrong: where it is nowhere, too deep in another, parted, or has energy
             from nowhere.
         """
+        self.good = self._recent[-1]
         self._look_for_lost(now)
         if not self._strict:
+            self._recent = [now]
             return
         if len(contacts.bodies):
             self._look_for_sunk(now, contacts)
         self._recent.append(now)
         if len(self._recent) > EVERY:
+            self.good = self._recent[0]
             self._look_for_parted(now)
             if self._closed and not disturbed:
                 self._look_for_energy(now)
@@ -146,8 +155,8 @@ class Watchdog:
         name, gap = self._scene.joints.parting()
         if gap > PARTED * thin:
             reason = (
-                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed apart"
-                " against it; let them start apart, or give 'contact' a 'correction' of 0"
+                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed"
+                " apart against it; let them start apart, or give 'contact' a 'correction' of 0"
             )
             raise SimulationError(name, float(now.t), reason)
 
@@ -155,7 +164,7 @@ class Watchdog:
         energy, stored = self._energies(now)
         self._lowest = min(self._lowest, stored)
         there_was = self._energy - self._lowest + self._least
-        if energy - self._energy <= there_was * self._swing:
+        if not energy - self._energy > there_was * self._swing or not np.isfinite(energy):
             return
         row = int(np.argmax(self._kinetic(now)))
         name, gained = self._names[row], energy - self._energy
@@ -202,10 +211,8 @@ class Watchdog:
         if law is None or not omega > COARSE * self._rate:
             return f"; {_way_out(4 * self._rate, self._rate)}", 4 * self._rate
         needed = omega / COARSE
-        return (
-            f": {self._called(law)} changes too fast for a step, it"
-            f" needs a 'rate' of {np.ceil(needed):,.0f} or more, not {self._rate:g}"
-        ), needed
+        way_out = _way_out(needed, self._rate)
+        return f": {self._called(law)} changes too fast for a step; {way_out}", needed
 
     def _called(self, law: Law) -> str:
         for name, spring in self._scene.joints.springs.items():

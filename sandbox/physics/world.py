@@ -360,7 +360,7 @@ class World:
         try:
             self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)
         except SimulationError as error:
-            self._ended = error
+            self._ended, self.snapshot = error, self._watchdog.good
             raise
         self.contacts = contacts
         return snapshot

@@ -4,7 +4,8 @@ from html import escape
 
 import pygame
 from pygame_gui import UIManager
-from pygame_gui.elements import UITextBox
+from pygame_gui.core import ObjectID
+from pygame_gui.elements import UIButton, UITextBox
 
 from sandbox.app import theme
 from sandbox.app.keys import BINDINGS, MOUSE
@@ -12,6 +13,7 @@ from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 
 PADDING = 12  # px
+OFFER = 220, 38  # px
 
 
 def draw_banner(
@@ -50,6 +52,13 @@ def draw_help(surface: pygame.Surface, pen: Pen, area: pygame.Rect) -> None:
         surface.blit(pen.write(key, size, theme.ACCENT, True), (box.x + 24, y))
         surface.blit(pen.write(text, size), (box.x + 24 + left + 28, y))
         y += height
+
+
+def offer(manager: UIManager, stage: pygame.Rect, rate: float) -> UIButton:
+    """Offer to run again at a rate at which it should hold."""
+    box = pygame.Rect((0, 0), OFFER)
+    box.midbottom = stage.centerx, stage.bottom - 16
+    return UIButton(box, f"Run at {rate:,.0f} Hz", manager, object_id=ObjectID(class_id="@main"))
 
 
 def refusal(manager: UIManager, stage: pygame.Rect, text: str) -> UITextBox:

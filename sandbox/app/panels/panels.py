@@ -2,8 +2,10 @@
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from pygame_gui import UIManager
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UIManager
 
 from sandbox.app import theme
 from sandbox.app.panels import messages
@@ -13,6 +15,9 @@ from sandbox.app.panels.levels import Entry, LevelList
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
+
+if TYPE_CHECKING:
+    from pygame_gui.elements import UIButton
 
 
 class Panels:
@@ -32,12 +37,15 @@ class Panels:
         Whether the energies are drawn as a graph, and not as bars.
     refusal
         Why the level cannot be opened; None if it can.
+    offer
+        The button that runs a level that had to stop at another rate; None if there is none.
     """
 
     def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
         self._pen = pen
         self._hidden: set[str] = set()
         self.graph = True
+        self._advised: float | None = None
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
     def hide_or_show(self, column: str) -> None:
@@ -63,6 +71,21 @@ class Panels:
             self.side = SidePanel(manager, pen, layout.side, session, as_graph=self.graph)
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
+        self.offer: UIButton | None = None
+
+    def advise(self, rate: float | None) -> None:
+        """Offer to run again at a rate [Hz], or offer nothing."""
+        if self.offer is not None and (rate is None or self._advised != rate):
+            self.offer.kill()  # type: ignore[no-untyped-call]
+            self.offer = None
+        if self.offer is None and rate is not None:
+            self.offer = messages.offer(self.manager, self.layout.stage, rate)
+        self._advised = rate
+
+    def accepts(self, event: pygame.event.Event) -> bool:
+        """Whether an event takes the offer."""
+        pressed = event.type == UI_BUTTON_PRESSED
+        return pressed and self.offer is not None and event.ui_element is self.offer
 
     @property
     def typing(self) -> bool:

@@ -120,8 +120,8 @@ class SidePanel:
 
     def _draw_energy(self) -> pygame.Surface:
         session = self._session
-        drawn = None
-        if self._graph:
-            drawn = graph.energies(self._graph_size, session.history, session.duration)
+        if not self._graph:
+            return cards.ledger(self._pen, self._width, session.balance)
+        drawn = graph.energies(self._graph_size, session.history, session.duration)
         now = session.energies()
         return cards.energy(self._pen, self._width, session.start_energies, now, drawn)
