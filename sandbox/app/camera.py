@@ -22,6 +22,8 @@ class Camera:
         The point in the middle [m].
     scale
         px/m.
+    fitted
+        Whether it shows what a level asks for, not what a person has chosen.
     size
         Of the surface [px].
     """
@@ -31,13 +33,13 @@ class Camera:
         self.center: XY = (0.0, 0.0)
         self.scale = 50.0
         self._width = 10.0
-        self._fitted = True
+        self.fitted = True
 
     def fit(self, view: View, values: Values) -> None:
         """Show what a level asks for."""
         self.center = evaluate(view.center, values)
         self._width = view.width(values)
-        self._fitted = True
+        self.fitted = True
         self._fill()
 
     def _fill(self) -> None:
@@ -46,7 +48,7 @@ class Camera:
     def resize(self, size: tuple[int, int]) -> None:
         """Keep the centre, and the part that is shown unless a person has chosen it."""
         self.size = size
-        if self._fitted:
+        if self.fitted:
             self._fill()
 
     def to_screen(self, point: XY) -> XY:
@@ -68,7 +70,7 @@ class Camera:
     def pan(self, dx: float, dy: float) -> None:
         """Move the picture by some pixels."""
         self.center = self.center[0] - dx / self.scale, self.center[1] + dy / self.scale
-        self._fitted = False
+        self.fitted = False
 
     def zoom(self, factor: float, pixel: XY | None = None) -> None:
         """Change the scale; the point under the pixel, or the centre, stays where it is."""
@@ -80,7 +82,7 @@ class Camera:
             self.center[0] + before[0] - after[0],
             self.center[1] + before[1] - after[1],
         )
-        self._fitted = False
+        self.fitted = False
 
     @property
     def bounds(self) -> tuple[float, float, float, float]:

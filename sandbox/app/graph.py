@@ -15,6 +15,9 @@ SERIES: tuple[tuple[Color, int], ...] = (
 ROOM = 0.06
 """What is left free above and below the lines, of the height."""
 
+ROUNDING = 1e-12
+"""What differs less is drawn as a straight line [J]."""
+
 
 def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Surface:
     """Draw energies over time.
@@ -32,7 +35,7 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
     graph.fill(theme.STAGE)
     values = points[:, 1:]
     low, high = min(float(values.min()), 0.0), max(float(values.max()), 0.0)
-    spread = (high - low) or 1.0
+    spread = high - low if high - low > ROUNDING else 1.0
     width, height = size[0] - 1, size[1] - 1
     x = width * points[:, 0] / max(duration, float(points[-1, 0]))
     y = height * (1 - ROOM - (1 - 2 * ROOM) * (values - low) / spread)

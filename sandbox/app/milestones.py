@@ -44,7 +44,7 @@ def needed(level: Level) -> Iterator[str]:
 
 
 def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]:
-    """Return what has happened, from how the checks stand and from the run that they grade."""
+    """Return what has happened, one after the other, from how the checks of a run stand."""
     found: dict[tuple[str, float], Milestone] = {}
     for result in results:
         body = _body(trace.level, result.check.at)
@@ -59,7 +59,7 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
         if len(here.texts) < MOST:
             what = result.check.label or result.check.quantity
             here.texts.append(f"{what} {wording.quantity(result.measured, result.unit, 3)}")
-    return tuple(found.values())
+    return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
 
 
 def _body(level: Level, at: Instant | None) -> str | None:

@@ -1,5 +1,6 @@
 """A still picture of a level, drawn without a window."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from io import BytesIO
 from math import ceil
@@ -66,18 +67,18 @@ def render(
     pygame.font.init()
     pen = Pen()
     session = Session(level, values)
-    _run(session, session.duration * TELLING if at is None else at)
     picture = pygame.Surface(size)
     picture.fill(theme.PANEL)
     stage = Stage(pen, (size[0] - SIDE, size[1]))
     stage.use(session.world)
     stage.fit()
+    _run(session, session.duration * TELLING if at is None else at, stage.watch)
     stage.shown.ghosts = beside is None
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, () if beside else session.milestones())
     if beside:
         other = Session(beside.level, values)
-        _run(other, session.t)
+        _run(other, session.t, stage.watch)
         stage.draw_beside(drawn, other.world, other.trail)
     _write(picture, session, pen, beside)
     return picture
@@ -103,11 +104,12 @@ def save_picture(
     write_atomically(path, png.getvalue())
 
 
-def _run(session: Session, at: float) -> None:
+def _run(session: Session, at: float, each: Callable[[], None]) -> None:
     for _ in range(ceil(at * session.world.stepping.rate * (1 - 1e-12))):
         session.step()
         if session.failure is not None:
             raise session.failure
+        each()
 
 
 def _write(picture: pygame.Surface, session: Session, pen: Pen, beside: Beside | None) -> None:

@@ -9,6 +9,9 @@ from sandbox.model.suggest import meant, suggestion
 CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange")
 """The folders in the order of the document; others follow by name."""
 
+ORDER = "order.txt"
+"""The file that tells in which order the levels of a chapter stand; others follow by name."""
+
 
 def root() -> Path:
     """Return the folder of the levels: inside an installed package, beside it in a checkout."""
@@ -19,14 +22,17 @@ def root() -> Path:
 
 def names() -> list[str]:
     """Return the names of all levels, such as `newton/atwood`, chapter by chapter."""
-    found = [(path.parent.name, path.stem) for path in root().glob("*/*.json")]
-    return [f"{chapter}/{level}" for chapter, level in sorted(found, key=_order)]
+    order = root() / ORDER
+    told = order.read_text("utf-8").split() if order.is_file() else []
+    place = {name: i for i, name in enumerate(told)}
 
+    def by_chapter(found: tuple[str, str]) -> tuple[int, str, int, str]:
+        chapter, level = found
+        known = CHAPTERS.index(chapter) if chapter in CHAPTERS else len(CHAPTERS)
+        return known, chapter, place.get(f"{chapter}/{level}", len(place)), level
 
-def _order(name: tuple[str, str]) -> tuple[int, str, str]:
-    chapter, level = name
-    known = CHAPTERS.index(chapter) if chapter in CHAPTERS else len(CHAPTERS)
-    return known, chapter, level
+    levels = ((path.parent.name, path.stem) for path in root().glob("*/*.json"))
+    return [f"{chapter}/{level}" for chapter, level in sorted(levels, key=by_chapter)]
 
 
 def find(level: str) -> Path:

@@ -12,6 +12,8 @@ from sandbox.model.joints import (
     Held,
     Joint,
     Motor,
+    Own,
+    Rod,
     Spring,
     Weld,
     Winding,
@@ -19,6 +21,7 @@ from sandbox.model.joints import (
     bodies_of,
     body_of,
     ends_of,
+    is_exact,
     points,
 )
 from sandbox.model.level import (
@@ -240,6 +243,26 @@ def _joints(level: Level) -> Iterator[Fault]:
             yield Fault(path, "at least one end must be a dynamic body")
     if "s" in level.parameters and any(isinstance(j, Wire) for j in level.joints.values()):
         yield Fault(("parameters", "s"), "'s' runs along the wires; choose another name")
+
+
+def _own(level: Level) -> Iterator[Fault]:
+    """Joints of pymunk's own do not change with time, and share no body with exact ones."""
+    exact = {b for joint in level.joints.values() if is_exact(joint) for b in bodies_of(joint)}
+    if level.effects.sticking:
+        exact.update(body for pair in level.effects.sticking.pairs for body in pair.bodies)
+    moving = {name for name, body in level.bodies.items() if body.type == "dynamic"}
+    for name, joint in level.joints.items():
+        if not isinstance(joint, Own) or joint.exact:
+            continue
+        path = ("joints", name, "exact")
+        formula = joint.length if isinstance(joint, Rod) else getattr(joint, "rate", None)
+        if formula is not None and "t" in formula.names:
+            yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
+        for body in moving.intersection(bodies_of(joint)) & exact:
+            rule = f"'{brief(body)}' is held exactly, too; let all that holds it be exact, or none"
+            yield Fault(path, rule)
+        if level.effects.in_sequence:
+            yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
 
 
 def _twice(joint: Joint) -> str | None:
@@ -466,6 +489,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _contact,
     _bodies,
     _joints,
+    _own,
     _sticking,
     _laws,
     _landscape,

@@ -1,7 +1,7 @@
 """What ties bodies together.
 
-All but the spring are exact: they hold to rounding at every step, whatever they carry. A spring is
-a force.
+All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
+level asks for pymunk's own. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
@@ -52,6 +52,8 @@ class Rod(Model):
     """what it holds together; each turns freely"""
     length: Formula | None = None
     """m, of the parameters and the time t; the distance at the start if left out"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
 
 
 class Rope(Model):
@@ -62,6 +64,8 @@ class Rope(Model):
     """what it ties together"""
     length: Positive | None = None
     """m; the distance at the start if left out, slack at first if longer"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
 
 
 class Pulley(Model):
@@ -85,6 +89,8 @@ class Pivot(Model):
     type: Literal["pivot"]
     ends: tuple[End, End]
     """the points that it keeps together"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
 
 
 class Rail(Model):
@@ -103,6 +109,8 @@ class Weld(Model):
     type: Literal["weld"]
     ends: tuple[End, End]
     """what it makes one; its tension and its torque are those at the second"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
 
 
 class Motor(Model):
@@ -113,6 +121,8 @@ class Motor(Model):
     """the points that it keeps together"""
     rate: Formula
     """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
 
 
 class Winding(Model):
@@ -158,10 +168,18 @@ class Wire(Model):
     """from where to where s runs"""
 
 
+Own = Rod | Rope | Pivot | Weld | Motor
+"""What pymunk has, too."""
+
 Joint = Annotated[
     Rod | Rope | Pulley | Pivot | Rail | Weld | Motor | Winding | Wire | Spring,
     Field(discriminator="type"),
 ]
+
+
+def is_exact(joint: Joint) -> bool:
+    """Whether a joint is solved exactly: it is no spring, and none of pymunk's own."""
+    return not isinstance(joint, Spring) and getattr(joint, "exact", True)
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:

@@ -1,7 +1,7 @@
 """The joints of a scene: what holds exactly, and what pulls like a spring.
 
 A plain string over pegs that shares no body with another exact joint is solved by itself, which is
-five times as fast. All other exact joints are solved together.
+five times as fast. All other exact joints are solved together. pymunk solves what is not exact.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -15,7 +15,9 @@ from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import (
     End,
     Held,
+    Joint,
     Motor,
+    Own,
     Pivot,
     Pulley,
     Rail,
@@ -27,6 +29,7 @@ from sandbox.model.joints import (
     Wire,
     bodies_of,
     body_of,
+    is_exact,
     points,
 )
 from sandbox.model.level import Level, span
@@ -34,6 +37,7 @@ from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.anchor import Anchor, length
 from sandbox.physics.batch import Batch, Booleans
+from sandbox.physics.constraints import OwnJoint
 from sandbox.physics.exact.equations import Coordinates, Equation
 from sandbox.physics.exact.reaches import Row
 from sandbox.physics.exact.solver import ExactJoints
@@ -81,6 +85,8 @@ class Joints:
         Those that are force laws, by name.
     strings
         Those that are solved by themselves, by name.
+    own
+        Those that pymunk solves, by name.
     together
         All other exact ones; None if there are none.
     paths
@@ -120,7 +126,8 @@ class Joints:
         rows: list[Row] = []
         others: list[Equation] = []
         start = _coordinates(bodies)
-        for name, spec in level.joints.items():
+        self.own = self._take_own(level, bodies, lengths, values)
+        for name, spec in _ours(level).items():
             if isinstance(spec, Wire):
                 curve = along(spec, values)
                 self.wires[name] = WireEquation(name, self.paths[name][0], curve)
@@ -142,6 +149,31 @@ class Joints:
         self.solids = Solids(bodies)
         for a, b in _welded(level):
             self.solids.join(a, b)
+
+    def _take_own(
+        self,
+        level: Level,
+        bodies: Mapping[str, pymunk.Body],
+        lengths: Mapping[str, float],
+        values: Values,
+    ) -> dict[str, OwnJoint]:
+        """Make the joints that pymunk solves, and put them into the space of their bodies."""
+        own: dict[str, OwnJoint] = {}
+        for name, spec in level.joints.items():
+            if isinstance(spec, Own) and not spec.exact:
+                space = next(iter(bodies.values())).space
+                assert space
+                known = [*bodies.values(), space.static_body]
+                a, b = (
+                    (known[-1 if end.body is None else end.body], (end.point.real, end.point.imag))
+                    for end in self.paths[name]
+                )
+                given = getattr(spec, "length", None)
+                whole = lengths[name] if given is None else given(values)
+                turns = self._can_turn(*self.paths[name])
+                own[name] = OwnJoint(spec, values, (a, b), whole, turns=turns)
+                space.add(*own[name].constraints)
+        return own
 
     def _turning(
         self, name: str, spec: Turning, start: Coordinates, values: Values
@@ -211,6 +243,8 @@ class Joints:
         """Take the present lengths as those that hold from a time on [s]."""
         for string in self.strings.values():
             string.refit()
+        for own in self.own.values():
+            own.refit()
         for wire in self.wires.values():
             wire.forget()
         if self.together:
@@ -242,6 +276,8 @@ class Joints:
     def _tension(self, name: str, motion: Motion) -> float:
         if name in self.strings:
             return self.strings[name].tension
+        if name in self.own:
+            return self.own[name].tension
         if name in self.springs:
             return float(self.springs[name].tension(motion))
         assert self.together
@@ -251,13 +287,17 @@ class Joints:
     def torque(self) -> Array:
         """Return the torque of each joint on its second body in the last kick [N m]."""
         torque = np.zeros(len(self.paths))
-        if self._fixtures and self.together:
+        if self._fixtures:
             for i, name in enumerate(self.paths):
-                torque[i] = self.together.torque(name)
+                if name in self.own:
+                    torque[i] = self.own[name].torque
+                elif self.together:
+                    torque[i] = self.together.torque(name)
         return torque
 
-    def _solved(self) -> Iterator[PulleyString | ExactJoints]:
+    def _solved(self) -> Iterator[PulleyString | OwnJoint | ExactJoints]:
         yield from self.strings.values()
+        yield from self.own.values()
         if self.together:
             yield self.together
 
@@ -268,6 +308,11 @@ def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> 
         if row is not None:
             gradient[0, row, :2] += direction
     return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
+
+
+def _ours(level: Level) -> dict[str, Joint]:
+    """Return the joints that pymunk does not solve, by name."""
+    return {name: j for name, j in level.joints.items() if is_exact(j) or isinstance(j, Spring)}
 
 
 def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
@@ -285,7 +330,7 @@ def _is_alone(name: str, level: Level) -> bool:
     if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
         return False
     moving = {body for body in bodies_of(joint) if level.bodies[body].type == "dynamic"}
-    others = (o for n, o in level.joints.items() if n != name and not isinstance(o, Spring))
+    others = (o for n, o in level.joints.items() if n != name and is_exact(o))
     return not any(moving & set(bodies_of(other)) for other in others)
 
 

@@ -11,7 +11,9 @@ from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
+from sandbox.model import catalog
 from sandbox.model.joints import Rod
+from sandbox.model.loading import choose, load
 from sandbox.model.shapes import XY
 from tests.app import scenes
 
@@ -234,3 +236,27 @@ def test_a_joint_without_a_look_of_its_own_is_seen(
     stage.fit()
 
     assert count(draw(session, stage), theme.SURFACE_EDGE) >= 20
+
+
+def test_a_frame_that_depends_on_parameters_follows_them(pen: Pen) -> None:
+    level = load(catalog.find("kinematics/free-fall"))
+    stage = Stage(pen, SIZE)
+    for height in (20, 50):
+        stage.use(Session(level, choose(level, {"height": height})).world)
+        assert 0 < stage.camera.to_screen((0, height))[1] < SIZE[1] / 4
+
+    stage.camera.zoom(0.5)
+    chosen = stage.camera.scale
+    stage.use(Session(level, level.defaults).world)
+    assert stage.camera.scale == chosen
+
+
+def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
+    session = Session(load(catalog.find("newton/atwood-equal-masses")))
+    for _ in range(60):
+        session.step()
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+
+    assert abs(session.world.snapshot.velocity).max() > 0
+    assert count(draw(session, stage), theme.ARROW) == 0

@@ -110,3 +110,22 @@ def test_the_levels_are_inside_the_package_or_beside_it(
 @pytest.mark.parametrize("name", catalog.names())
 def test_every_level_of_the_project_is_found_and_well_formed(name: str) -> None:
     assert load(catalog.find(name)).title
+
+
+def test_levels_stand_in_the_order_that_a_file_tells_and_others_after_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("newton/atwood", "newton/rocket", "newton/incline", "energy/ramp"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / f"{name}.json").touch()
+    (tmp_path / catalog.ORDER).write_text("energy/ramp\nnewton/rocket\nnewton/incline\n")
+    monkeypatch.setattr(catalog, "root", lambda: tmp_path)
+
+    assert catalog.names() == ["newton/rocket", "newton/incline", "newton/atwood", "energy/ramp"]
+
+
+def test_the_order_names_levels_that_exist_and_each_once() -> None:
+    told = (catalog.root() / catalog.ORDER).read_text("utf-8").split()
+
+    assert len(told) == len(set(told))
+    assert set(told) <= set(catalog.names())

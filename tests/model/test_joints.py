@@ -194,3 +194,30 @@ def test_a_parameter_that_only_a_force_of_time_uses_is_used_by_the_scene() -> No
         "bodies": {"ball": disc()},
     }
     assert not mistakes_in(json.dumps(data))
+
+
+@pytest.mark.parametrize(
+    "made",
+    [
+        joint("rod", exact=False),
+        joint("rope", exact=False, length=6),
+        joint("pivot", [3, 4], "block", exact=False),
+    ],
+)
+def test_pymunks_own_joints_may_be_asked_for(made: dict[str, Any]) -> None:
+    assert tied(made) == []
+
+
+@pytest.mark.parametrize(
+    ("made", "effects", "rule"),
+    [
+        (joint("rod", exact=False, length="5 - t"), {}, "joints.tie.exact: only an exact joint can change with the time 't'; leave out 'exact'"),
+        (joint("motor", [0, 0], "ball", exact=False, rate="t"), {"rotation": {}}, "joints.tie.exact: only an exact joint can change with the time 't'; leave out 'exact'"),
+        (joint("rod", exact=False), {"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "wall"]}]}}, "joints.tie.exact: 'ball' is held exactly, too; let all that holds it be exact, or none"),
+        (joint("rod", exact=False), {"contact": {}, "restitution": {"impacts": "sequence", "pairs": [{"bodies": ["ball", "block"], "coefficient": 1}]}}, "joints.tie.exact: impacts in 'sequence' need exact joints; leave out 'exact'"),
+    ],
+)  # fmt: skip
+def test_what_pymunks_own_joints_cannot_do_is_refused(
+    made: dict[str, Any], effects: dict[str, Any], rule: str
+) -> None:
+    assert rule in tied(made, **effects)

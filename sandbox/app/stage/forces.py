@@ -11,6 +11,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines
+from sandbox.app.stage.labels import Labels
 from sandbox.app.text import Pen
 from sandbox.app.wording import MINUS, number
 from sandbox.model.effects import Force
@@ -107,26 +108,29 @@ class Forces:
         tips = ((arrow.tip(camera, scale), arrow) for arrow in reversed(free))
         return next((a for (x, y), a in tips if hypot(x - pixel[0], y - pixel[1]) <= REACH), None)
 
-    def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen, world: World) -> None:
+    def draw(
+        self, surface: pygame.Surface, camera: Camera, pen: Pen, world: World, labels: Labels
+    ) -> None:
         """Draw the forces; those that act on the same point are put together."""
         scale = self.scale(camera)
         ordered = sorted(self.arrows(world), key=lambda arrow: arrow.row)
         for _, group in groupby(ordered, key=lambda arrow: (arrow.row, arrow.tail)):
             arrows = list(group)
             if len(arrows) > 1:
-                _draw_sum(surface, camera, pen, arrows, scale)
+                _draw_sum(surface, camera, pen, arrows, scale, labels)
             for i, arrow in enumerate(arrows):
                 color = theme.FORCES[i % len(theme.FORCES)]
                 start, end = camera.to_screen(arrow.tail), arrow.tip(camera, scale)
                 lines.arrow(surface, color, start, end, WIDTH)
                 if arrow.handles and lines.near((end,)):
                     pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
-                _write(surface, pen, arrow.text, start, end)
+                _write(surface, pen, arrow.text, start, end, labels)
 
 
 def _draw_sum(
-    surface: pygame.Surface, camera: Camera, pen: Pen, arrows: list[Arrow], scale: float
-) -> None:
+    surface: pygame.Surface, camera: Camera, pen: Pen, arrows: list[Arrow], scale: float,
+    labels: Labels,
+) -> None:  # fmt: skip
     """Draw the others on the tip of the first, dashed, and the resultant from tail to tip."""
     start, at = camera.to_screen(arrows[0].tail), arrows[0].tip(camera, scale)
     for i, arrow in enumerate(arrows[1:], start=1):
@@ -137,14 +141,16 @@ def _draw_sum(
         at = end
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
-    _write(surface, pen, f"sum {_pair(x, y)}, {number(hypot(x, y), 3)} N", start, at)
+    _write(surface, pen, f"sum {_pair(x, y)}, {number(hypot(x, y), 3)} N", start, at, labels)
 
 
 def _pair(x: float, y: float) -> str:
     return f"({x:.3g}, {y:.3g}) N".replace("-", MINUS)
 
 
-def _write(surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY) -> None:
+def _write(
+    surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
+) -> None:
     """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one."""
     length = hypot(end[0] - start[0], end[1] - start[1])
     if length < HANDLE or not lines.near((end,)):
@@ -153,7 +159,9 @@ def _write(surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY) -> 
     image = pen.outlined(text)
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
-    surface.blit(image, image.get_rect(center=(end[0] + aside, end[1] + beyond)))
+    place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
+    surface.blit(image, place)
+    labels.take(place)
 
 
 def _shared(x: str, y: str) -> str:

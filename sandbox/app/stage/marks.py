@@ -1,6 +1,6 @@
 """What explains a motion: trails, ghosts, velocity arrows, names."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import copysign, hypot, isfinite
 
 import numpy as np
@@ -10,6 +10,7 @@ from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage import lines
+from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -22,6 +23,9 @@ LONGEST = 0.14
 """The longest arrow, as a part of the stage's width."""
 
 EDGE = 26  # px, kept free of words along the rulers
+LINE, FURTHER = 16, 4
+"""The height of a line [px], and by up to how many words move on where there is no room."""
+
 PATH_POINTS = 240
 """Into how many pieces the closed form's path is cut."""
 
@@ -145,33 +149,67 @@ def draw_arrow_key(
     surface.blit(text, (corner[0] - max(length, text.width), corner[1] - text.height - 3))
 
 
-def draw_milestone(surface: pygame.Surface, camera: Camera, pen: Pen, milestone: Milestone) -> None:
-    """Mark where something has happened, with what was measured then written below."""
-    x, y = camera.to_screen(milestone.place)
-    if not lines.near(((x, y),)):
-        return
-    color = theme.PASSED if milestone.passed else theme.FAILED
-    corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
-    lines.fill(surface, theme.STAGE, corners)
-    lines.path(surface, color, [*corners, corners[0]], 2)
-    texts = [pen.outlined(text) for text in milestone.texts]
-    place = pygame.Rect(0, 0, max(t.width for t in texts), sum(t.height - 2 for t in texts))
-    place.midtop = round(x), round(y) + 9
-    place.clamp_ip(surface.get_rect().inflate(-2 * EDGE, -2 * EDGE))
-    for text in texts:
-        surface.blit(text, text.get_rect(midtop=(place.centerx, place.y)))
-        place.y += text.height - 2
+def draw_milestones(
+    surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
+    labels: Labels,
+) -> None:  # fmt: skip
+    """Mark where something has happened, with what was measured then written beside it."""
+    seen = [(m, camera.to_screen(m.place)) for m in milestones]
+    seen = [(m, (x, y)) for m, (x, y) in seen if lines.near(((x, y),))]
+    for milestone, (x, y) in seen:
+        color = theme.PASSED if milestone.passed else theme.FAILED
+        corners = [(x, y - 6), (x + 6, y), (x, y + 6), (x - 6, y)]
+        lines.fill(surface, theme.STAGE, corners)
+        lines.path(surface, color, [*corners, corners[0]], 2)
+        labels.take(_box(corners))
+    for milestone, (x, y) in seen:
+        texts = [pen.outlined(text) for text in milestone.texts]
+        size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
+        inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
+        around = _around(round(x), round(y), size)
+        if place := labels.find(spot.clamp(inside) for spot in around):
+            top = place.y
+            for text in texts:
+                surface.blit(text, text.get_rect(midtop=(place.centerx, top)))
+                top += text.height - 2
 
 
-def draw_name(
-    surface: pygame.Surface, camera: Camera, pen: Pen, outline: Outline, position: XY, angle: float
-) -> None:
-    """Write a body's name to its upper right."""
-    corners = camera.path(outline.placed(position, angle))
-    x, y = _upper_right(corners)
-    if lines.near(((x, y),)):
-        surface.blit(pen.outlined(outline.name), (x + 4, y - 16))
+def _around(x: int, y: int, size: tuple[int, int]) -> Iterator[pygame.Rect]:
+    """Yield where words may stand about a point: below, above, beside it, and further off."""
+    place = pygame.Rect((0, 0), size)
+    for further in range(0, FURTHER * LINE, LINE):
+        yield place.move_to(midtop=(x, y + 9 + further))
+        yield place.move_to(midbottom=(x, y - 9 - further))
+        if not further:
+            yield place.move_to(midleft=(x + 11, y))
+            yield place.move_to(midright=(x - 11, y))
 
 
-def _upper_right(corners: Sequence[XY]) -> XY:
-    return max(corners, key=lambda corner: corner[0] - corner[1])
+def draw_names(
+    surface: pygame.Surface, camera: Camera, pen: Pen,
+    shown: Sequence[tuple[Outline, XY, float]], labels: Labels,
+) -> None:  # fmt: skip
+    """Write the names of bodies beside them; where there is no room for one, it is left out."""
+    paths = [camera.path(outline.placed(position, angle)) for outline, position, angle in shown]
+    near = [lines.near(path) for path in paths]
+    boxes = [_box(path) if seen else pygame.Rect() for path, seen in zip(paths, near, strict=True)]
+    for i, (outline, _, _) in enumerate(shown):
+        if near[i]:
+            text = pen.outlined(outline.name)
+            x, y = (round(c) for c in max(paths[i], key=lambda corner: corner[0] - corner[1]))
+            box, place = boxes[i], text.get_rect(topleft=(x + 4, y - 16))
+            places = (
+                place,
+                place.move_to(midbottom=(box.centerx, box.top - 1)),
+                place.move_to(bottomright=(box.left - 4, box.top + 4)),
+                place.move_to(topleft=(box.right + 4, box.bottom - 4)),
+                place.move_to(midtop=(box.centerx, box.bottom + 1)),
+            )
+            if found := labels.find(places, boxes[:i] + boxes[i + 1 :]):
+                surface.blit(text, found)
+
+
+def _box(corners: Sequence[XY]) -> pygame.Rect:
+    """Return the rectangle about some points [px]."""
+    (left, top), (right, bottom) = np.min(corners, axis=0), np.max(corners, axis=0)
+    return pygame.Rect(round(left), round(top), round(right - left), round(bottom - top))

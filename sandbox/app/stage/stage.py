@@ -11,6 +11,7 @@ from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage import bodies, flows, grid, joints, lines, marks
 from sandbox.app.stage.forces import Arrow, Forces
+from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
@@ -23,6 +24,9 @@ from sandbox.physics.world import World
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""
+
+AT_REST = 1e-6
+"""What comes less far than this part of what is seen is at rest, but for rounding."""
 
 
 @dataclass
@@ -60,7 +64,7 @@ class Stage:
         self._level: object = None
 
     def use(self, world: World) -> None:
-        """Show another world."""
+        """Show another world; what a person has chosen to see of the plane stays."""
         if world.level is not self._level:
             self._level = world.level
             self._forces = Forces(world.level)
@@ -74,6 +78,8 @@ class Stage:
         landscape = world.level.view.landscape
         self._relief = landscape and Relief(landscape, world)
         self._base_key = None
+        if self.camera.fitted:
+            self.fit()
 
     def fit(self) -> None:
         """Show the part of the plane that the level asks for."""
@@ -91,6 +97,8 @@ class Stage:
         milestones: Sequence[Milestone] = (),
     ) -> None:  # fmt: skip
         """Draw the world as it is now on a surface of the stage's size."""
+        labels = Labels(surface.get_rect())
+        labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
         self._draw_base()
         self._draw_trail(trail if self.shown.trail and self._few else None)
         surface.blit(self._canvas, (0, 0))
@@ -104,14 +112,12 @@ class Stage:
         if self._ghosts:
             self._draw_ghosts(surface)
         if self._few:
-            for milestone in milestones:
-                marks.draw_milestone(surface, self.camera, self._pen, milestone)
+            marks.draw_milestones(surface, self.camera, self._pen, milestones, labels)
         if self.shown.arrows:
-            self._draw_arrows(surface)
+            self._draw_arrows(surface, labels)
         if self.shown.names and self._few:
-            for outline in self._moving:
-                position, angle = self._state(outline)
-                marks.draw_name(surface, self.camera, self._pen, outline, position, angle)
+            named = [(outline, *self._state(outline)) for outline in self._moving]
+            marks.draw_names(surface, self.camera, self._pen, named, labels)
 
     def draw_beside(self, surface: pygame.Surface, world: World, trail: Trail) -> None:
         """Draw another run of the same bodies over this one: dashed, with the way it took."""
@@ -254,19 +260,23 @@ class Stage:
                 angle = self._state(outline)[1]
                 marks.draw_ghost(surface, self.camera, outline, where, angle)
 
-    def _draw_arrows(self, surface: pygame.Surface) -> None:
+    def watch(self) -> None:
+        """Note how fast the world is now, so that arrows keep to one scale over a run."""
+        velocity = self._world.snapshot.velocity
+        speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
+        self._fastest = max(self._fastest, speed)
+
+    def _draw_arrows(self, surface: pygame.Surface, labels: Labels) -> None:
         if not self._few or not self._moving:
             return
-        self._forces.draw(surface, self.camera, self._pen, self._world)
-        snapshot = self._world.snapshot
-        speed = float(np.hypot(snapshot.velocity[:, 0], snapshot.velocity[:, 1]).max())
-        self._fastest = max(self._fastest, speed)
-        if not self._fastest:
+        self._forces.draw(surface, self.camera, self._pen, self._world, labels)
+        self.watch()
+        seen = self.camera.size[0] / self.camera.scale
+        if self._fastest * self._duration < AT_REST * seen:
             return
-        longest = marks.LONGEST * self.camera.size[0]
-        seconds = longest / (self.camera.scale * self._fastest)
+        seconds = marks.LONGEST * seen / self._fastest
         for outline in self._moving:
-            vx, vy = snapshot.velocity[outline.row].tolist()
+            vx, vy = self._world.snapshot.velocity[outline.row].tolist()
             position = self._state(outline)[0]
             if self.shown.components:
                 marks.draw_components(surface, self.camera, self._pen, position, (vx, vy), seconds)

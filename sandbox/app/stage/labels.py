@@ -1,0 +1,40 @@
+"""Where words stand beside what they name, so that none covers another."""
+
+from collections.abc import Iterable, Sequence
+
+import pygame
+
+
+class Labels:
+    """The places that are taken by words in one picture."""
+
+    def __init__(self, bounds: pygame.Rect) -> None:
+        self._bounds = bounds
+        self._taken: list[pygame.Rect] = []
+
+    def take(self, place: pygame.Rect) -> None:
+        """Keep words from a place [px]."""
+        self._taken.append(place)
+
+    def find(
+        self, places: Iterable[pygame.Rect], avoid: Sequence[pygame.Rect] = ()
+    ) -> pygame.Rect | None:
+        """Take the first of some places that is free; None if there is none.
+
+        Parameters
+        ----------
+        places
+            Where words could stand [px], the best first.
+        avoid
+            What they should rather not cover; they may if nothing else is left.
+        """
+        free = [
+            place
+            for place in places
+            if self._bounds.contains(place) and place.collidelist(self._taken) < 0
+        ]
+        clear = (place for place in free if place.collidelist(avoid) < 0)
+        found = next(clear, free[0] if free else None)
+        if found:
+            self.take(found)
+        return found

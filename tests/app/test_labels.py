@@ -1,0 +1,57 @@
+"""Words keep off each other."""
+
+import pygame
+
+from sandbox.app.session import Session
+from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen
+from sandbox.model import catalog
+from sandbox.model.loading import load
+
+BOUNDS = pygame.Rect(0, 0, 100, 100)
+BEST, SECOND = pygame.Rect(10, 10, 20, 10), pygame.Rect(10, 40, 20, 10)
+
+
+def test_the_best_place_is_taken_first_and_then_the_next_and_then_none() -> None:
+    labels = Labels(BOUNDS)
+
+    assert labels.find([BEST, SECOND]) == BEST
+    assert labels.find([BEST, SECOND]) == SECOND
+    assert labels.find([BEST, SECOND]) is None
+
+
+def test_words_stay_on_the_picture() -> None:
+    beyond = pygame.Rect(90, 10, 20, 10)
+
+    assert Labels(BOUNDS).find([beyond, SECOND]) == SECOND
+
+
+def test_words_cover_what_they_should_avoid_only_if_nothing_else_is_left() -> None:
+    labels = Labels(BOUNDS)
+
+    assert labels.find([BEST, SECOND], avoid=[BEST]) == SECOND
+    assert labels.find([BEST, SECOND], avoid=[BEST]) == BEST
+
+
+def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
+    session = Session(load(catalog.find("lagrange/bead-on-a-wire")))
+    while session.t < session.duration:
+        session.step()
+    written: list[pygame.Rect] = []
+
+    class Noting(pygame.Surface):
+        def blit(self, source: pygame.Surface, dest: pygame.Rect, *_: object) -> pygame.Rect:  # type: ignore[override]
+            if source in texts:
+                written.append(pygame.Rect(dest))
+            return super().blit(source, dest)
+
+    milestones = session.milestones()
+    texts = [pen.outlined(text) for milestone in milestones for text in milestone.texts]
+    stage = Stage(pen, (640, 480))
+    stage.use(session.world)
+    stage.draw(Noting((640, 480)), milestones=milestones)
+
+    assert len(written) == len(texts) == 3
+    shrunk = [place.inflate(0, -4) for place in written]  # lines of one text share their rims
+    assert all(a.collidelist(shrunk[i + 1 :]) < 0 for i, a in enumerate(shrunk))
