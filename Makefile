@@ -21,7 +21,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test lint check-levels pytest validate format docs clean
+.PHONY: help run test lint check-levels pytest validate report format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -45,6 +45,9 @@ pytest: $(FOR_TEST) ## the tests
 
 validate: $(FOR_TEST) ## every case against its closed form
 	$(HEADLESS) $(PY) -m validation run
+
+report: $(FOR_TEST) ## all of the validation as one page, out/report/report.html: some minutes
+	$(HEADLESS) $(PY) -m validation report --output out/report
 
 format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .

@@ -166,8 +166,10 @@ class Costs:
     exact, converging
         How much closer than pymunk in the same time, where our error is rounding and where it is
         not; None if there are no such levels.
+    alike
+        The levels on which pymunk, too, is off by rounding alone, and nothing is to be compared.
     no_closer
-        The levels on which pymunk does as well, or better.
+        The others on which pymunk does as well, or better.
     price
         What our step takes of pymunk's own, at the same rate: the median.
     """
@@ -176,6 +178,7 @@ class Costs:
     silent: tuple[Sweep, ...]
     exact: Group | None
     converging: Group | None
+    alike: tuple[str, ...]
     no_closer: tuple[str, ...]
     price: float
 
@@ -189,15 +192,16 @@ def costs(sweeps: Sequence[Sweep]) -> Costs:
     """Return what the sweeps say."""
     found = [(sweep, headline(sweep)) for sweep in sweeps]
     rows = [(sweep, best, order(sweep.points, OURS)) for sweep, best in found if best]
-    exact = [best.closer for _, best, _ in rows if best.error <= ROUNDING]
-    others = [best.closer for _, best, _ in rows if best.error > ROUNDING]
+    alike = [s.level for s, best, _ in rows if max(best.error, best.naive_error) <= ROUNDING]
+    compared = [(sweep.level, best) for sweep, best, _ in rows if sweep.level not in alike]
     prices = [ratio for sweep in sweeps for ratio in _prices(sweep)]
     return Costs(
         rows=tuple(rows),
         silent=tuple(sweep for sweep, best in found if best is None),
-        exact=_group(exact),
-        converging=_group(others),
-        no_closer=tuple(sweep.level for sweep, best, _ in rows if best.closer <= 1),
+        exact=_group([best.closer for _, best in compared if best.error <= ROUNDING]),
+        converging=_group([best.closer for _, best in compared if best.error > ROUNDING]),
+        alike=tuple(alike),
+        no_closer=tuple(level for level, best in compared if best.closer <= 1),
         price=median(prices) if prices else float("nan"),
     )
 

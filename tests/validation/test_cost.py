@@ -1,0 +1,185 @@
+"""What accuracy costs: the figures are the machine's, what is made of them is not."""
+
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from sandbox.model import catalog
+from sandbox.model.level import Scheme, Stepping
+from sandbox.model.loading import load
+from sandbox.physics.trace import needed, simulate
+from validation.cli import app
+from validation.cost.report import as_json, milliseconds, order_in_words, times
+from validation.cost.summary import cost_to_reach, headline, order, pareto
+from validation.cost.sweep import QUICK, Budget, Point, Sweep, errors, timed
+from validation.cost.yardstick import yardstick
+
+LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]
+
+
+def point(rate: float, error: float, seconds: float, scheme: Scheme = "leapfrog") -> Point:
+    return Point(scheme, rate, 10, error, seconds, 100, 0)
+
+
+def power(exponent: float, scale: float, scheme: Scheme, cost: float = 1e-6) -> list[Point]:
+    """A scheme whose error falls with a power of the step."""
+    rates = [60.0 * 2**i for i in range(6)]
+    return [point(rate, scale * rate**-exponent, cost * rate, scheme) for rate in rates]
+
+
+def sweep(points: Sequence[Point], own_rate: float = 240.0) -> Sweep:
+    return Sweep("a/level", "closed form", ("t",), own_rate, tuple(points))
+
+
+@pytest.mark.parametrize("exponent", [1.0, 2.0, 4.0])
+def test_the_order_is_the_power_by_which_the_error_falls(exponent: float) -> None:
+    points = power(exponent, 1.0, "leapfrog")
+
+    assert order(points, "leapfrog") == pytest.approx(exponent)
+    assert order(points, "symplectic-euler") is None
+
+
+def test_rounding_has_no_order() -> None:
+    points = [point(60.0 * 2**i, 3e-15, 1e-3) for i in range(6)]
+
+    assert order(points, "leapfrog") is None
+    assert order_in_words(3e-15, None) == "exact"
+
+
+def test_too_few_runs_are_not_called_exact() -> None:
+    points = power(2.0, 1.0, "leapfrog")[:2]
+
+    assert order_in_words(points[0].error, order(points, "leapfrog")) == "–"
+
+
+def test_nothing_beats_a_point_of_the_pareto_front() -> None:
+    points = [
+        point(60, 1e-2, 1.0), point(60, 1e-3, 3.0), point(60, 5e-2, 2.0), point(60, 1e-3, 2.5),
+        point(60, math.nan, math.nan), point(60, math.inf, 0.5),
+    ]  # fmt: skip
+
+    assert pareto(points) == [0, 3]
+
+
+def test_the_cost_to_reach_an_error_is_that_of_the_cheapest_run() -> None:
+    points = [point(60, 1e-2, 1.0), point(120, 1e-4, 4.0), point(240, 1e-5, 2.0)]
+
+    assert cost_to_reach(points, 1e-2) == 1.0
+    assert cost_to_reach(points, 1e-3) == 2.0
+    assert cost_to_reach(points, 1e-9) is None
+
+
+def test_the_headline_compares_at_the_same_time_and_at_the_same_error() -> None:
+    """Second order beside first order of the same price: 1 / 240 as large an error at 240 Hz."""
+    found = headline(sweep([*power(2.0, 1.0, "leapfrog"), *power(1.0, 1.0, "symplectic-euler")]))
+
+    assert found is not None
+    assert found.naive_error == pytest.approx(1 / 240)
+    assert found.closer == pytest.approx(240)
+    assert found.cheaper == pytest.approx(240, rel=1e-6)  # by its order: no run came so close
+
+
+def test_pymunk_may_take_the_step_that_serves_it_best_in_the_same_time() -> None:
+    naive = power(1.0, 1.0, "symplectic-euler", cost=0.25e-6)  # four times as cheap
+
+    found = headline(sweep([*power(2.0, 1.0, "leapfrog"), *naive]))
+
+    assert found is not None
+    assert found.naive_error == pytest.approx(1 / 960)
+
+
+def test_without_a_run_of_ours_there_is_no_headline() -> None:
+    assert headline(sweep(power(1.0, 1.0, "symplectic-euler"))) is None
+
+
+def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
+    """The swing that a formula for small ones gives is off by as much, whatever the step."""
+    level = load(catalog.find("lagrange/simple-pendulum"))
+
+    stick = yardstick(level, level.defaults, budget=0.2)
+
+    assert stick is not None
+    swing = [level.checks[i].quantity for i in stick.by_reference]
+    assert "bob.position.x" in swing
+    assert "rod.length" not in swing  # that is no approximation
+    assert "a run at" in stick.kind
+    rates = (level.stepping.rate, 2 * level.stepping.rate)
+    coarse, fine = (
+        stick.error(simulate(level, record=needed(level), stepping=Stepping(rate=rate)))
+        for rate in rates
+    )
+    assert fine < 0.4 * coarse  # it converges, which it cannot to an approximation
+
+
+def test_a_formula_that_is_exact_is_the_yardstick() -> None:
+    level = load(catalog.find("kinematics/free-fall"))
+
+    stick = yardstick(level, level.defaults, budget=0.1)
+
+    assert stick is not None
+    assert stick.kind == "closed form"
+    assert stick.error(simulate(level, record=needed(level))) < 1e-11
+
+
+def test_a_sweep_finds_the_order_of_each_scheme() -> None:
+    """Measured: 1.97 to 2.03 for leapfrog, 1.0 for pymunk as it comes."""
+    found = errors("energy/kepler-ellipse", Budget(run=60, rates=(240.0, 480.0, 960.0)))
+
+    leapfrog, naive = (order(found.points, s) for s in ("leapfrog", "symplectic-euler"))
+    assert leapfrog == pytest.approx(2.0, abs=0.1)
+    assert naive is not None
+    assert naive < 1.3
+
+
+def test_runs_that_fail_stay_as_rows_without_a_price() -> None:
+    """The spring of 200 N/m on 0.1 kg needs more than 22 Hz, and says so."""
+    found = errors("energy/damped-spring", Budget(run=60, rates=(2.0, 240.0)))
+
+    failed = [p for p in found.points if p.failure]
+    assert {p.rate for p in failed} == {2.0}
+    assert all(math.isnan(p.seconds_per_second) for p in timed(found).points if p.failure)
+    (row, *_) = [p for p in as_json(found)["points"] if p["failure"]]  # type: ignore[attr-defined]
+    assert row["error"] is None
+
+
+def test_the_figures_are_written(tmp_path: Path) -> None:
+    file = tmp_path / "c.json"
+
+    done = CliRunner().invoke(
+        app, ["cost", *LEVELS, "--quick", "--json", str(file), "--output", str(tmp_path)]
+    )
+
+    assert done.exit_code == 0
+    said = json.loads(file.read_text(encoding="utf-8"))
+    assert [level["level"] for level in said["levels"]] == LEVELS
+    for level in said["levels"]:
+        assert {"points", "order", "pareto", "judged_by", "own_rate", "headline"} <= set(level)
+        assert {"scheme", "rate", "iterations", "error", "seconds_per_second", "steps"} <= set(
+            level["points"][0]
+        )
+        assert {p["rate"] for p in level["points"]} <= {*QUICK.rates, level["own_rate"]}
+    assert said["environment"]["pymunk"]
+    assert said["levels"][0]["headline"]["closer"] > 1e8
+    assert (tmp_path / "kinematics-free-fall.png").read_bytes().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize(
+    "wrong", [["kinematics/free-fal"], ["kinematics/free-fall", "--json", "/no/such/folder/c.json"]]
+)
+def test_what_cannot_be_measured_or_written_is_wrong_usage(wrong: list[str]) -> None:
+    done = CliRunner().invoke(app, ["cost", "--quick", *wrong])
+
+    assert done.exit_code == 2
+    assert done.stderr
+    assert "Traceback" not in done.output
+
+
+def test_prices_and_ratios_are_told_in_two_digits() -> None:
+    assert milliseconds(0.1371) == "140 ms/s"
+    assert milliseconds(0.00001) == "0.01 ms/s"
+    assert times(170.3) == "170×"
+    assert times(2.49e12) == "2.5e+12×"

@@ -1,0 +1,256 @@
+"""The report: one page that holds everything, is valid, and tells what is missing."""
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from sandbox.model import catalog
+from validation.cases import atwood, circular_motion
+from validation.cli import app
+from validation.effects import costs
+from validation.report import parts
+
+LEVELS = ("newton/atwood", "kinematics/circular-motion")
+
+VOID = {"meta", "br", "hr", "img", "input", "link", "wbr"}
+
+Attributes = list[tuple[str, str | None]]
+
+
+class Page(HTMLParser):
+    """What a page is made of, and what is wrong with it."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: Attributes) -> None:
+        assert len({name for name, _ in attrs}) == len(attrs), self.get_starttag_text()
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: Attributes) -> None:
+        assert "svg" in self.open, f"<{tag}/> closes itself in SVG only"
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open, f"</{tag}> closes nothing"
+        assert self.open.pop() == tag, self.getpos()
+
+    def having(self, *tags: str) -> list[dict[str, str | None]]:
+        return [attributes for tag, attributes in self.elements if tag in tags]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _small() -> Iterator[None]:
+    """Two cases, two levels, two numbers of bodies."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(parts, "PHENOMENA", (atwood, circular_motion))
+        patch.setattr(parts, "SAMPLE", LEVELS)
+        patch.setattr(catalog, "names", lambda: list(LEVELS))
+        patch.setattr(costs, "QUICK", (1, 100, 200))
+        yield
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where a report was written."""
+    folder = tmp_path_factory.mktemp("report") / "new"
+    done = write("--quick", "--figures", "--output", folder)
+    assert done.exit_code == 0, done.output
+    return folder
+
+
+@pytest.fixture(scope="module")
+def text(folder: Path) -> str:
+    return (folder / "report.html").read_text(encoding="utf-8")
+
+
+def write(*arguments: object) -> Result:
+    return CliRunner().invoke(app, ["report", *map(str, arguments)])
+
+
+def test_every_element_is_closed_and_every_name_is_given_once(text: str) -> None:
+    page = Page(text)
+
+    assert not page.open
+    names = [a["id"] for _, a in page.elements if "id" in a]
+    assert len(set(names)) == len(names)
+    assert text.startswith("<!DOCTYPE html>")
+    assert page.having("html")[0]["lang"] == "en"
+
+
+def test_what_is_referred_to_is_there(text: str) -> None:
+    page = Page(text)
+    names = {a["id"] for _, a in page.elements if "id" in a}
+    links = {a["href"] for a in page.having("a", "use")}
+    links |= {f"#{name}" for name in re.findall(r"url\(#(\w+)\)", text)}
+
+    assert links
+    assert links <= {f"#{name}" for name in names}
+
+
+def test_the_page_loads_nothing(text: str) -> None:
+    page = Page(text)
+
+    assert not page.having("link", "img", "iframe", "object", "embed")
+    assert not [a for _, a in page.elements if {"src", "srcset", "data"} & a.keys()]
+    assert "http" not in text
+    assert "@import" not in text
+    assert not re.search(r"url\((?!#)", text)
+
+
+def test_headings_go_down_one_step_at_a_time(text: str) -> None:
+    steps = [int(tag[1]) for tag, _ in Page(text).elements if re.fullmatch(r"h\d", tag)]
+
+    assert steps[0] == 1
+    assert steps.count(1) == 1
+    assert all(after <= before + 1 for before, after in pairwise(steps))
+
+
+def test_tables_and_figures_can_be_read_aloud(text: str) -> None:
+    page = Page(text)
+
+    assert page.having("table")
+    assert all(a.get("scope") in ("col", "row", "rowgroup") for a in page.having("th"))
+    figures = page.having("svg")
+    assert len(figures) == len(LEVELS) + 1
+    assert all(a["role"] == "img" and a["aria-label"] for a in figures)
+
+
+def test_text_in_figures_is_text(text: str) -> None:
+    figures = "".join(re.findall(r"<svg.*?</svg>", text, re.S))
+
+    assert "largest error of the run" in figures
+    assert "leapfrog" in figures
+    assert len(figures) < 20_000 * (len(LEVELS) + 1)
+
+
+def test_every_part_says_what_it_found(text: str) -> None:
+    assert "2 of 2" in text
+    assert all(level in text for level in LEVELS)
+    assert "attraction + drag + force" in text
+    assert "This part is missing" not in text
+    assert "A quick report" in text
+
+
+def test_the_figures_are_kept_beside_the_page(folder: Path) -> None:
+    figures = sorted(path.name for path in (folder / "figures").iterdir())
+
+    assert "cost-newton-atwood.png" in figures
+    assert "effects.svg" in figures
+    for part in parts.PARTS:
+        assert json.loads((folder / f"{part.command}.json").read_text(encoding="utf-8"))
+
+
+def test_a_report_is_drawn_anew_from_its_own_figures(
+    folder: Path, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def measure(_: bool) -> parts.Content:
+        pytest.fail("measured again")
+
+    monkeypatch.setattr(parts, "PARTS", [parts.Part(p.command, measure) for p in parts.PARTS])
+    done = write("--quick", "--from", folder, "--output", tmp_path)
+
+    assert done.exit_code == 0
+    stamp = re.compile(r"on [-\d]+ at [\d:]+ UTC|<svg.*?</svg>", re.S)  # the layout may shift
+    again = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert stamp.sub("", again) == stamp.sub("", text)
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        ("{", "cannot read"),
+        ("[]", "is not what"),
+        ("{}", "in another form"),
+        ('{"environment": {}, "levels": [{"level": "x"}]}', "in another form"),
+    ],
+)
+def test_a_part_that_cannot_be_read_is_told_in_its_place(
+    folder: Path, tmp_path: Path, content: str, reason: str
+) -> None:
+    source = broken(folder, tmp_path, content)
+
+    done = write("--quick", "--from", source, "--output", tmp_path / "out")
+
+    assert done.exit_code == 1
+    assert "missing: cost" in done.stderr
+    text = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert not Page(text).open
+    assert "This part is missing" in text
+    assert reason in text
+    assert "2 of 2" in text
+    assert "Traceback" not in text + done.output
+
+
+def broken(folder: Path, tmp_path: Path, content: str) -> Path:
+    source = tmp_path / "source"
+    source.mkdir()
+    for name in ("run.json", "effects.json"):
+        (source / name).write_bytes((folder / name).read_bytes())
+    (source / "cost.json").write_text(content, encoding="utf-8")
+    return source
+
+
+def test_a_case_that_does_not_hold_is_named(folder: Path, tmp_path: Path) -> None:
+    source = broken(folder, tmp_path, (folder / "cost.json").read_text(encoding="utf-8"))
+    found: dict[str, Any] = json.loads((source / "run.json").read_text(encoding="utf-8"))
+    found["cases"][0] |= {"passed": False, "name": "a <wrong> case", "error": None}
+    (source / "run.json").write_text(json.dumps(found), encoding="utf-8")
+
+    done = write("--quick", "--from", source, "--output", tmp_path / "out")
+
+    assert done.exit_code == 1
+    text = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "1 of 2" in text
+    assert "a &lt;wrong&gt; case" in text
+    assert not Page(text).open
+
+
+WITHOUT = """
+import sys
+sys.modules[{library!r}] = None
+sys.argv = ["validation", "report", "--output", {output!r}]
+from validation.__main__ import main
+main()
+"""
+
+
+@pytest.mark.parametrize("library", ["jinja2", "matplotlib"])
+def test_a_missing_extra_is_told_with_the_command_that_installs_it(
+    library: str, tmp_path: Path
+) -> None:
+    code = WITHOUT.format(library=library, output=str(tmp_path))
+
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+
+    assert done.returncode == 2
+    assert library in done.stderr
+    assert "pip install" in done.stderr
+    assert "[report]" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_that_cannot_be_used_is_wrong_usage(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+
+    for wrong in (["--output", tmp_path / "file"], ["--from", tmp_path / "no", "--output", "x"]):
+        done = write("--quick", *wrong)
+        assert done.exit_code == 2
+        assert "cannot" in done.stderr
+        assert "Traceback" not in done.output
