@@ -22,6 +22,7 @@ import numpy as np
 
 from sandbox.model import accounts
 from sandbox.model.expressions import Array
+from sandbox.model.joints import Spring, bodies_of, is_exact
 from sandbox.model.quantities import Quantity
 from sandbox.model.shapes import evaluate
 from sandbox.physics.batch import Contacts
@@ -103,6 +104,9 @@ class Ledger:
         self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
         self._losses = dict.fromkeys(accounts.losses(level), 0.0)
         self._impulses = {name: np.zeros(3) for name in accounts.outside(level)}
+        own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
+        self._driven = any(accounts.drives(joint, level) for joint in own)
+        self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
         self._steps, self._velocity = world.steps, scene.batch.velocity()
         self._slack = scene.joints.pulls(len(self._mass)).tension <= 0
         start = self._middle(0.5, self._velocity)
@@ -133,6 +137,7 @@ class Ledger:
         rest -= self._joints(kick)
         jump = self._jump(kick)
         rest -= jump
+        rest -= self._own(kick, rest)
         rest -= self._hand(kick, rest)
         self._touch(kick, rest, kick.work(jump))
         self._velocity, self._end = after, self._middle(0.5, after)
@@ -277,6 +282,26 @@ class Ledger:
         self._give("supports", together, kick.place)
         return together
 
+    def _own(self, kick: "_Kick", rest: Array) -> Array:
+        """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
+        impulse = np.zeros_like(rest)
+        if not self._hung:
+            return impulse
+        contacts = self._kicked()
+        for row in self._hung:
+            impulse[row] = rest[row]
+            impulse[row, :2] -= _pressed(contacts, row)
+        impulse[kick.inertia == 0] = 0.0
+        self._give("supports", impulse, kick.place)
+        if self._driven:
+            self._works["joints"] += kick.work(impulse)
+        return impulse
+
+    def _kicked(self) -> Contacts:
+        """Return the contacts of the kick, without the impacts that cut the drift before it."""
+        located = self._world.located
+        return self._world.contacts.after(len(located.impacts) if located else 0)
+
     def _jump(self, kick: "_Kick") -> Array:
         """Return the impulses of impacts that come one after the other: (n, 3)."""
         if self._world.jump is None:
@@ -296,7 +321,7 @@ class Ledger:
         if hold is None:
             return impulse
         row, (x, y) = hold
-        pull = rest[row, :2] - _pressed(self._world.contacts, row)
+        pull = rest[row, :2] - _pressed(self._kicked(), row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
         self._works["hand"] += kick.work(impulse)
         self._impulses.setdefault("hand", np.zeros(3))
@@ -305,8 +330,7 @@ class Ledger:
 
     def _touch(self, kick: "_Kick", rest: Array, jumped: float) -> None:
         """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
-        located = self._world.located
-        contacts = self._world.contacts.after(len(located.impacts) if located else 0)
+        contacts = self._kicked()
         if not len(contacts.bodies):
             return
         touching = np.zeros(len(rest), dtype=bool)

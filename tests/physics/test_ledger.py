@@ -245,6 +245,18 @@ def test_a_rod_that_shortens_puts_work_in() -> None:
     assert books[-1].work["joints"] == pytest.approx(6, rel=1e-4)
 
 
+def test_what_pymunks_own_joints_lose_is_unexplained() -> None:
+    """A pendulum on a rod that is not exact: the rod gives momentum, and no energy."""
+    rod = {"type": "rod", "ends": [[0, 0], "bob"], "exact": False}
+    scene = level({"bob": disc((1, 0), radius=0.1)}, GRAVITY, joints={"rod": rod})
+
+    books = watched(build(scene), 120)
+
+    assert np.abs(books[-1].unexplained_impulse).max() < 1e-12
+    assert abs(books[-1].unexplained) > 1e-3
+    assert books[-1].impulse["supports"][1] > 1
+
+
 def test_what_stands_on_the_ground_gets_as_much_as_it_gives() -> None:
     scene = level({"box": box((0, 0.25)), "floor": floor()}, {**GRAVITY, "contact": {}})
 
