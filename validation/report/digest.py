@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import groupby
 from math import isfinite
 from statistics import median
 from typing import TypeVar
@@ -127,10 +126,10 @@ def by_chapter(
 
 
 def _claims(outcomes: Iterable[Outcome]) -> Iterator[Claim]:
-    def key(outcome: Outcome) -> tuple[str, str, str, str]:
-        return outcome.name, outcome.level, outcome.quantity, outcome.because
-
-    for which, group in groupby(outcomes, key):
+    groups: dict[tuple[str, str, str, str], list[Outcome]] = {}
+    for o in outcomes:
+        groups.setdefault((o.name, o.level, o.quantity, o.because), []).append(o)
+    for which, group in groups.items():
         yield Claim(*which, tuple((chosen(outcome), outcome) for outcome in group))
 
 

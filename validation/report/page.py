@@ -111,6 +111,7 @@ def html(found: Report) -> str:
         sci=scientific,
         number=number,
         micro=micro,
+        percent=percent,
         price=price,
         ratio=cost_report.times,
         times=times,
@@ -145,6 +146,11 @@ def number(value: float) -> str:
     return f"{value:.7g}" if isfinite(value) else "–"
 
 
+def percent(part: float) -> str:
+    """Return a part in percent."""
+    return f"{100 * part:.3g} %" if isfinite(part) else "∞"
+
+
 def micro(seconds: float) -> str:
     """Return a time in µs."""
     return f"{seconds * 1e6:.3g} µs".replace("-", "−") if isfinite(seconds) else "–"
@@ -168,9 +174,10 @@ def _reach(sweep: Sweep, target: float) -> float | None:
 
 
 def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
-    """Return the diagrams, those of a quick report's levels first."""
+    """Return the diagrams, first those that are always in sight."""
     rows = found.costs.rows if found.costs else ()
-    sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda s: s.level not in parts.SAMPLE)
+    first = parts.SAMPLE[:SHOWN]
+    sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda sweep: sweep.level not in first)
     return [
         (sweep, inline(found.figures[figure_name(sweep.level)], _told(sweep))) for sweep in sweeps
     ]
