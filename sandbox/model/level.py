@@ -36,7 +36,7 @@ HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Scheme = Literal["leapfrog", "symplectic-euler", "explicit-euler"]
+Scheme = Literal["leapfrog", "yoshida", "symplectic-euler", "explicit-euler"]
 
 
 class Parameter(Model):
@@ -175,7 +175,13 @@ class Stepping(Model):
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
     """sweeps of the solver over contacts and joints, a step"""
     scheme: Scheme = "leapfrog"
-    """`symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+    """`yoshida` is of fourth order, for smooth forces that depend on places and time alone;
+    `symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+
+    @property
+    def as_it_comes(self) -> bool:
+        """Whether a run starts without half a kick, so that velocities are half a step old."""
+        return self.scheme in ("symplectic-euler", "explicit-euler")
 
 
 class View(Model):

@@ -119,7 +119,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     SimulationError
         If springs are too stiff for the rate.
     """
-    as_it_comes = stepping.scheme != "leapfrog"
+    as_it_comes = stepping.as_it_comes
     space = pymunk.Space()
     space.iterations = stepping.iterations
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}

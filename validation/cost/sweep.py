@@ -8,6 +8,7 @@ from typing import get_args
 from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
+from sandbox.model.schemes import unsmooth
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.timing import STEPS, step_seconds
 from sandbox.physics.trace import count_steps, needed, simulate
@@ -111,8 +112,10 @@ def _points(level: Level, stick: Yardstick, budget: Budget) -> Iterator[Point]:
 
 def _solvers(level: Level) -> Iterator[tuple[Scheme, int]]:
     """Yield the schemes, and the sweeps of the solver, that make a difference to a level."""
-    laws = level.effects.attraction or level.effects.drag or level.effects.force or level.joints
+    laws = build(level).scene.laws
     for scheme in get_args(Scheme):
+        if scheme == "yoshida" and unsmooth(level):
+            continue
         if scheme == "explicit-euler" and not laws:
             continue  # without a law of force it is what pymunk does
         for iterations in ITERATIONS if level.effects.contact else (level.stepping.iterations,):
