@@ -21,6 +21,11 @@ _SHARES: dict[Scheme, Sequence[float]] = {"yoshida": (YOSHIDA, 1 - 2 * YOSHIDA, 
 """The drifts of a step, which add up to 1."""
 
 
+REACH: dict[Scheme, float] = {"yoshida": 1.5732944}
+"""The largest ω h at which an oscillation stays what it is, of 2 for the others: there the trace of
+the step's matrix leaves −2 to 2."""
+
+
 class Substep(NamedTuple):
     """A drift and the kick after it."""
 

@@ -126,6 +126,19 @@ def test_a_hand_can_take_hold() -> None:
     assert np.hypot(*(world.snapshot.position[0] - [2, 2])) < 0.1
 
 
+def test_a_spring_may_be_less_stiff_than_for_leapfrog() -> None:
+    """Stable up to ω h = 1.573, where the trace of a step's matrix leaves −2 to 2."""
+    scene = level(
+        {"ball": disc((1.001, 0)), "peg": PEG}, {}, joints={"s": spring(stiffness=3600)}
+    )  # ω = 60 /s
+    swings = run(build(scene, stepping=Stepping(rate=60 / 1.57, scheme="yoshida")), 2000)
+
+    assert np.abs(swings.position[:, 0, 0] - 1).max() < 0.03  # 0.001 m at the start; 0.023 m
+    with pytest.raises(SandboxError, match="at least 39, not 38"):
+        build(scene, stepping=Stepping(rate=38, scheme="yoshida"))
+    assert build(scene, stepping=Stepping(rate=38)).t == 0
+
+
 DAMPED = {"damped": spring(damping=1), "lets go": spring(pushes_only=True)}
 
 
