@@ -400,6 +400,14 @@ def _scheme(level: Level) -> Iterator[Fault]:
         yield Fault(("stepping", "scheme"), rule)
 
 
+def _accuracy(level: Level) -> Iterator[Fault]:
+    """Refuse a setting that is chosen and asked for by its accuracy as well."""
+    if level.stepping.accuracy is not None:
+        for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
+            rule = "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
+            yield Fault(("stepping", name), rule)
+
+
 def _undeclared(path: Path, used: str, effect: str) -> Fault:
     return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
 
@@ -506,4 +514,5 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _crowd,
     _rotation,
     _scheme,
+    _accuracy,
 )

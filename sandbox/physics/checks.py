@@ -79,7 +79,7 @@ def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
 
 def _grade(check: Check, trace: Trace) -> Result:
     unit = trace.units[check.quantity]
-    if not _applies(check, trace.values):
+    if not applies(check, trace.values):
         return Result(check, unit, None, None, None, None, "not applicable")
     found = samples(trace, check.quantity, check.at)
     if found is None:
@@ -101,7 +101,8 @@ def _grade(check: Check, trace: Trace) -> Result:
     )
 
 
-def _applies(check: Check, values: Values) -> bool:
+def applies(check: Check, values: Values) -> bool:
+    """Return whether a check's own condition says that its formula holds for the parameters."""
     if check.valid_if is None:
         return True
     try:

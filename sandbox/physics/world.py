@@ -55,16 +55,24 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values
         The parameters; the level's defaults if left out.
     stepping
-        How time advances; as the level says if left out.
+        How time advances; as the level says if left out. If it only says how accurate, the setting
+        is found out, or remembered.
 
     Raises
     ------
+    AccuracyError
+        If an accuracy is asked for that cannot be had.
     SimulationError
         If the world cannot even start.
     SchemeError
         If the scheme is not for such a level.
     """
-    return World(level, level.defaults if values is None else values, stepping or level.stepping)
+    values, stepping = level.defaults if values is None else values, stepping or level.stepping
+    if stepping.accuracy is not None:
+        from sandbox.physics.accuracy import resolved  # it runs worlds itself
+
+        stepping = resolved(level, values, stepping)
+    return World(level, values, stepping)
 
 
 class World:
