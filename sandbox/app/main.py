@@ -30,12 +30,19 @@ def has_display() -> bool:
     return found
 
 
-def run(level: str | None = None, settings: Mapping[str, float] | None = None) -> None:
-    """Open the window, with a level given by its name or path, and stay until it is closed."""
+def run(
+    level: str | None = None,
+    settings: Mapping[str, float] | None = None,
+    accuracy: float | None = None,
+) -> None:
+    """Open the window, with a level given by its name or path, and stay until it is closed.
+
+    An accuracy, if one is given, is asked for in place of the level's own setting.
+    """
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
-    window.open_level(level or FIRST, settings)
+    window.open_level(level or FIRST, settings, accuracy)
     try:
         window.run()
     finally:

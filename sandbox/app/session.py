@@ -278,4 +278,4 @@ class Session:
 
 def stepping_at(level: Level, rate: float | None) -> Stepping:
     """Return a level's stepping, at another rate if one is given [Hz]."""
-    return level.stepping.model_copy(update={} if rate is None else {"rate": float(rate)})
+    return level.stepping if rate is None else level.stepping.at(float(rate))

@@ -17,6 +17,7 @@ from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.level import Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.errors import SimulationError
 
@@ -98,21 +99,37 @@ class Window:
             "leave": self._leave,
         }
 
-    def open_level(self, level: str, settings: Mapping[str, float] | None = None) -> None:
-        """Open a level by its name or path; if it cannot be, say why."""
+    def open_level(
+        self,
+        level: str,
+        settings: Mapping[str, float] | None = None,
+        accuracy: float | None = None,
+    ) -> None:
+        """Open a level by its name or path, with an accuracy that is asked for, if one is.
+
+        If it cannot be opened, say why.
+        """
         try:
             path = catalog.find(level).resolve()
         except SandboxError as error:
             self._refuse(None, str(error))
             return
-        self._open(path, settings or {})
+        self._open(path, settings or {}, accuracy)
 
-    def _open(self, path: Path, settings: Mapping[str, float], rate: float | None = None) -> None:
+    def _open(
+        self,
+        path: Path,
+        settings: Mapping[str, float],
+        accuracy: float | None = None,
+        rate: float | None = None,
+    ) -> None:
         if path not in [entry.path for entry in self._entries]:
             self._entries.insert(0, levels.entry(path, "opened"))
         self._path, self._settings = path, settings
         try:
             level = load(path)
+            if accuracy is not None:
+                level = level.model_copy(update={"stepping": Stepping(accuracy=accuracy)})
             session = Session(level, choose(level, settings), rate)
         except SandboxError as error:
             self._refuse(path, str(error))
@@ -221,7 +238,7 @@ class Window:
         """Run again at the rate that was offered."""
         rate = self.session.advised if self.session else self._advised
         if self.session is None and self._path is not None:
-            self._open(self._path, self._settings, rate)
+            self._open(self._path, self._settings, rate=rate)
         elif self.session is not None and rate is not None:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:

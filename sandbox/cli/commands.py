@@ -52,6 +52,18 @@ WithOption = Annotated[
 ]
 
 
+AccuracyOption = Annotated[
+    float | None,
+    typer.Option(
+        "--accuracy",
+        metavar="ERROR",
+        help="Ask for the largest error that the level's checks may have, such as 1e-6, in place of"
+        " a rate: the cheapest setting that reaches it is found out, and kept for the next time.",
+        show_default=False,
+    ),
+]
+
+
 @app.callback(invoke_without_command=True)
 def start(context: typer.Context) -> None:
     """Play with the textbook's mechanics, and see how closely it is kept.
@@ -67,11 +79,11 @@ def start(context: typer.Context) -> None:
 
 
 @app.command()
-def play(level: LevelArgument, set_: SetOption = None) -> None:
+def play(level: LevelArgument, set_: SetOption = None, accuracy: AccuracyOption = None) -> None:
     """Open a level in the window."""
     from sandbox.cli.playing import play
 
-    play(level, set_ or [])
+    play(level, set_ or [], accuracy)
 
 
 @app.command("list")
@@ -120,6 +132,7 @@ def simulate(
         float | None,
         typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
     ] = None,
+    accuracy: AccuracyOption = None,
     record: Annotated[
         list[str] | None,
         typer.Option(
@@ -145,7 +158,15 @@ def simulate(
 
     raise typer.Exit(
         simulate(
-            level, output, set_ or [], duration, rate, record or [], without or [], with_ or []
+            level,
+            output,
+            set_ or [],
+            duration,
+            rate,
+            record or [],
+            without or [],
+            with_ or [],
+            accuracy,
         )
     )
 
@@ -176,6 +197,7 @@ def render(
     ] = None,
     without: WithoutOption = None,
     with_: WithOption = None,
+    accuracy: AccuracyOption = None,
 ) -> None:
     """Draw a level as a PNG picture, without a window.
 
@@ -183,7 +205,7 @@ def render(
     """
     from sandbox.cli.rendering import render
 
-    render(level, output, set_ or [], at, without or [], with_ or [])
+    render(level, output, set_ or [], at, without or [], with_ or [], accuracy)
 
 
 @app.command()

@@ -7,6 +7,7 @@ from pathlib import Path
 import typer
 
 from sandbox.cli import usage
+from sandbox.cli.accuracy import asking, find_out
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose
 
@@ -32,11 +33,12 @@ def open_sandbox() -> int:
     return tour(TOUR)
 
 
-def play(argument: str, pairs: Sequence[str]) -> None:
+def play(argument: str, pairs: Sequence[str], accuracy: float | None = None) -> None:
     """Open the window on a level."""
     settings = usage.settings(pairs)
     _, level = usage.open_level(argument)
-    choose(level, settings)  # a mistake is better told here than in a window
+    values = choose(level, settings)  # a mistake is better told here than in a window
+    find_out(asking(level, accuracy), values)
     _quiet()
     from sandbox.app.main import has_display, run
 
@@ -45,7 +47,7 @@ def play(argument: str, pairs: Sequence[str]) -> None:
             "there is no display to open a window on; 'render' draws a level without one,"
             " 'simulate' runs it"
         )
-    run(argument, settings)
+    run(argument, settings, accuracy)
 
 
 def _quiet() -> None:

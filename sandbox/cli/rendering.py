@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 
 from sandbox.cli import usage
+from sandbox.cli.accuracy import asking, find_out
 from sandbox.cli.varying import vary
 from sandbox.model.loading import choose
 
@@ -26,6 +27,7 @@ def render(
     at: float | None,
     off: Sequence[str] = (),
     on: Sequence[str] = (),
+    accuracy: float | None = None,
 ) -> None:
     """Draw a level as it is at a time; with effects switched off or on, over the level as it is."""
     settings = usage.settings(pairs)
@@ -36,6 +38,8 @@ def render(
         raise usage.UsageError(f"--at {at:g}: must be a finite time, at least 0")
     source, level = usage.open_level(argument)
     values = choose(level, settings)
+    level = asking(level, accuracy)
+    find_out(level, values)
     varied = vary(level, off, on)
     go_headless()
     from sandbox.app.picture import Beside, save_picture

@@ -8,8 +8,10 @@ from pydantic import ValidationError
 from rich.console import Console
 
 from sandbox.cli import usage, varying, verdicts
+from sandbox.cli.accuracy import asking, find_out
 from sandbox.cli.varying import Varied, vary
 from sandbox.model import wording
+from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
@@ -29,6 +31,7 @@ def simulate(
     record: Sequence[str],
     off: Sequence[str] = (),
     on: Sequence[str] = (),
+    accuracy: float | None = None,
 ) -> int:
     """Run a level, write it, say what its checks found, and return the exit status.
 
@@ -41,8 +44,9 @@ def simulate(
     source, level = usage.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    stepping = stepping_at(level, rate)
+    level = asking(level, accuracy, rate)
     varied = vary(level, off, on)
+    stepping = settled(level, values, rate)
     with Console(stderr=True).status(f"Simulating {source} ..."):
         recorded = dict.fromkeys([*names, *needed(level)])
         trace = traces.simulate(level, values, duration, recorded, stepping)
@@ -97,13 +101,13 @@ def _motion(level: Level) -> list[str]:
     return [f"{vector}.{component}" for vector in vectors for component in ("x", "y")]
 
 
-def stepping_at(level: Level, rate: float | None) -> Stepping:
-    """Return the level's stepping with another rate [Hz]."""
+def settled(level: Level, values: Values, rate: float | None) -> Stepping:
+    """Return the level's stepping, with another rate [Hz] if one is given."""
     if rate is None:
-        return level.stepping
+        return find_out(level, values)
     usage.positive(rate, "--rate")
     try:
-        return Stepping.model_validate({**level.stepping.model_dump(), "rate": rate})
+        return level.stepping.at(rate)
     except ValidationError as error:
         rule = wording.rule(error.errors()[0], ("rate",))
         raise usage.UsageError(f"--rate {rate:g}: {rule} steps a second") from error

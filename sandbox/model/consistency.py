@@ -35,6 +35,7 @@ from sandbox.model.level import (
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
+from sandbox.model.schemes import unsmooth
 from sandbox.model.shapes import Disc, Hoop, Polygon, Polyline, Shape
 from sandbox.model.suggest import suggestion
 
@@ -393,6 +394,20 @@ def _levers(level: Level) -> bool:
     return any(point != Held.model_fields["at"].default for point in points_of_bodies)
 
 
+def _scheme(level: Level) -> Iterator[Fault]:
+    """Fourth order: only where all forces are smooth."""
+    if level.stepping.scheme == "yoshida" and (rule := unsmooth(level)):
+        yield Fault(("stepping", "scheme"), rule)
+
+
+def _accuracy(level: Level) -> Iterator[Fault]:
+    """Refuse a setting that is chosen and asked for by its accuracy as well."""
+    if level.stepping.accuracy is not None:
+        for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
+            rule = "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
+            yield Fault(("stepping", name), rule)
+
+
 def _undeclared(path: Path, used: str, effect: str) -> Fault:
     return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
 
@@ -498,4 +513,6 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     _effects,
     _crowd,
     _rotation,
+    _scheme,
+    _accuracy,
 )

@@ -9,7 +9,14 @@ from collections.abc import Mapping
 from itertools import pairwise
 from typing import Annotated, Literal, cast
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import (
+    BeforeValidator,
+    Discriminator,
+    Field,
+    SerializerFunctionWrapHandler,
+    Tag,
+    model_serializer,
+)
 from pydantic_core import PydanticCustomError
 
 from sandbox.model.base import Model
@@ -36,7 +43,7 @@ HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Scheme = Literal["leapfrog", "symplectic-euler", "explicit-euler"]
+Scheme = Literal["leapfrog", "yoshida", "symplectic-euler", "explicit-euler"]
 
 
 class Parameter(Model):
@@ -168,14 +175,42 @@ class Check(Model):
 
 
 class Stepping(Model):
-    """How time advances."""
+    """How time advances: chosen, or asked for by its accuracy."""
 
+    accuracy: Annotated[float, Field(gt=0, lt=1)] | None = None
+    """the largest error that the level's checks may have, or without checks its places and
+    velocities; the cheapest setting that reaches it is found out, in place of all others here"""
     rate: Annotated[float, Field(ge=1, le=HIGHEST_RATE)] = 60.0
     """Hz, steps a second"""
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
     """sweeps of the solver over contacts and joints, a step"""
     scheme: Scheme = "leapfrog"
-    """`symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+    """`yoshida` is of fourth order, for smooth forces that depend on places and time alone;
+    `symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+
+    def at(self, rate: float) -> "Stepping":
+        """Return the same with a chosen rate [Hz]; an accuracy is then no longer asked for.
+
+        Raises
+        ------
+        ValidationError
+            If no level may have that rate.
+        """
+        chosen = {"iterations": self.iterations, "scheme": self.scheme, "rate": rate}
+        return Stepping.model_validate(chosen)
+
+    @model_serializer(mode="wrap")
+    def _said(self, serialize: SerializerFunctionWrapHandler) -> dict[str, object]:
+        """Leave out what is not chosen where an accuracy is asked for, and the accuracy if not."""
+        said: dict[str, object] = serialize(self)
+        if self.accuracy is not None:
+            return {"accuracy": self.accuracy}
+        return {name: value for name, value in said.items() if name != "accuracy"}
+
+    @property
+    def as_it_comes(self) -> bool:
+        """Whether a run starts without half a kick, so that velocities are half a step old."""
+        return self.scheme in ("symplectic-euler", "explicit-euler")
 
 
 class View(Model):

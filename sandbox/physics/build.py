@@ -35,6 +35,7 @@ from sandbox.physics.joints import Joints, inverse
 from sandbox.physics.laws import Gravity, Law, gravity, laws
 from sandbox.physics.massflow import Share, mass_share
 from sandbox.physics.outline import smallest
+from sandbox.physics.schemes import REACH
 from sandbox.physics.solids import Touches
 from sandbox.physics.sticking import Sticking, sticking
 from sandbox.physics.stiffness import check_springs
@@ -119,7 +120,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     SimulationError
         If springs are too stiff for the rate.
     """
-    as_it_comes = stepping.scheme != "leapfrog"
+    as_it_comes = stepping.as_it_comes
     space = pymunk.Space()
     space.iterations = stepping.iterations
     bodies = {name: _body(spec, level, values) for name, spec in level.bodies.items()}
@@ -151,7 +152,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     batch = Batch(space, list(bodies.values()))
     joints = Joints(level, values, bodies, batch, mass, moment, _touches(space, level))
     agility = np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1)
-    check_springs(joints.springs, agility, batch.state()[:, 2], stepping.rate)
+    reach = REACH.get(stepping.scheme, 2.0)
+    check_springs(joints.springs, agility, batch.state()[:, 2], stepping.rate, reach)
     return Scene(
         space=space,
         bodies=bodies,

@@ -79,7 +79,7 @@ def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
 
 def _grade(check: Check, trace: Trace) -> Result:
     unit = trace.units[check.quantity]
-    if not _applies(check, trace.values):
+    if not applies(check, trace.values):
         return Result(check, unit, None, None, None, None, "not applicable")
     found = samples(trace, check.quantity, check.at)
     if found is None:
@@ -101,7 +101,8 @@ def _grade(check: Check, trace: Trace) -> Result:
     )
 
 
-def _applies(check: Check, values: Values) -> bool:
+def applies(check: Check, values: Values) -> bool:
+    """Return whether a check's own condition says that its formula holds for the parameters."""
     if check.valid_if is None:
         return True
     try:
@@ -125,7 +126,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     column = trace.columns[quantity]
     if at is None:
         # Euler's schemes know no forces before the first step
-        first = 0 if trace.stepping.scheme == "leapfrog" else 1
+        first = 1 if trace.stepping.as_it_comes else 0
         return (trace.t[first:], column[first:]) if len(trace.t) > first else None
     if isinstance(at, ContactEvent):
         return _after_contact(trace, column, frozenset(at.bodies))

@@ -26,6 +26,10 @@ class SimulationError(SandboxError):
         super().__init__(f"stopped at t = {time:.6g} s: {reason}")
 
 
+class SchemeError(SandboxError):
+    """A scheme that is asked of a level which it is not for."""
+
+
 class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the world adds the time)
     """A joint that cannot be kept, and the rate at which it could, if one is known [Hz]."""
 

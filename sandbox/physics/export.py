@@ -132,7 +132,7 @@ def _again(
     level, stepping = trace.level, trace.stepping
     if disturbed:
         return "not repeatable: a hand has moved the bodies"
-    if stepping.model_copy(update={"rate": level.stepping.rate}) != level.stepping:
+    if level.stepping.at(stepping.rate) != stepping:
         return "not repeatable by a command: the level says another scheme, or other iterations"
     command = ["python", "-m", "sandbox", "simulate", source, *(change.options if change else ())]
     for name, value in trace.values.items():

@@ -13,7 +13,11 @@ MARGIN = 4
 
 
 def check_springs(
-    springs: Mapping[str, SpringForce], agility: Array, angle: Array, rate: float
+    springs: Mapping[str, SpringForce],
+    agility: Array,
+    angle: Array,
+    rate: float,
+    reach: float = 2.0,
 ) -> None:
     """Refuse springs that are too stiff, or damp too much, for a rate.
 
@@ -27,6 +31,8 @@ def check_springs(
         (n,), of the bodies at the start [rad].
     rate
         Steps a second [Hz].
+    reach
+        The largest ω h at which the scheme is stable; 2 for leapfrog.
 
     Raises
     ------
@@ -34,6 +40,7 @@ def check_springs(
         If the scene is not stable at that rate; it names the spring that asks for most.
     """
     needed, name = limit(springs, agility, angle)
+    needed *= 2 / reach
     if needed > rate * (1 + 1e-9):
         reason = (
             f"the spring '{name}' needs a 'rate' of at least {np.ceil(needed):,.0f}, not {rate:g}"

@@ -25,6 +25,7 @@ from sandbox.physics.impacts import impacts
 from sandbox.physics.located import Located, locate
 from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
+from sandbox.physics.schemes import Substep, require, substeps
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.watchdog import Watchdog
@@ -54,14 +55,24 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values
         The parameters; the level's defaults if left out.
     stepping
-        How time advances; as the level says if left out.
+        How time advances; as the level says if left out. If it only says how accurate, the setting
+        is found out, or remembered.
 
     Raises
     ------
+    AccuracyError
+        If an accuracy is asked for that cannot be had.
     SimulationError
         If the world cannot even start.
+    SchemeError
+        If the scheme is not for such a level.
     """
-    return World(level, level.defaults if values is None else values, stepping or level.stepping)
+    values, stepping = level.defaults if values is None else values, stepping or level.stepping
+    if stepping.accuracy is not None:
+        from sandbox.physics.accuracy import resolved  # it runs worlds itself
+
+        stepping = resolved(level, values, stepping)
+    return World(level, values, stepping)
 
 
 class World:
@@ -92,6 +103,7 @@ class World:
     """
 
     def __init__(self, level: Level, values: Values, stepping: Stepping) -> None:
+        require(level, stepping.scheme)
         self.level, self.values, self.stepping = level, values, stepping
         self.dt = 1 / stepping.rate
         self.steps = 0
@@ -111,10 +123,13 @@ class World:
         self._smooth = self._field  # acceleration by gravity and laws
         self._agility = self.scene.agility
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
-        self._leapfrog = stepping.scheme == "leapfrog"
+        self._leapfrog = not stepping.as_it_comes
+        *self._leading, last = substeps(stepping.scheme, self.dt)
+        self._drift, self._scale = last.drift, last.scale
+        self._led = False  # whether all substeps but the last are taken
         self._guesses = self._leapfrog and any(law.needs_velocity for law in self.scene.laws)
         self._older = self._field  # the velocities that the last kick began with
-        self._kicks_after = 1  # steps from the last to the time of the next kick
+        self._kicks_after: float = 1  # steps from the last to the time of the next kick
         # joints take turns with contacts: there their last pull acts from the start of a kick
         self._pulling = self._joints.together if level.effects.contact else None
         self._sequence = self._make_sequence()
@@ -147,7 +162,8 @@ class World:
     @property
     def hooks(self) -> int:
         """How many Python callbacks a step makes, if each pair that needs any has one contact."""
-        return (self._hook.count if self._hook else 0) + self.scene.pair_callbacks
+        hooked = (self._hook.count if self._hook else 0) * (len(self._leading) + 1)
+        return hooked + self.scene.pair_callbacks
 
     def step(self) -> None:
         """Take one step without looking at it: nothing but pymunk's own step is paid for.
@@ -161,7 +177,10 @@ class World:
             self._apply_forces()
         if self.located:
             self._cut(self.located)
-        self._space.step(self.dt)
+        if self._leading:
+            self._lead()
+            self._led = False
+        self._space.step(self._drift)
         self.steps += 1
         if self._hook and self._hook.error:
             self._fail(self._hook.error)
@@ -183,11 +202,32 @@ class World:
             raise ValueError(f"steps is {steps}, but must be at least 1")
         for _ in range(steps - 1):
             self.step()
-        before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
+        if self._leading:
+            self._lead()
+            before = self._batch.velocity()
+        else:
+            before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
         with np.errstate(all="ignore"):  # what is not finite is told by name
             self.snapshot = self._observe(before)
         return self.snapshot
+
+    def _lead(self) -> None:
+        """Take all substeps of a step but the last, unless that is done."""
+        if self._led:
+            return
+        for substep in self._leading:
+            self._turn_to(substep)
+            self._space.step(substep.drift)
+        self._turn_to(Substep(self._drift, 1, 1.0))
+        self._led = True
+
+    def _turn_to(self, substep: Substep) -> None:
+        """Let the next kick be that of a substep."""
+        self._kicks_after, self._scale = substep.ahead, substep.scale
+        if gravity := self.scene.gravity:
+            x, y = gravity.acceleration
+            self._space.gravity = x * substep.scale, y * substep.scale
 
     def _make_sequence(self) -> Sequence | None:
         scene = self.scene
@@ -235,10 +275,10 @@ class World:
         with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
             for law in self.scene.laws:
                 law.add(motion, wrench)
-        self._smooth = self._field + wrench * self._agility
+            self._smooth = self._field + wrench * self._agility
         if self._pulling:
             self._pulling.pull(wrench)
-        self._batch.set_force(wrench)
+        self._batch.set_force(wrench if self._scale == 1 else wrench * self._scale)
 
     def _weigh(self, share: MassFlows, t: Array) -> None:
         """Give the bodies whose mass changes that of a time [s], for the kick around it."""
@@ -273,7 +313,7 @@ class World:
             self._joints.time(self.dt, self.dt)
             nowhere = np.full_like(start, np.nan)
             return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
-        kick = self.dt / 2
+        kick = self._drift / 2
         self._kicks_after, self._older = 0, start
         with self._held():
             after = self._settle(start, kick)
@@ -341,7 +381,7 @@ class World:
         if self.located:
             before = self.located.begun
         contacts = self._read_contacts()
-        velocity, acceleration = after, (after - before) / self.dt
+        velocity, acceleration = after, (after - before) / self._drift
         if self._leapfrog:
             velocity = (before + after) / 2
             if self._sequence:
@@ -414,8 +454,15 @@ class World:
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
         """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring."""
+        self._take_one_drift()
         self.hand.grab(list(self.scene.bodies).index(body), point)
         self.disturbed = True
+
+    def _take_one_drift(self) -> None:
+        """Go on with leapfrog where there were substeps: no hand pulls backwards in time."""
+        if self._leading:
+            self._leading, self._drift = [], self.dt
+            self.place({})
 
     def drag(self, point: tuple[float, float]) -> None:
         """Pull the body that is held towards a point of the plane [m]."""

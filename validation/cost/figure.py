@@ -13,6 +13,7 @@ from validation.cost.sweep import Point, Sweep
 
 LOOKS = {
     "leapfrog": ("#0072b2", "o", "-", "leapfrog (ours)"),
+    "yoshida": ("#009e73", "d", "-.", "fourth order (Yoshida)"),
     "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (pymunk as it comes)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }
@@ -64,7 +65,7 @@ def _own(axes: Axes, sweep: Sweep) -> None:
 
 
 def _line(axes: Axes, scheme: str, iterations: int, points: list[Point]) -> None:
-    color, marker, dashes, label = LOOKS.get(scheme, ("#009e73", "d", "-.", scheme))
+    color, marker, dashes, label = LOOKS[scheme]
     faint = iterations != 10
     axes.plot(
         [p.seconds_per_second * 1e3 for p in points], [max(p.error, LEAST) for p in points],

@@ -1,0 +1,23 @@
+"""What a run's numerical error is, and which setting reaches a given accuracy.
+
+Nothing here knows a closed form: a run is held against itself with smaller steps.
+"""
+
+from sandbox.physics.accuracy.calibration import Offer, Setting, calibrate
+from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
+from sandbox.physics.accuracy.estimation import Estimate, estimate
+from sandbox.physics.accuracy.memory import calibrated, resolved
+from sandbox.physics.accuracy.runs import Watched
+
+__all__ = [
+    "AccuracyError",
+    "Cancelled",
+    "Estimate",
+    "Offer",
+    "Setting",
+    "Watched",
+    "calibrate",
+    "calibrated",
+    "estimate",
+    "resolved",
+]

@@ -1,0 +1,14 @@
+"""Why an accuracy cannot be had."""
+
+from sandbox.model.errors import SandboxError
+
+
+class AccuracyError(SandboxError):
+    """An accuracy that cannot be had, or cannot be judged."""
+
+
+class Cancelled(SandboxError):  # noqa: N818 (a wish rather than an error)
+    """A calibration that somebody did not want to wait for."""
+
+    def __init__(self) -> None:
+        super().__init__("the calibration was cancelled")

@@ -1,0 +1,152 @@
+"""The numerical error of a run, by Richardson's extrapolation: the step is halved, twice."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import inf, log2
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Instant, Level, Stepping
+from sandbox.physics.accuracy.runs import Stop, Watched, apart, never, record, scale, size, watched
+from sandbox.physics.trace import Trace
+from sandbox.physics.world import build
+
+LEAST_ORDER = 0.5
+"""Differences that fall more slowly than by this power of the step show no order."""
+
+ORDERS = {"leapfrog": 2, "yoshida": 4, "symplectic-euler": 1, "explicit-euler": 1}
+"""The orders of the schemes; no error is expected to fall faster."""
+
+ROUNDING = 1e-15
+"""Of the size of a quantity: differences below this say nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """What a run owes to its step, in one quantity.
+
+    Attributes
+    ----------
+    quantity, at
+        What it is the error of, at an instant or the largest over the run.
+    unit
+        Of `difference`.
+    error
+        Relative to the largest value, as a check's; absolute where that is zero. Infinite where an
+        instant comes in some of the runs only.
+    difference
+        The same in the unit.
+    order
+        By which power of the step it falls; None where it is rounding, or falls by none.
+    """
+
+    quantity: str
+    at: Instant | None
+    unit: str
+    error: float
+    difference: float
+    order: float | None
+
+
+def estimate(
+    level: Level,
+    values: Values | None = None,
+    stepping: Stepping | None = None,
+    wanted: Sequence[Watched] | None = None,
+    stop: Stop = never,
+) -> tuple[Estimate | None, ...]:
+    """Estimate the numerical error of a run, which is that of its step and its solver.
+
+    Three runs are taken, seven times the work of the one: at the rate, twice and four times that.
+
+    Parameters
+    ----------
+    level, values, stepping
+        The run; the level's defaults and its own setting if left out.
+    wanted
+        The quantities; those of the level's checks that apply if left out, or if there are none the
+        places and velocities of the bodies.
+    stop
+        Is asked now and then whether to give up.
+
+    Returns
+    -------
+    For each quantity its estimate; None where it is measured at an instant that never comes.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    SimulationError
+        If a run had to stop.
+    """
+    values = level.defaults if values is None else values
+    stepping = build(level, values, stepping).stepping
+    items = watched(level, values) if wanted is None else wanted
+    finer = (stepping.model_copy(update={"rate": stepping.rate * times}) for times in (1, 2, 4))
+    traces = [record(level, values, each, items, stop) for each in finer]
+    return tuple(_estimate(traces, item) for item in items)
+
+
+def _estimate(traces: Sequence[Trace], item: Watched) -> Estimate | None:
+    errors = extrapolated(traces, item)
+    if errors is None:
+        return None
+    largest = size(traces[-1], item)
+    unit = traces[0].units[item.quantity]
+    off = errors.of[0]
+    return Estimate(
+        item.quantity,
+        item.at,
+        unit,
+        off / scale(largest, errors.of[-1]),
+        off,
+        errors.order,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """The errors of some runs in a quantity, each of half the step of the one before [unit]."""
+
+    of: tuple[float, ...]
+    order: float | None
+
+
+def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
+    """Return the errors of at least two runs in what is watched, by the differences between them.
+
+    e_n = (y_n − y_{n−1}) / (2^p − 1) is that of the last, with the order p by which the differences
+    fall, but not more than the scheme's; each other's is its difference from the last, and that.
+    Where no order shows, the error of the last counts as all of the difference.
+
+    None if an instant comes in none of the runs.
+    """
+    steps = [apart(a, b, item) for a, b in pairwise(traces)]
+    if all(step is None for step in steps):
+        return None
+    differences = [inf if step is None else step for step in steps]
+    floor = ROUNDING * size(traces[-1], item)
+    order, jump = _order(differences, floor, ORDERS[traces[-1].stepping.scheme])
+    last = jump / (2 ** (order or 1.0) - 1)
+    whole = (apart(trace, traces[-1], item) for trace in traces[:-1])
+    return Errors((*(inf if w is None else w + last for w in whole), last), order)
+
+
+def _order(differences: Sequence[float], floor: float, most: int) -> tuple[float | None, float]:
+    """Return the order by which differences fall, and the last of them.
+
+    Impacts are found at steps, and how late each comes is a matter of chance: what falls now more
+    and now less is of first order at the best, and the larger of the last two counts.
+    """
+    last = differences[-1]
+    if len(differences) < 2 or not floor < last < inf:
+        return None, last
+    order = log2(differences[-2] / last) if 0 < differences[-2] < inf else 0.0
+    if order >= LEAST_ORDER:
+        return min(order, most), last
+    first, last = max(differences[:2]), max(differences[-2:])
+    if len(differences) < 4 or not 0 < last < first < inf:
+        return None, last
+    order = log2(first / last) / (len(differences) - 2)
+    return (min(order, 1.0) if order >= LEAST_ORDER else None), last

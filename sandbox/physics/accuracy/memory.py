@@ -1,0 +1,130 @@
+"""Settings that were found before, kept in the user's cache folder.
+
+What is kept is found again by a hash of all that it depends on: the level, its parameters, the
+accuracy, the sandbox's code and the versions of what it stands on. So nothing stale is ever used.
+"""
+
+import platform
+from collections.abc import Callable, Iterator
+from functools import cache
+from hashlib import sha256
+from json import dumps
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+import platformdirs
+import pymunk
+from pydantic import TypeAdapter, ValidationError
+
+import sandbox
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import digest
+from sandbox.physics.accuracy.calibration import Progress, Setting, calibrate
+from sandbox.physics.accuracy.runs import Stop, never
+
+_SETTING = TypeAdapter(tuple[str, Setting])
+"""A key, and what was found for it."""
+
+_unkept: dict[str, Setting] = {}
+"""What could not be written, for as long as this process lives."""
+
+LARGEST = 10_000
+"""Bytes of a file: what is larger was not written here."""
+
+
+def calibrated(
+    level: Level,
+    values: Values | None = None,
+    target: float = 1e-6,
+    progress: Progress | None = None,
+    stop: Stop = never,
+    tell: Callable[[str], None] | None = None,
+) -> Setting:
+    """Return the cheapest setting that reaches an accuracy, from memory if it is there.
+
+    Parameters
+    ----------
+    level, values, target, progress, stop
+        As for `calibrate`.
+    tell
+        Is told why a setting that was found cannot be kept.
+
+    Raises
+    ------
+    AccuracyError
+        If the accuracy cannot be had, or there is nothing whose accuracy it could be.
+    Cancelled
+        If `stop` said so; then nothing is kept.
+    SimulationError
+        If the level does not run at all.
+    """
+    values = level.defaults if values is None else values
+    key = _key(level, values, target)
+    path = folder() / f"{key}.json"
+    if found := _unkept.get(key) or _recalled(path, key):
+        return found
+    setting = calibrate(level, values, target, progress=progress, stop=stop)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(path, _SETTING.dump_json((key, setting)))
+    except (OSError, SandboxError) as error:
+        _unkept[key] = setting
+        if tell:
+            tell(f"the setting is not kept for the next time: {error}")
+    return setting
+
+
+def resolved(level: Level, values: Values, stepping: Stepping) -> Stepping:
+    """Return a setting that is chosen, found out if only an accuracy is asked for."""
+    if stepping.accuracy is None:
+        return stepping
+    return calibrated(level, values, stepping.accuracy).chosen.stepping
+
+
+def folder() -> Path:
+    """Return the folder in which settings are kept; it need not be there."""
+    return platformdirs.user_cache_path("mechanics-sandbox") / "accuracy"
+
+
+def _recalled(path: Path, key: str) -> Setting | None:
+    """Return what a file holds; None if it is not what was written there."""
+    try:
+        if path.stat().st_size > LARGEST:
+            return None
+        held, setting = _SETTING.validate_json(path.read_bytes())
+    except (OSError, ValidationError):
+        return None
+    chosen = setting.chosen
+    sound = isfinite(chosen.price) and 0 <= chosen.error <= setting.target
+    return setting if sound and held == key else None
+
+
+def _key(level: Level, values: Values, target: float) -> str:
+    told = (digest(level), sorted(values.items()), target, _code())
+    return sha256(dumps(told).encode()).hexdigest()[:32]
+
+
+@cache
+def _code() -> str:
+    """Return a hash of everything that decides how a level runs, and of the machine."""
+    found = sha256()
+    root = Path(sandbox.__file__).parent
+    for part in (*_versions(), *_sources(root)):
+        found.update(part)
+    return found.hexdigest()
+
+
+def _versions() -> Iterator[bytes]:
+    for name in (platform.python_version(), np.__version__, pymunk.version, platform.node()):
+        yield name.encode()
+
+
+def _sources(root: Path) -> Iterator[bytes]:
+    for package in ("model", "physics"):
+        for path in sorted((root / package).rglob("*.py")):
+            yield str(path.relative_to(root)).encode()
+            yield path.read_bytes()
