@@ -10,7 +10,7 @@ from rich.progress import track
 
 from sandbox.model import catalog
 from sandbox.model.files import check_writable, write_atomically
-from validation.cost.report import as_json, table
+from validation.cost.report import as_json, asked, asked_table, summed, table
 from validation.cost.run import sweeps
 from validation.cost.summary import headline
 from validation.cost.sweep import QUICK, Budget, Sweep
@@ -32,9 +32,14 @@ def measure(
     for name in names:
         catalog.find(name)
     found = sweep_all(list(names) or catalog.names(), quick=quick)
-    Console(width=None if Console().is_terminal else 160).print(table(found))
+    console = Console(width=None if Console().is_terminal else 160)
+    console.print(table(found))
+    if any(sweep.requests for sweep in found):
+        console.print(asked_table(found))
+        typer.echo(summed(found))
     if json_file:
-        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "\n")
+        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "
+")
         typer.echo(f"Written to {json_file}.")
     if output:
         from validation.cost.figure import draw  # matplotlib takes its time
@@ -50,7 +55,11 @@ def measure(
 
 def content(found: Sequence[Sweep]) -> dict[str, object]:
     """Return sweeps as the JSON file holds them."""
-    return {"environment": environment(), "levels": [as_json(sweep) for sweep in found]}
+    return {
+        "environment": environment(),
+        "levels": [as_json(sweep) for sweep in found],
+        "requests": asked(found),
+    }
 
 
 def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:

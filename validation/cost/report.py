@@ -90,6 +90,59 @@ def order_in_words(error: float, power: float | None) -> str:
     return f"{power:.2f}"
 
 
+def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
+    """Return all accuracies that were asked for as JSON takes them."""
+    return [
+        {
+            "level": request.level,
+            "target": request.target,
+            "setting": request.stepping and request.stepping.model_dump(),
+            "estimated": _number(request.estimated),
+            "delivered": _number(request.delivered),
+            "price": _number(request.price),
+            "cheapest_price": _number(request.cheapest),
+            "honoured": request.honoured,
+            "said": request.said,
+        }
+        for sweep in sweeps
+        for request in sweep.requests
+    ]
+
+
+def asked_table(sweeps: Sequence[Sweep]) -> Table:
+    """Return how the accuracies that were asked for were answered, as a table."""
+    found = Table(title="Accuracy as a request", header_style="bold", row_styles=("", "dim"))
+    found.add_column("level")
+    for heading in ("asked for", "delivered", "estimated", "setting", "cost", "cheapest", ""):
+        found.add_column(heading, justify="right", no_wrap=True)
+    for request in (request for sweep in sweeps for request in sweep.requests):
+        s = request.stepping
+        found.add_row(
+            request.level,
+            f"{request.target:.0e}",
+            f"{request.delivered:.1e}",
+            f"{request.estimated:.1e}",
+            f"{s.scheme} {s.rate:g} Hz" if s else "none",
+            milliseconds(request.price),
+            milliseconds(request.cheapest),
+            "[green]✓[/]" if request.honoured else "–" if request.beyond else "[red]✗[/]",
+        )
+    return found
+
+
+def summed(sweeps: Sequence[Sweep]) -> str:
+    """Return in a line how many requests were honoured."""
+    requests = [request for sweep in sweeps for request in sweep.requests]
+    met = sum(request.honoured for request in requests)
+    beyond = sum(request.beyond for request in requests)
+    told = f"{met} of {len(requests)} accuracies that were asked for were delivered"
+    return f"{told}; of {beyond} it was said that they cannot be had, and the sweep has none either"
+
+
+def _number(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
 def milliseconds(seconds: float) -> str:
     """Return a price as milliseconds of computing for a second of the scene."""
     return f"{two_digits(seconds * 1e3)} ms/s"

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from math import inf, nan
 from time import perf_counter
 from typing import get_args
 
@@ -9,10 +10,12 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.accuracy.calibration import BUDGET
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.timing import STEPS, step_seconds
 from sandbox.physics.trace import count_steps, needed, simulate
 from sandbox.physics.world import build
+from validation.cost.requests import Request, ask, price
 from validation.cost.yardstick import Yardstick, yardstick
 
 RATES = tuple(15.0 * 2**i for i in range(10))
@@ -35,13 +38,19 @@ class Budget:
         How long one run may take, about [s].
     rates
         The rates that are tried besides the level's own [Hz].
+    targets
+        The accuracies that are asked for.
+    calibration
+        How long it may take to find out a setting for one [s].
     """
 
     run: float = 1.0
     rates: Sequence[float] = RATES
+    targets: Sequence[float] = (1e-3, 1e-5, 1e-7)
+    calibration: float = BUDGET
 
 
-QUICK = Budget(run=0.08, rates=RATES[1::3])
+QUICK = Budget(run=0.08, rates=RATES[1::3], targets=(1e-4,), calibration=0.1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +92,7 @@ class Sweep:
     quantities: tuple[str, ...]
     own_rate: float
     points: tuple[Point, ...]
+    requests: tuple[Request, ...] = ()
 
 
 def errors(name: str, budget: Budget) -> Sweep:
@@ -95,7 +105,8 @@ def errors(name: str, budget: Budget) -> Sweep:
     if stick is None:
         return Sweep(name, "nothing: the level has no check", (), level.stepping.rate, ())
     points = tuple(_points(level, stick, budget))
-    return Sweep(name, stick.kind, stick.quantities, level.stepping.rate, points)
+    requests = tuple(ask(name, level, stick, budget.targets, budget.calibration))
+    return Sweep(name, stick.kind, stick.quantities, level.stepping.rate, points, requests)
 
 
 def _points(level: Level, stick: Yardstick, budget: Budget) -> Iterator[Point]:
@@ -137,7 +148,16 @@ def _point(level: Level, stick: Yardstick, stepping: Stepping) -> Point:
 def timed(sweep: Sweep) -> Sweep:
     """Return a sweep with its prices, each measured in fresh worlds apart from the errors."""
     level = load(find(sweep.level))
-    return replace(sweep, points=tuple(_timed(point, level) for point in sweep.points))
+    points = tuple(_timed(point, level) for point in sweep.points)
+    requests = tuple(_priced(request, points, level) for request in sweep.requests)
+    return replace(sweep, points=points, requests=requests)
+
+
+def _priced(request: Request, points: Sequence[Point], level: Level) -> Request:
+    """Return a request with its price, and that of the cheapest point that comes as close."""
+    good = (p.seconds_per_second for p in points if p.error <= request.target)
+    paid = price(level, request.stepping) if request.stepping else nan
+    return replace(request, price=paid, cheapest=min(good, default=inf))
 
 
 def _timed(point: Point, level: Level) -> Point:

@@ -53,6 +53,12 @@ class Yardstick:
         chosen = sorted((*self.by_formula, *self.by_reference))
         return tuple(dict.fromkeys(checks[i].quantity for i in chosen))
 
+    def formula_error(self, trace: Trace) -> float:
+        """Return the largest error against the closed forms; infinite if an event never came."""
+        results = grade(trace)
+        errors = (results[i].error for i in self.by_formula)
+        return max(np.inf if error is None else error for error in errors)
+
     def error(self, trace: Trace) -> float:
         """Return the largest error of a run; infinite if an event never came."""
         results = grade(trace)

@@ -8,11 +8,12 @@ order by which its errors fall tells how far it has to go. The cheapest of all i
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import ceil, floor, inf, log2, log10
-from time import perf_counter
+from time import thread_time
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.accuracy.chaos import WILD, growth
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.ladder import FASTEST, SLOWEST, Ladder, climb, held_against
 from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
@@ -43,6 +44,8 @@ LONGEST = 4.0
 
 MORE_SWEEPS = 4
 """By how much more often the solver sweeps in the runs that judge it."""
+
+_ENERGY = Watched("system.energy")
 
 Progress = Callable[[float, str], None]
 """Is told which share is done, and what comes next."""
@@ -142,16 +145,28 @@ def calibrate(
         raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
     if not target >= FINEST:
         raise AccuracyError(f"an accuracy of {target:g} is below rounding; {FINEST:g} is the least")
-    ladders = _ladders(level, values, wanted, target, budget, progress, stop)
-    offers = sorted(_offers(level, values, ladders, target), key=lambda found: found[1].price)
-    reached = [found for found in offers if found[1].error <= target]
-    if not reached:
-        least = min((offer for _, offer in offers), key=lambda offer: offer.error)
-        raise AccuracyError(f"an accuracy of {target:g} cannot be had; there is {least}")
-    verified, chosen = reached[0]
     judged_by = "its checks" if level.checks else "places and velocities"
+    ladders = _ladders(level, values, wanted, target, budget, progress, stop)
+    offers = _offers(level, values, ladders, target)
+    if (
+        offers[0][1].error > target
+        and (times := growth(level, values, _seen(ladders), stop)) > WILD
+    ):
+        judged_by = f"its energy, for it is chaotic: a small change grows {times:.0e} times"
+        ladders = _ladders(level, values, (_ENERGY,), target, budget, progress, stop)
+        offers = _offers(level, values, ladders, target)
+    verified, chosen = offers[0]
+    if chosen.error > target:
+        raise AccuracyError(
+            f"an accuracy of {target:g} cannot be had; there is {chosen}, judged by {judged_by}"
+        )
     offer = None if chosen.price <= REAL_TIME else _affordable(level, values, ladders)
     return Setting(target, chosen, judged_by, verified, offer)
+
+
+def _seen(ladders: list[Ladder]) -> Stepping:
+    """Return the finest setting that was run."""
+    return ladders[-1].traces[-1].stepping
 
 
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
@@ -180,11 +195,11 @@ def _ladders(
     """Climb with each candidate, and hold all against the best."""
     candidates = list(_candidates(level, values))
     found: list[Ladder] = []
-    end = perf_counter() + budget
+    end = thread_time() + budget
     for index, start in enumerate(candidates):
         if progress:
             progress(index / len(candidates), f"{start.scheme}, {start.iterations} sweeps")
-        left = end - perf_counter()
+        left = end - thread_time()
         share = left if start is candidates[-1] else left * FIRST
         ladder = climb(level, values, start, wanted, target * CAUTION, share, stop)
         if ladder:
@@ -200,21 +215,31 @@ def _ladders(
 
 def _offers(
     level: Level, values: Values, ladders: list[Ladder], target: float
-) -> Iterator[tuple[bool, Offer]]:
-    """Yield each ladder's cheapest setting, or its best, and whether it was seen to be so good."""
-    for ladder in ladders:
-        step = _step_seconds(level, values, ladder)
-        runs = list(zip(ladder.traces, ladder.errors, strict=True))
-        if good := ladder.cheapest(target):
-            yield True, Offer(good[0].stepping, good[1], step * good[0].stepping.rate)
-            continue
-        rate = _rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
-        if rate <= FASTEST:
-            setting = ladder.traces[-1].stepping.model_copy(update={"rate": rate})
-            yield False, Offer(setting, ladder.error_at(rate), step * rate)
-        else:
-            trace, error = min(runs, key=lambda run: run[1])
-            yield True, Offer(trace.stepping, error, step * trace.stepping.rate)
+) -> list[tuple[bool, Offer]]:
+    """Return what each ladder has to offer, and whether it was seen to be so good.
+
+    What reaches the target comes first, the cheapest of it before all; then what is most accurate.
+    """
+    found = [_offer(_step_seconds(level, values, ladder), ladder, target) for ladder in ladders]
+
+    def rank(offer: tuple[bool, Offer]) -> tuple[float, float]:
+        return max(offer[1].error, target), offer[1].price
+
+    return sorted(found, key=rank)
+
+
+def _offer(step: float, ladder: Ladder, target: float) -> tuple[bool, Offer]:
+    """Return a ladder's cheapest setting, or its best, at a price a step [s]."""
+    if good := ladder.cheapest(target):
+        trace, error = good
+        return True, Offer(trace.stepping, error, step * trace.stepping.rate)
+    rate = _rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
+    if rate <= FASTEST:
+        setting = ladder.traces[-1].stepping.at(rate)
+        return False, Offer(setting, ladder.error_at(rate), step * rate)
+    runs = zip(ladder.traces, ladder.errors, strict=True)
+    trace, error = min(runs, key=lambda run: run[1])
+    return True, Offer(trace.stepping, error, step * trace.stepping.rate)
 
 
 def _affordable(level: Level, values: Values, ladders: list[Ladder]) -> Offer | None:

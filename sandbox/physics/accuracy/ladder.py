@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import inf
-from time import perf_counter
+from time import thread_time
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
@@ -14,6 +14,9 @@ from sandbox.physics.trace import Trace
 
 FEWEST = 3
 """Runs that must agree before anything is believed."""
+
+OVERDRAFT = 2.0
+"""How often the time for it may be spent while there are fewer than that."""
 
 SLOWEST = 30.0
 """Hz, the lowest rate that is chosen: fewer steps look like none."""
@@ -41,8 +44,12 @@ class Ladder:
     growth: tuple[tuple[float, float | None], ...]
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
-        """Return the first run with an error that runs with smaller steps agree with, and it."""
-        runs = zip(self.traces[:-1], self.errors, strict=False)
+        """Return the first run with no larger error, as runs with smaller steps say, and that.
+
+        Where bodies touch, two such runs must agree: one can do so by chance.
+        """
+        witnesses = 2 if self.traces[0].level.effects.contact else 1
+        runs = zip(self.traces[:-witnesses], self.errors, strict=False)
         return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= SLOWEST), None)
 
     def rate_for(self, error: float) -> float:
@@ -78,21 +85,22 @@ def climb(
     Cancelled
         If `stop` said so.
     """
-    start = perf_counter()
+    start = thread_time()
     traces: list[Trace] = []
     found = None
     while stepping.rate <= FASTEST:
-        begun = perf_counter()
+        begun = thread_time()
         try:
             traces.append(record(level, values, stepping, wanted, stop))
         except SimulationError:
             traces.clear()
-        now = perf_counter()
+        now = thread_time()
         if len(traces) > 1:
             found = judged(traces, wanted)
             if len(traces) >= FEWEST and found.cheapest(target):
                 break
-        if now - start + 2 * (now - begun) > seconds:
+        spent, next_ = now - start, 2 * (now - begun)
+        if spent + next_ > (seconds if len(traces) >= FEWEST else OVERDRAFT * seconds):
             break
         stepping = stepping.model_copy(update={"rate": 2 * stepping.rate})
     return found

@@ -1,0 +1,400 @@
+"""An accuracy that is asked for is delivered, and what cannot be had is said."""
+
+import os
+from collections.abc import Callable
+from math import cos, pi, sin, sqrt
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy import (
+    AccuracyError,
+    Cancelled,
+    Setting,
+    calibrate,
+    calibrated,
+    estimate,
+    memory,
+)
+from sandbox.physics.checks import grade
+from sandbox.physics.trace import simulate
+from sandbox.physics.world import build
+from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
+
+PEG = fixed({"type": "disc", "radius": 0.1})
+
+
+def check(quantity: str, formula: str, at: object = None) -> Spec:
+    said: Spec = {"quantity": quantity, "formula": formula, "tolerance": 1.0}
+    return said if at is None else {**said, "at": at}
+
+
+def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
+    """A ball of 1 kg, let go 0.5 m from where its spring is slack."""
+    omega, gamma = sqrt(k - c * c / 4), c / 2
+    swing = f"exp(-{gamma!r}*t)*(cos({omega!r}*t) + {gamma / omega!r}*sin({omega!r}*t))"
+    spring = {"type": "spring", "ends": ["peg", "ball"], "stiffness": k, "length": 1, "damping": c}
+    return level(
+        {"ball": disc((1.5, 0)), "peg": PEG},
+        {},
+        joints={"s": spring},
+        checks=[check("ball.position.x", f"1 + 0.5*{swing}")],
+        duration=3,
+        **rest,
+    )
+
+
+def delivered(scene: Level, stepping: Stepping) -> float:
+    """Return the largest error of a level's checks."""
+    errors = [result.error for result in grade(simulate(scene, stepping=stepping))]
+    return max(error for error in errors if error is not None)
+
+
+# Estimates
+
+
+@pytest.mark.parametrize("rate", [30, 60, 200])
+def test_an_estimate_is_the_error_against_the_closed_form(rate: float) -> None:
+    scene, stepping = oscillator(), Stepping(rate=rate)
+    [found] = estimate(scene, stepping=stepping)
+
+    assert found is not None
+    assert found.error == pytest.approx(delivered(scene, stepping), rel=0.03)  # 0.4 % to 1.9 %
+    assert found.difference == pytest.approx(1.5 * found.error, rel=0.01)  # 1.5 m at the most
+    assert found.order == pytest.approx(2, abs=0.02)
+    assert (found.quantity, found.unit) == ("ball.position.x", "m")
+
+
+def test_what_is_exact_is_off_by_rounding_and_shows_no_order() -> None:
+    scene = level({"ball": disc(velocity=[3, 8])}, GRAVITY, duration=1)
+    found = estimate(scene)
+
+    assert len(found) == 4  # places and velocities
+    for each in found:
+        assert each is not None
+        assert each.error < 1e-12
+        assert each.order is None
+
+
+def test_an_instant_that_never_comes_has_no_error() -> None:
+    never = {"event": "landing", "body": "ball", "height": -99}
+    scene = level({"ball": disc()}, GRAVITY, duration=1, checks=[check("ball.speed", "1", never)])
+
+    assert estimate(scene) == (None,)
+
+
+# Calibration
+
+
+@pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
+@pytest.mark.parametrize("damping", [0, 1])
+def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
+    """Half the rate would not do, or it is the lowest that is ever taken."""
+    scene = oscillator(c=damping)
+    setting = calibrate(scene, target=target)
+    stepping = setting.chosen.stepping
+    coarser = stepping.at(stepping.rate / 3)
+
+    assert delivered(scene, stepping) <= target
+    assert setting.chosen.error <= target
+    assert delivered(scene, coarser) > target or coarser.rate < 30
+    assert stepping.scheme == "leapfrog" or not damping
+
+
+def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
+    scene = oscillator()
+
+    assert calibrate(scene, target=1e-8).chosen.stepping.scheme == "yoshida"
+
+
+def test_what_is_exact_at_any_rate_gets_a_low_one() -> None:
+    made = atwood(1, 1.5, duration=1, checks=[check("left.position.y", f"{G}/5*t**2/2")])
+    setting = calibrate(made, target=1e-9)
+
+    assert setting.chosen.stepping == Stepping(rate=30)
+    assert setting.verified
+    assert delivered(made, setting.chosen.stepping) < 1e-12
+
+
+SPRINGS = st.builds(oscillator, st.floats(1, 200), st.floats(0, 1.5))
+
+
+@st.composite
+def orbits(draw: st.DrawFn) -> Level:
+    """An ellipse from its nearest point, to the farthest: half a turn."""
+    e, mu = draw(st.floats(0, 0.6)), draw(st.floats(1, 20))
+    speed, axis = sqrt(mu * (1 + e)), 1 / (1 - e)
+    half = pi * sqrt(axis**3 / mu)
+    planet = disc((1, 0), radius=0.05, velocity=[0, speed])
+    checks = [
+        check("planet.position.x", repr(-(1 + e) / (1 - e)), half),
+        check("planet.velocity.y", repr(-speed * (1 - e) / (1 + e)), half),
+        check("planet.energy", repr(speed**2 / 2 - mu)),
+    ]
+    effects = {"attraction": [{"mu": mu}]}
+    return level({"planet": planet}, effects, checks=checks, duration=half + 0.01)
+
+
+@st.composite
+def pendulums(draw: st.DrawFn) -> Level:
+    """A rod let go: at its lowest point, the speed is that of the height; energy is kept."""
+    angle, length = draw(st.floats(0.2, 2)), draw(st.floats(0.3, 3))
+    speed = sqrt(2 * G * length * (1 - cos(angle)))
+    low = {"event": "crossing", "quantity": "bob.position.x", "value": 0}
+    bob = disc((length * sin(angle), -length * cos(angle)), radius=0.05)
+    checks = [
+        check("bob.speed", repr(speed), low),
+        check("bob.energy", repr(-G * length * cos(angle))),
+    ]
+    rod = {"type": "rod", "ends": [[0, 0], "bob"]}
+    duration = 2 * pi * sqrt(length / G)
+    return level({"bob": bob}, GRAVITY, joints={"rod": rod}, checks=checks, duration=duration)
+
+
+@st.composite
+def throws(draw: st.DrawFn) -> Level:
+    """With linear drag: v = (v0 + g τ) exp(−t/τ) − g τ, τ = m/c."""
+    vx, vy, tau = draw(st.floats(1, 20)), draw(st.floats(1, 20)), draw(st.floats(0.3, 5))
+    fade = f"exp(-t/{tau!r})"
+    checks = [
+        check("ball.position.x", f"{vx * tau!r}*(1 - {fade})"),
+        check("ball.position.y", f"{(vy + G * tau) * tau!r}*(1 - {fade}) - {G * tau!r}*t"),
+    ]
+    effects = {**GRAVITY, "drag": {"linear": 1 / tau}}
+    return level({"ball": disc(velocity=[vx, vy])}, effects, checks=checks, duration=2)
+
+
+@st.composite
+def atwoods(draw: st.DrawFn) -> Level:
+    left, right = draw(st.floats(0.1, 10)), draw(st.floats(0.1, 10))
+    a = (right - left) * G / (left + right)
+    return atwood(left, right, checks=[check("left.position.y", f"{a!r}*t**2/2")], duration=0.7)
+
+
+@pytest.mark.parametrize("scenes", [SPRINGS, orbits(), pendulums(), throws(), atwoods()])
+@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
+@given(st.data(), st.sampled_from([1e-3, 1e-5, 1e-7]))
+def test_random_scenes_get_what_they_ask_for(
+    scenes: st.SearchStrategy[Level], data: st.DataObject, target: float
+) -> None:
+    scene = data.draw(scenes)
+    stepping = calibrate(scene, target=target).chosen.stepping
+    if stepping.rate <= 5000:  # a finer one takes a test too long to look at
+        assert delivered(scene, stepping) <= target
+
+
+# What cannot be had
+
+
+def test_an_accuracy_below_rounding_is_refused() -> None:
+    with pytest.raises(AccuracyError, match="1e-15 is below rounding; 1e-14 is the least"):
+        calibrate(oscillator(), target=1e-15)
+
+
+def test_what_cannot_be_reached_says_what_can() -> None:
+    with pytest.raises(AccuracyError, match=r"1e-14 cannot be had; there is leapfrog at .* error"):
+        calibrate(oscillator(c=1), target=1e-14)
+
+
+def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not() -> None:
+    scene = oscillator(c=1)  # no fourth order with a damper
+    setting = calibrate(scene, target=1e-10)
+
+    assert setting.chosen.price > 0.5
+    assert setting.in_real_time is not None
+    assert setting.in_real_time.price <= 0.51
+    assert 1e-10 < setting.in_real_time.error < 1e-6
+    assert "not in real time, in which there is leapfrog" in str(setting)
+
+
+def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
+    """Two rods that whip about for 15 s: no step is small enough to say where they end."""
+    rods = {
+        "upper": {"type": "rod", "ends": [[0, 0], "a"]},
+        "lower": {"type": "rod", "ends": ["a", "b"]},
+    }
+    bodies = {"a": disc((1, 0.5), radius=0.1), "b": disc((2, 1), radius=0.1)}
+    scene = level(bodies, GRAVITY, joints=rods, duration=15)
+    setting = calibrate(scene, target=1e-2)
+
+    assert "its energy, for it is chaotic" in str(setting)
+    energy = simulate(scene, record=["system.energy"], stepping=setting.chosen.stepping)
+    off = np.abs(energy.columns["system.energy"] - energy.columns["system.energy"][0])
+    assert off.max() <= 1e-2 * np.abs(energy.columns["system.energy"]).max()
+
+
+def test_nothing_that_moves_has_no_accuracy() -> None:
+    scene = level({"floor": floor()}, {})
+
+    with pytest.raises(AccuracyError, match="nothing moves freely"):
+        calibrate(scene)
+
+
+def test_a_level_that_never_runs_says_why() -> None:
+    scene = orbit(0.0)  # it falls into the centre
+
+    with pytest.raises(AccuracyError, match="cannot be had"):
+        calibrate(scene, target=1e-6)
+
+
+def test_a_calibration_can_be_cancelled() -> None:
+    asked: list[None] = []
+
+    def stop() -> bool:
+        asked.append(None)
+        return len(asked) > 3
+
+    with pytest.raises(Cancelled, match="cancelled"):
+        calibrate(oscillator(), stop=stop)
+
+    assert len(asked) == 4
+
+
+def test_progress_is_told() -> None:
+    told: list[tuple[float, str]] = []
+    calibrate(oscillator(), target=1e-3, progress=lambda *said: told.append(said))
+
+    assert [share for share, _ in told] == [0, 0.5]
+    assert "yoshida" in told[0][1]
+
+
+# Memory
+
+
+@pytest.fixture
+def counted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
+    """Keep settings in a folder of the test's own, and count how often one is found out."""
+    calls: list[float] = []
+    real: Callable[..., Setting] = calibrate
+
+    def counting(scene: Level, values: Values, target: float, **rest: object) -> Setting:
+        calls.append(target)
+        return real(scene, values, target, **rest)
+
+    monkeypatch.setattr(memory, "calibrate", counting)
+    monkeypatch.setattr(memory, "folder", lambda: tmp_path / "cache" / "accuracy")
+    return calls
+
+
+def kept() -> list[Path]:
+    return sorted(memory.folder().glob("*.json"))
+
+
+def test_a_setting_is_found_out_once(counted: list[float]) -> None:
+    first = calibrated(oscillator(), target=1e-3)
+    again = calibrated(oscillator(), target=1e-3)
+
+    assert first == again
+    assert counted == [1e-3]
+
+
+def test_another_level_or_target_or_code_is_another_setting(
+    counted: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calibrated(oscillator(), target=1e-3)
+    calibrated(oscillator(k=11), target=1e-3)
+    calibrated(oscillator(), target=2e-3)
+    monkeypatch.setattr(memory, "_code", lambda: "other")
+    calibrated(oscillator(), target=1e-3)
+
+    assert len(counted) == len(kept()) == 4
+
+
+@pytest.mark.parametrize(
+    "mangle",
+    [
+        lambda _: "",
+        lambda text: text[:-20],
+        lambda text: text.replace('"price":', '"prize":'),
+        lambda text: text.replace('"target":0.001', '"target":0'),
+        lambda text: text.replace(text[2:10], "00000000"),
+        lambda text: text.replace('"leapfrog"', '"magic"').replace('"yoshida"', '"magic"'),
+        lambda _: "[" * 100_000,
+    ],
+)
+def test_a_spoilt_file_is_not_used(counted: list[float], mangle: Callable[[str], str]) -> None:
+    found = calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    file.write_text(mangle(file.read_text()))
+
+    again = calibrated(oscillator(), target=1e-3)
+
+    assert found.chosen.error <= again.target
+    assert again.chosen.error <= again.target
+    assert len(counted) == 2
+    assert calibrated(oscillator(), target=1e-3) == again  # mended
+    assert len(counted) == 2
+
+
+@pytest.mark.usefixtures("counted")
+def test_a_folder_that_cannot_be_written_costs_only_the_memory(tmp_path: Path) -> None:
+    (tmp_path / "cache").write_text("no folder")
+    told: list[str] = []
+
+    setting = calibrated(oscillator(), target=1e-3, tell=told.append)
+
+    assert setting.chosen.error <= 1e-3
+    assert "not kept for the next time" in told[0]
+
+
+@pytest.mark.usefixtures("counted")
+def test_a_full_disk_costs_only_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr(memory, "write_atomically", full)
+    told: list[str] = []
+
+    assert calibrated(oscillator(), target=1e-3, tell=told.append).chosen.error <= 1e-3
+    assert "No space left" in told[0]
+
+
+@pytest.mark.usefixtures("counted")
+def test_what_is_cancelled_is_not_kept() -> None:
+    with pytest.raises(Cancelled):
+        calibrated(oscillator(), stop=lambda: True)
+
+    assert kept() == []
+
+
+# Levels that ask
+
+
+def test_a_level_may_ask_for_its_accuracy(counted: list[float]) -> None:
+    scene = oscillator(stepping={"accuracy": 1e-5})
+    world = build(scene)
+
+    assert world.stepping == calibrated(scene, target=1e-5).chosen.stepping
+    assert world.stepping.accuracy is None
+    assert len(counted) == 1
+    assert np.isfinite(world.advance(10).position).all()
+    assert delivered(scene, world.stepping) <= 1e-5
+
+
+@pytest.mark.parametrize("chosen", [{"rate": 60}, {"iterations": 4}, {"scheme": "leapfrog"}])
+def test_a_setting_is_chosen_or_asked_for(chosen: Spec) -> None:
+    with pytest.raises(LevelError, match="leave one of the two out") as refused:
+        oscillator(stepping={"accuracy": 1e-5, **chosen})
+
+    [mistake] = refused.value.mistakes
+    assert mistake.path == f"stepping.{next(iter(chosen))}"
+
+
+@pytest.mark.parametrize("accuracy", [0, -1e-3, 1, "small"])
+def test_an_accuracy_is_a_number_between_0_and_1(accuracy: object) -> None:
+    with pytest.raises(LevelError, match=r"stepping\.accuracy"):
+        oscillator(stepping={"accuracy": accuracy})
+
+
+def test_asking_survives_a_round_trip() -> None:
+    said = Stepping(accuracy=1e-5)
+
+    assert said.model_dump(mode="json") == {"accuracy": 1e-5}
+    assert Stepping.model_validate_json(said.model_dump_json()) == said
+    assert "accuracy" not in Stepping().model_dump()

@@ -1,0 +1,83 @@
+"""Accuracies that are asked for: what is delivered, and at what price beside the whole sweep's."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from math import inf, nan
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy import calibrate
+from sandbox.physics.trace import needed, simulate
+from validation.cost.yardstick import Yardstick
+from validation.timing import step_seconds
+
+DEAR = 3.0
+"""How much more than the cheapest setting of the sweep a setting may cost."""
+
+LONGEST = 5.0
+"""s, how long a run may take to be looked at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Request:
+    """An accuracy that was asked for.
+
+    Attributes
+    ----------
+    level, target
+        What was asked for.
+    stepping
+        The setting that was found; None if it was said that there is none.
+    estimated, delivered
+        The error that was promised, and the one against the closed form.
+    price, cheapest
+        What a second of simulated time costs [s], and what it costs with the cheapest setting of
+        the sweep; infinite if no setting there comes so close.
+    said
+        Why there is no setting, if there is none.
+    """
+
+    level: str
+    target: float
+    stepping: Stepping | None
+    estimated: float
+    delivered: float
+    price: float = nan
+    cheapest: float = inf
+    said: str = ""
+
+    @property
+    def honoured(self) -> bool:
+        """Whether it was delivered, at a price that is not much higher than it need be."""
+        return self.delivered <= self.target and not self.price > DEAR * self.cheapest
+
+    @property
+    def beyond(self) -> bool:
+        """Whether no setting reaches it, neither one of the sweep nor one that was found."""
+        return self.stepping is None and self.cheapest == inf
+
+
+def ask(
+    name: str, level: Level, stick: Yardstick, targets: Iterable[float], budget: float
+) -> Iterator[Request]:
+    """Ask for accuracies, and hold what is delivered against the closed forms.
+
+    A level without one is not asked: nothing else knows the digits that are wanted.
+    """
+    for target in targets if stick.by_formula else ():
+        try:
+            chosen = calibrate(level, target=target, budget=budget).chosen
+        except SandboxError as error:
+            yield Request(name, target, None, nan, nan, said=str(error))
+            continue
+        if chosen.price * level.duration(level.defaults) > LONGEST:
+            yield Request(name, target, chosen.stepping, chosen.error, nan, said="too slow to run")
+            continue
+        trace = simulate(level, record=needed(level), stepping=chosen.stepping)
+        delivered = stick.formula_error(trace)
+        yield Request(name, target, chosen.stepping, chosen.error, delivered)
+
+
+def price(level: Level, stepping: Stepping) -> float:
+    """Return what a second of simulated time costs [s]."""
+    return step_seconds(level, level.defaults, stepping) * stepping.rate
