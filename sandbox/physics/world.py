@@ -162,7 +162,8 @@ class World:
     @property
     def hooks(self) -> int:
         """How many Python callbacks a step makes, if each pair that needs any has one contact."""
-        return (self._hook.count if self._hook else 0) + self.scene.pair_callbacks
+        hooked = (self._hook.count if self._hook else 0) * (len(self._leading) + 1)
+        return hooked + self.scene.pair_callbacks
 
     def step(self) -> None:
         """Take one step without looking at it: nothing but pymunk's own step is paid for.
@@ -274,7 +275,7 @@ class World:
         with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
             for law in self.scene.laws:
                 law.add(motion, wrench)
-        self._smooth = self._field + wrench * self._agility
+            self._smooth = self._field + wrench * self._agility
         if self._pulling:
             self._pulling.pull(wrench)
         self._batch.set_force(wrench if self._scale == 1 else wrench * self._scale)

@@ -31,7 +31,7 @@ def test_a_level_is_opened_with_its_settings(run: Run, write: Write, opened: Ope
     path = write()
 
     assert run("play", path, "--set", "g=1.6").status == 0
-    assert opened == [(str(path), {"g": 1.6})]
+    assert opened == [(str(path), {"g": 1.6}, None)]
 
 
 def test_without_a_command_the_window_opens(run: Run, opened: Opened) -> None:

@@ -23,6 +23,7 @@ from sandbox.physics.accuracy import (
     memory,
 )
 from sandbox.physics.checks import grade
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.trace import simulate
 from sandbox.physics.world import build
 from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
@@ -237,6 +238,14 @@ def test_nothing_that_moves_has_no_accuracy() -> None:
 
 
 def test_a_level_that_never_runs_says_why() -> None:
+    force = [{"body": "ball", "force": ["1e100*exp(500*t)", 0]}]
+    scene = level({"ball": disc()}, {"force": force}, duration=2)
+
+    with pytest.raises(SimulationError, match="no longer anywhere finite"):
+        calibrate(scene, target=1e-6)
+
+
+def test_a_singular_motion_says_what_can_be_had() -> None:
     scene = orbit(0.0)  # it falls into the centre
 
     with pytest.raises(AccuracyError, match="cannot be had"):

@@ -103,6 +103,11 @@ def test_a_run_is_the_same_however_it_is_observed() -> None:
     assert np.array_equal(one.snapshot.position, bare.snapshot.position)
 
 
+def test_a_step_is_three_substeps() -> None:
+    assert build(orbit(1.0)).hooks == 1
+    assert build(orbit(1.0), stepping=YOSHIDA).hooks == 3
+
+
 def test_an_orbit_keeps_its_energy_for_a_hundred_turns() -> None:
     flight = run(build(orbit(1.1, 20, "yoshida")), int(200 * pi * 20))
     place, speed = (np.hypot(*getattr(flight, f)[:, 0].T) for f in ("position", "velocity"))

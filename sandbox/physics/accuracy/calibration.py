@@ -17,6 +17,8 @@ from sandbox.physics.accuracy.chaos import WILD, growth
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.ladder import FASTEST, SLOWEST, Ladder, climb, held_against
 from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
+from sandbox.physics.checks import applies
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.timing import step_seconds
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
@@ -145,7 +147,8 @@ def calibrate(
         raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
     if not target >= FINEST:
         raise AccuracyError(f"an accuracy of {target:g} is below rounding; {FINEST:g} is the least")
-    judged_by = "its checks" if level.checks else "places and velocities"
+    checked = any(applies(check, values) for check in level.checks)
+    judged_by = "its checks" if checked else "places and velocities"
     ladders = _ladders(level, values, wanted, target, budget, progress, stop)
     offers = _offers(level, values, ladders, target)
     if (
@@ -201,11 +204,15 @@ def _ladders(
             progress(index / len(candidates), f"{start.scheme}, {start.iterations} sweeps")
         left = end - thread_time()
         share = left if start is candidates[-1] else left * FIRST
-        ladder = climb(level, values, start, wanted, target * CAUTION, share, stop)
+        try:
+            ladder = climb(level, values, start, wanted, target * CAUTION, share, stop)
+        except SimulationError:
+            if start is candidates[-1] and not found:
+                raise
+            continue
         if ladder:
             found.append(ladder)
     if not found:
-        build(level, values, candidates[-1].at(level.stepping.rate))  # says why
         raise AccuracyError("the level takes too long to run for its accuracy to be found out")
     best, *others = sorted(found, key=lambda ladder: ladder.errors[-1])
     if level.effects.contact:

@@ -84,16 +84,18 @@ def climb(
     ------
     Cancelled
         If `stop` said so.
+    SimulationError
+        If all runs had to stop.
     """
     start = thread_time()
     traces: list[Trace] = []
-    found = None
+    found = failure = None
     while stepping.rate <= FASTEST:
         begun = thread_time()
         try:
             traces.append(record(level, values, stepping, wanted, stop))
-        except SimulationError:
-            traces.clear()
+        except SimulationError as error:
+            traces, failure = [], error
         now = thread_time()
         if len(traces) > 1:
             found = judged(traces, wanted)
@@ -103,6 +105,8 @@ def climb(
         if spent + next_ > (seconds if len(traces) >= FEWEST else OVERDRAFT * seconds):
             break
         stepping = stepping.model_copy(update={"rate": 2 * stepping.rate})
+    if failure and not traces:
+        raise failure
     return found
 
 
