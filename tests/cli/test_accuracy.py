@@ -15,6 +15,7 @@ ASKING = {"stepping": {"accuracy": 1e-6}}
 def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A cache folder of the test's own."""
     monkeypatch.setattr(memory, "folder", lambda: tmp_path / "cache")
+    monkeypatch.setattr(memory, "_unkept", {})
     return tmp_path / "cache"
 
 

@@ -29,6 +29,9 @@ from sandbox.physics.accuracy.runs import Stop, never
 _SETTING = TypeAdapter(tuple[str, Setting])
 """A key, and what was found for it."""
 
+_unkept: dict[str, Setting] = {}
+"""What could not be written, for as long as this process lives."""
+
 LARGEST = 10_000
 """Bytes of a file: what is larger was not written here."""
 
@@ -62,13 +65,14 @@ def calibrated(
     values = level.defaults if values is None else values
     key = _key(level, values, target)
     path = folder() / f"{key}.json"
-    if found := _recalled(path, key):
+    if found := _unkept.get(key) or _recalled(path, key):
         return found
     setting = calibrate(level, values, target, progress=progress, stop=stop)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, _SETTING.dump_json((key, setting)))
     except (OSError, SandboxError) as error:
+        _unkept[key] = setting
         if tell:
             tell(f"the setting is not kept for the next time: {error}")
     return setting
