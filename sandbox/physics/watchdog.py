@@ -69,7 +69,7 @@ class Watchdog:
         contacts: Contacts,
     ) -> None:
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
-        self._strict = stepping.scheme == "leapfrog"
+        self._strict = not stepping.as_it_comes
         self._thick = np.where(
             scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
         )

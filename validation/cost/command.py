@@ -38,8 +38,7 @@ def measure(
         console.print(asked_table(found))
         typer.echo(summed(found))
     if json_file:
-        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "
-")
+        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "\n")
         typer.echo(f"Written to {json_file}.")
     if output:
         from validation.cost.figure import draw  # matplotlib takes its time

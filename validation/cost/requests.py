@@ -7,9 +7,10 @@ from math import inf, nan
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy import calibrate
-from sandbox.physics.trace import needed, simulate
+from sandbox.physics.timing import STEPS, step_seconds
+from sandbox.physics.trace import count_steps, needed, simulate
+from sandbox.physics.world import build
 from validation.cost.yardstick import Yardstick
-from validation.timing import step_seconds
 
 DEAR = 3.0
 """How much more than the cheapest setting of the sweep a setting may cost."""
@@ -80,4 +81,6 @@ def ask(
 
 def price(level: Level, stepping: Stepping) -> float:
     """Return what a second of simulated time costs [s]."""
-    return step_seconds(level, level.defaults, stepping) * stepping.rate
+    steps = min(count_steps(build(level, stepping=stepping)), STEPS)
+    [seconds] = step_seconds([lambda: build(level, stepping=stepping).step], max(steps, 1))
+    return seconds * stepping.rate
