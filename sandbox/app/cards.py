@@ -1,16 +1,17 @@
 """What is told in words and numbers about a run: title, parameters, checks, energy."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import race, theme, wording
 from sandbox.app.grading import Reading
+from sandbox.app.race import Lane
 from sandbox.app.session import Energies
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
-from sandbox.model.level import Check, Level, Parameter
+from sandbox.model.level import Check, Level, Parameter, Scheme
 from sandbox.physics.comparison import Difference
 from sandbox.physics.ledger import Balance
 
@@ -21,7 +22,12 @@ NUMBER = 92  # px, right of it
 COLUMNS = (0.4, 0.4, 0.2)
 """How wide measured, expected and error are."""
 
+TOUCHED_ONE = "A hand has touched this run, and not the other: they are two different things now."
 TOUCHED = "A hand has touched this run: the formulas no longer describe it."
+_REMARKS: Mapping[Scheme, str] = {
+    "symplectic-euler": "pymunk as it comes",
+    "explicit-euler": "deliberately bad",
+}
 _COLORS: dict[str, Color] = {
     "passed": theme.PASSED,
     "failed": theme.FAILED,
@@ -150,11 +156,23 @@ def checks(
     return card.drawn()
 
 
-def compared(pen: Pen, width: int, told: str, differences: Sequence[Difference]) -> pygame.Surface:
-    """Draw what a change of the effects makes of the checks' quantities."""
+def compared(
+    pen: Pen, width: int, told: str, differences: Sequence[Difference],
+    cost: float | None = None, *, disturbed: bool = False,
+) -> pygame.Surface:  # fmt: skip
+    """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
     card = Card(pen, width)
     card.heading(told[0].upper() + told[1:])
     card.text("dashed: as the level declares it", 12, theme.GHOST)
+    if disturbed:
+        card.text(TOUCHED_ONE, 14, theme.NOTICE)
+        return card.drawn()
+    if cost is not None:
+        card.text(f"time: {wording.step_cost(cost)}".replace("-", wording.MINUS), 13)
+    if all(found.before is found.after is None for found in differences):
+        card.text("Play to see what it changes.", 13, theme.DIM)
+        return card.drawn()
+    card.y += GAP
     card.columns([(name, theme.DIM) for name in ("as declared", "changed", "change")], 12)
     for difference in differences:
         if difference.before is difference.after is None:
@@ -167,6 +185,77 @@ def compared(pen: Pen, width: int, told: str, differences: Sequence[Difference])
         values.append("" if part is None else f"{100 * part:+.3g} %")
         card.columns([(value, theme.TEXT) for value in values], 13)
     return card.drawn()
+
+
+def label(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw a few words that introduce what follows."""
+    card = Card(pen, width)
+    card.text(text, 13, theme.DIM)
+    return card.drawn()
+
+
+def effects_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the switches of the effects are for."""
+    card = Card(pen, width)
+    card.heading("What if …")
+    card.text("Switch an effect off or on, then play: both runs are drawn.", 13, theme.DIM)
+    return card.drawn()
+
+
+def unchanged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the level runs as it is declared."""
+    card = Card(pen, width)
+    card.heading("What it changes")
+    card.text("All effects are as the level declares them.", 14, theme.DIM)
+    return card.drawn()
+
+
+def unjudged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the formulas say nothing of a run with other effects."""
+    card = Card(pen, width)
+    card.heading("Checks")
+    card.text("The effects are changed: the formulas do not describe this run.", 14, theme.NOTICE)
+    card.text("The tab Effects tells what differs (X).", 13, theme.DIM)
+    return card.drawn()
+
+
+def race_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the race is."""
+    card = Card(pen, width)
+    card.heading("Race of the schemes")
+    text = "The same scene, stepped in up to four ways at once, at the same rate."
+    card.text(text, 13, theme.DIM)
+    return card.drawn()
+
+
+def lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
+    """Draw how a race stands: for every scheme its error so far, and its clock."""
+    card = Card(pen, width)
+    if not found:
+        return card.drawn()
+    card.heading(f"At {rate:g} steps a second")
+    card.columns([("error so far", theme.DIM), ("computing 1 s", theme.DIM), ("", theme.DIM)], 12)
+    for lane in found:
+        card.y += GAP + 2
+        card.put(_swatch(lane.color), 0, 8)
+        card.text(race.title(lane.scheme), 14, bold=True, indent=INDENT)
+        if remark := _REMARKS.get(lane.scheme):
+            card.text(remark, 12, theme.DIM, indent=INDENT)
+        if lane.failure:
+            card.text(lane.failure, 12, theme.FAILED, indent=INDENT)
+        error = "–" if lane.error is None else wording.error(lane.error)
+        cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
+        card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)
+    return card.drawn()
+
+
+def _swatch(color: Color | None) -> pygame.Surface:
+    """Draw a piece of the line that a run is drawn with."""
+    line = pygame.Surface((18, 4))
+    line.fill(theme.PANEL)
+    for x in (0, 7, 14) if color else (0, 4, 8, 12, 16):
+        line.fill(color or theme.ACCENT, (x, 0, 4, 3))
+    return line
 
 
 def _check(card: Card, reading: Reading) -> None:

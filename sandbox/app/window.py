@@ -6,13 +6,14 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import race, theme, whatif, wording
 from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.panels.parameters import Change
 from sandbox.app.session import Session
+from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model import catalog
@@ -94,6 +95,9 @@ class Window:
             "levels": lambda: self._toggle_column("levels"),
             "panel": lambda: self._toggle_column("side"),
             "energy": self._toggle_graph,
+            "level page": lambda: self._turn_to("level page"),
+            "effects page": lambda: self._turn_to("effects page"),
+            "race page": lambda: self._turn_to("race page"),
             "next field": self._next_field,
             "help": self._toggle_help,
             "leave": self._leave,
@@ -115,6 +119,12 @@ class Window:
             self._refuse(None, str(error))
             return
         self._open(path, settings or {}, accuracy)
+
+    def race(self) -> None:
+        """Let every scheme that the open level can use race over it, and show how that stands."""
+        self._turn_to("race page")
+        if self.session is not None:
+            race.toggle(self.session)
 
     def _open(
         self,
@@ -225,8 +235,8 @@ class Window:
             self._run_as_advised()
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
-        elif self.panels.side is not None and (wanted := self.panels.side.process(event)):
-            self._commands[wanted]()
+        elif self._click_side(event):
+            return
         elif self.session is not None:
             mouse = pygame.mouse.get_pos()
             if event.type == pygame.MOUSEWHEEL and self.panels.layout.stage.collidepoint(mouse):
@@ -243,6 +253,19 @@ class Window:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
             self._tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+
+    def _click_side(self, event: pygame.event.Event) -> bool:
+        """Give an event to the side panel, and return whether it was for that."""
+        side = self.panels.side
+        if side is None:
+            return False
+        if wanted := side.process(event):
+            self._commands[wanted]()
+            return True
+        told = side.act(event)
+        if told is not None:
+            self._tell(told)
+        return told is not None
 
     def _change(self, event: pygame.event.Event) -> bool:
         side = self.panels.side
@@ -304,6 +327,11 @@ class Window:
         self.panels.graph = not self.panels.graph
         self._lay_out()
 
+    def _turn_to(self, page: Command) -> None:
+        """Show a page of the side panel, also where that was hidden."""
+        self.panels.show(page)
+        self._lay_out()
+
     def _next_field(self) -> None:
         if self.panels.side is not None:
             backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
@@ -333,7 +361,9 @@ class Window:
         area = layout.stage.clip(surface.get_rect())
         if self.session is not None and area:
             view = surface.subsurface(area)
-            self.stage.draw(view, self.session.trail, self.session.milestones())
+            session = self.session
+            self.stage.draw(view, session.trail, session.milestones(), session.companions)
+            legend.draw(view, self._pen, legend.rows(session))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             self._draw_banner(self.session)
@@ -357,6 +387,8 @@ class Window:
         elif session.at_end and not session.playing:
             when = wording.seconds(session.duration)
             text, color = f"Run complete at {when} – R restarts, Space goes on", theme.ACCENT
+            if session.changes:
+                text = whatif.told(session, whatif.compared(session))
         if text:
             messages.draw_banner(self.surface, self._pen, self.panels.layout.stage, text, color)
 

@@ -1,10 +1,13 @@
 """How numbers and moments are put for a person to read."""
 
+from collections.abc import Iterator, Sequence
 from math import degrees, floor, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
+from sandbox.physics.comparison import Difference
 
 MINUS = "−"
+NO_DIFFERENCE = "no difference"
 
 
 def number(value: float, digits: int = 5) -> str:
@@ -95,6 +98,29 @@ def occasion(check: Check) -> str:
             return "crossing"
         case _:
             return "later"
+
+
+def difference(found: Difference) -> str:
+    """Write how two runs differ: as a share if there is something to compare it with."""
+    if found.share == 0:
+        return NO_DIFFERENCE
+    if found.before is None or found.after is None:
+        return "comes" if found.before is None else "never comes"
+    if found.relative is not None and abs(found.relative) < 10:
+        return f"{100 * found.relative:+.3g} %"
+    return f"{found.after - found.before:+.3g} {found.unit}"
+
+
+def step_cost(seconds: float) -> str:
+    """Write what a step costs more or less."""
+    return f"{round(1e3 * seconds, 4):+.2g} ms a step"
+
+
+def summary(found: Sequence[Difference]) -> Iterator[str]:
+    """Yield what a change of effects does to each quantity, in a few words."""
+    for label, one in {each.label or each.quantity: each for each in found}.items():
+        if one.share:
+            yield f"{label} {difference(one)}"
 
 
 def _power(text: str) -> str:
