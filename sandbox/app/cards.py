@@ -14,7 +14,9 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level, Parameter, Scheme
 from sandbox.physics.comparison import Difference
 from sandbox.physics.ledger import Balance
+from sandbox.physics.study import Split
 
+NOTHING: Mapping[int, Split] = {}
 GAP = 3  # px
 INDENT = 24  # px
 LABEL = 108  # px, left of a bar
@@ -137,8 +139,12 @@ def checks(
     readings: Sequence[Reading],
     disturbed: bool = False,
     left_out: int = 0,
+    splits: Mapping[int, Split] = NOTHING,
 ) -> pygame.Surface:
-    """Draw how the checks stand, and how many are left out."""
+    """Draw how the checks stand, and how many are left out.
+
+    Of a check whose numerical error is known, only the digits that survive it are shown.
+    """
     card = Card(pen, width)
     card.heading("Checks")
     if disturbed:
@@ -148,9 +154,9 @@ def checks(
         card.text("This level states no closed form.", 14, theme.DIM)
     else:
         card.columns([(name, theme.DIM) for name in ("measured", "expected", "error")], 12)
-        for reading in readings:
+        for index, reading in enumerate(readings):
             card.y += GAP
-            _check(card, reading)
+            _check(card, reading, splits.get(index))
     if left_out:
         card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
     return card.drawn()
@@ -258,7 +264,7 @@ def _swatch(color: Color | None) -> pygame.Surface:
     return line
 
 
-def _check(card: Card, reading: Reading) -> None:
+def _check(card: Card, reading: Reading, split: Split | None) -> None:
     result = reading.result
     check = result.check
     color = _COLORS[result.verdict]
@@ -278,8 +284,14 @@ def _check(card: Card, reading: Reading) -> None:
     else:
         expected = wording.quantity(reading.expected, result.unit)
         measured = wording.measured(reading.measured, reading.expected, result.unit)
+        if split is not None:
+            digits = wording.surviving(reading.measured, split.off)
+            measured = wording.quantity(reading.measured, result.unit, digits)
         error = wording.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
+        if split is not None:
+            off = wording.quantity(split.off, result.unit, 1)
+            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=INDENT)
     if result.verdict == "failed" and result.t is not None:
         worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
         card.text(worst, 12, color, indent=INDENT)

@@ -9,7 +9,7 @@ Command = Literal[
     "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
     "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
     "levels", "panel", "energy", "level page", "effects page", "race page",
-    "next field", "page down", "page up", "help", "leave",
+    "accuracy page", "next field", "page down", "page up", "help", "leave",
 ]  # fmt: skip
 
 
@@ -47,6 +47,7 @@ BINDINGS = (
     Binding("level page", "O", "the level: parameters and checks", (), "oO"),
     Binding("effects page", "X", "what if: effects off and on", (), "xX"),
     Binding("race page", "S", "race: every scheme at once", (), "sS"),
+    Binding("accuracy page", "A", "accuracy: what the next digit costs", (), "aA"),
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),

@@ -50,4 +50,5 @@ def run(
     try:
         window.run()
     finally:
+        window.close()
         pygame.quit()

@@ -148,7 +148,7 @@ def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface
     if session.changes:
         return cards.compared(pen, width, session.changes.told, whatif.compared(session))
     if race.racing(session):
-        return cards.lanes(pen, width, race.lanes(session), session.level.stepping.rate)
+        return cards.lanes(pen, width, race.lanes(session), session.world.stepping.rate)
     return _checks(session, pen, width, room)
 
 

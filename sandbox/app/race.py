@@ -86,7 +86,7 @@ def title(scheme: str) -> str:
 
 def lanes(session: Session) -> list[Lane]:
     """Return how every scheme does, that of the played run first."""
-    rate, scheme = session.level.stepping.rate, session.level.stepping.scheme
+    rate, scheme = session.world.stepping.rate, session.world.stepping.scheme
     own = worst(session.readings())
     failure = str(session.failure or "")
     first = Lane(scheme, None, own, _cost(session.clock, rate), failure)

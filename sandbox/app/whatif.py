@@ -6,7 +6,7 @@ from dataclasses import replace
 from sandbox.app import theme, wording
 from sandbox.app.companions import Changes, Variant
 from sandbox.app.session import Session
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.model.variants import DEFAULTS, Settings, vary
 from sandbox.physics.comparison import Difference, differences
 
@@ -49,9 +49,23 @@ def play_over(session: Session, original: Level, level: Level, changes: Changes)
     session.play_as(unjudged, [Variant(DECLARED, original, theme.GHOST)], changes)
 
 
+def repace(session: Session, stepping: Stepping) -> None:
+    """Play with another stepping, and what runs beside it too; a race ends.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be run so; then all stays as it was.
+    """
+    pace = {"stepping": stepping}
+    variants = (companion.variant for companion in session.companions if session.changes)
+    beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
+    session.play_as(session.level.model_copy(update=pace), beside, session.changes)
+
+
 def at_its_pace(session: Session) -> Level:
     """Return the level as its file declares it, with the stepping of the present run."""
-    return session.original.model_copy(update={"stepping": session.level.stepping})
+    return session.original.model_copy(update={"stepping": session.world.stepping})
 
 
 def _settings(changes: Changes) -> dict[str, Settings]:

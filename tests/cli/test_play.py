@@ -42,7 +42,7 @@ def test_a_level_is_opened_with_the_race_under_way(run: Run, write: Write, opene
     path = write()
 
     assert run("play", path, "--race").status == 0
-    assert opened == [(str(path), {}, "racing")]
+    assert opened == [(str(path), {}, None, "racing")]
 
 
 def test_without_a_command_the_window_opens(run: Run, opened: Opened) -> None:

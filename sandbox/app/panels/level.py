@@ -6,13 +6,14 @@ from sandbox.app import cards
 from sandbox.app.panels.parameters import Parameters
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
 from sandbox.app.session import Session
+from sandbox.app.studying import Studying
 
 
 class LevelPage:
     """What the level is, its parameters, and how its checks stand."""
 
-    def __init__(self, sheet: Sheet, session: Session) -> None:
-        self._sheet, self._session = sheet, session
+    def __init__(self, sheet: Sheet, session: Session, studying: Studying) -> None:
+        self._sheet, self._session, self._studying = sheet, session, studying
         pen, width, level = sheet.pen, sheet.width, session.original
         y = below(sheet.image(cards.header(pen, width, level), MARGIN // 2)) + 8
         if level.parameters:
@@ -39,5 +40,9 @@ class LevelPage:
         if session.changes:
             return cards.unjudged(sheet.pen, sheet.width)
         return cards.checks(
-            sheet.pen, sheet.width, session.readings(), disturbed=session.world.disturbed
+            sheet.pen,
+            sheet.width,
+            session.readings(),
+            disturbed=session.world.disturbed,
+            splits=self._studying.splits(session),
         )

@@ -9,12 +9,14 @@ from pygame_gui import UI_BUTTON_PRESSED, UIManager
 
 from sandbox.app import theme
 from sandbox.app.keys import Command
+from sandbox.app.load import Load
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import Entry, LevelList
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
+from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 
 if TYPE_CHECKING:
@@ -44,8 +46,8 @@ class Panels:
         The button that runs a level that had to stop at another rate; None if there is none.
     """
 
-    def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
-        self._pen = pen
+    def __init__(self, pen: Pen, size: tuple[int, int], studying: Studying, load: Load) -> None:
+        self._pen, self._studying, self._load = pen, studying, load
         self._hidden: set[str] = set()
         self.graph = True
         self._advised: float | None = None
@@ -78,7 +80,14 @@ class Panels:
         self.side: SidePanel | None = None
         if session is not None and layout.side.width:
             self.side = SidePanel(
-                manager, pen, layout.side, session, page=self.page, as_graph=self.graph
+                manager,
+                pen,
+                layout.side,
+                session,
+                page=self.page,
+                as_graph=self.graph,
+                studying=self._studying,
+                load=self._load,
             )
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None

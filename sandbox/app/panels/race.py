@@ -46,5 +46,5 @@ class RacePage:
     def _drawn(self) -> pygame.Surface:
         session = self._session
         lanes = race.lanes(session) if race.racing(session) else []
-        rate = session.level.stepping.rate
+        rate = session.world.stepping.rate
         return cards.lanes(self._sheet.pen, self._sheet.width, lanes, rate)

@@ -6,6 +6,8 @@ from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app import cards, graph
 from sandbox.app.keys import BINDINGS, Command
+from sandbox.app.load import Load
+from sandbox.app.panels.accuracy import AccuracyPage
 from sandbox.app.panels.effects import EffectsPage
 from sandbox.app.panels.level import LevelPage
 from sandbox.app.panels.parameters import Parameters
@@ -13,11 +15,13 @@ from sandbox.app.panels.race import RacePage
 from sandbox.app.panels.sheet import MARGIN, Page, Sheet
 from sandbox.app.panels.widgets import press, scroll, scrolled
 from sandbox.app.session import Session
+from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 
 TAB = 28  # px, the height of a tab
 TABS: tuple[tuple[Command, str], ...] = (
     ("level page", "Level"), ("effects page", "Effects"), ("race page", "Race"),
+    ("accuracy page", "Accuracy"),
 )  # fmt: skip
 REFRESH = 0.1  # s
 GRAPH = 66, 120  # px, how high the graph may be
@@ -39,10 +43,10 @@ class SidePanel:
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: Command, as_graph: bool,
+        page: Command, as_graph: bool, studying: Studying, load: Load,
     ) -> None:  # fmt: skip
         self._manager, self._pen, self._session = manager, pen, session
-        self._graph = as_graph
+        self._graph, self._studying, self._load = as_graph, studying, load
         upper = self._put_energy(rect)
         self._tabs = self._put_tabs(upper, page)
         upper = pygame.Rect(upper.x, TAB + 14, upper.width, max(upper.height - TAB - 14, 1))
@@ -86,7 +90,9 @@ class SidePanel:
             return EffectsPage(self._sheet, self._session)
         if page == "race page":
             return RacePage(self._sheet, self._session)
-        made = LevelPage(self._sheet, self._session)
+        if page == "accuracy page":
+            return AccuracyPage(self._sheet, self._session, self._studying, self._load)
+        made = LevelPage(self._sheet, self._session, self._studying)
         self.parameters = made.parameters
         return made
 
@@ -130,7 +136,7 @@ class SidePanel:
     def _state(self) -> tuple[object, ...]:
         """What is shown depends on."""
         session = self._session
-        return session.world.snapshot, session.playing, session.companions
+        return session.world.snapshot, session.playing, session.companions, self._studying.news
 
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs."""
