@@ -1,19 +1,22 @@
 """What is told in words and numbers about a run: title, parameters, checks, energy."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import race, theme, wording
 from sandbox.app.grading import Reading
+from sandbox.app.race import Lane
 from sandbox.app.session import Energies
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
-from sandbox.model.level import Check, Level, Parameter
+from sandbox.model.level import Check, Level, Parameter, Scheme
 from sandbox.physics.comparison import Difference
 from sandbox.physics.ledger import Balance
+from sandbox.physics.study import Split
 
+NOTHING: Mapping[int, Split] = {}
 GAP = 3  # px
 INDENT = 24  # px
 LABEL = 108  # px, left of a bar
@@ -21,7 +24,12 @@ NUMBER = 92  # px, right of it
 COLUMNS = (0.4, 0.4, 0.2)
 """How wide measured, expected and error are."""
 
+TOUCHED_ONE = "A hand has touched this run, and not the other: they are two different things now."
 TOUCHED = "A hand has touched this run: the formulas no longer describe it."
+_REMARKS: Mapping[Scheme, str] = {
+    "symplectic-euler": "pymunk as it comes",
+    "explicit-euler": "deliberately bad",
+}
 _COLORS: dict[str, Color] = {
     "passed": theme.PASSED,
     "failed": theme.FAILED,
@@ -131,8 +139,12 @@ def checks(
     readings: Sequence[Reading],
     disturbed: bool = False,
     left_out: int = 0,
+    splits: Mapping[int, Split] = NOTHING,
 ) -> pygame.Surface:
-    """Draw how the checks stand, and how many are left out."""
+    """Draw how the checks stand, and how many are left out.
+
+    Of a check whose numerical error is known, only the digits that survive it are shown.
+    """
     card = Card(pen, width)
     card.heading("Checks")
     if disturbed:
@@ -142,19 +154,31 @@ def checks(
         card.text("This level states no closed form.", 14, theme.DIM)
     else:
         card.columns([(name, theme.DIM) for name in ("measured", "expected", "error")], 12)
-        for reading in readings:
+        for index, reading in enumerate(readings):
             card.y += GAP
-            _check(card, reading)
+            _check(card, reading, splits.get(index))
     if left_out:
         card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
     return card.drawn()
 
 
-def compared(pen: Pen, width: int, told: str, differences: Sequence[Difference]) -> pygame.Surface:
-    """Draw what a change of the effects makes of the checks' quantities."""
+def compared(
+    pen: Pen, width: int, told: str, differences: Sequence[Difference],
+    cost: float | None = None, *, disturbed: bool = False,
+) -> pygame.Surface:  # fmt: skip
+    """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
     card = Card(pen, width)
     card.heading(told[0].upper() + told[1:])
     card.text("dashed: as the level declares it", 12, theme.GHOST)
+    if disturbed:
+        card.text(TOUCHED_ONE, 14, theme.NOTICE)
+        return card.drawn()
+    if cost is not None:
+        card.text(f"time: {wording.step_cost(cost)}".replace("-", wording.MINUS), 13)
+    if all(found.before is found.after is None for found in differences):
+        card.text("Play to see what it changes.", 13, theme.DIM)
+        return card.drawn()
+    card.y += GAP
     card.columns([(name, theme.DIM) for name in ("as declared", "changed", "change")], 12)
     for difference in differences:
         if difference.before is difference.after is None:
@@ -169,7 +193,78 @@ def compared(pen: Pen, width: int, told: str, differences: Sequence[Difference])
     return card.drawn()
 
 
-def _check(card: Card, reading: Reading) -> None:
+def label(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw a few words that introduce what follows."""
+    card = Card(pen, width)
+    card.text(text, 13, theme.DIM)
+    return card.drawn()
+
+
+def effects_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the switches of the effects are for."""
+    card = Card(pen, width)
+    card.heading("What if …")
+    card.text("Switch an effect off or on, then play: both runs are drawn.", 13, theme.DIM)
+    return card.drawn()
+
+
+def unchanged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the level runs as it is declared."""
+    card = Card(pen, width)
+    card.heading("What it changes")
+    card.text("All effects are as the level declares them.", 14, theme.DIM)
+    return card.drawn()
+
+
+def unjudged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the formulas say nothing of a run with other effects."""
+    card = Card(pen, width)
+    card.heading("Checks")
+    card.text("The effects are changed: the formulas do not describe this run.", 14, theme.NOTICE)
+    card.text("The tab Effects tells what differs (X).", 13, theme.DIM)
+    return card.drawn()
+
+
+def race_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the race is."""
+    card = Card(pen, width)
+    card.heading("Race of the schemes")
+    text = "The same scene, stepped in up to four ways at once, at the same rate."
+    card.text(text, 13, theme.DIM)
+    return card.drawn()
+
+
+def lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
+    """Draw how a race stands: for every scheme its error so far, and its clock."""
+    card = Card(pen, width)
+    if not found:
+        return card.drawn()
+    card.heading(f"At {rate:g} steps a second")
+    card.columns([("error so far", theme.DIM), ("computing 1 s", theme.DIM), ("", theme.DIM)], 12)
+    for lane in found:
+        card.y += GAP + 2
+        card.put(_swatch(lane.color), 0, 8)
+        card.text(race.title(lane.scheme), 14, bold=True, indent=INDENT)
+        if remark := _REMARKS.get(lane.scheme):
+            card.text(remark, 12, theme.DIM, indent=INDENT)
+        if lane.failure:
+            card.text(lane.failure, 12, theme.FAILED, indent=INDENT)
+        error = "–" if lane.error is None else wording.error(lane.error)
+        cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
+        card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)
+    return card.drawn()
+
+
+def _swatch(color: Color | None) -> pygame.Surface:
+    """Draw a piece of the line that a run is drawn with."""
+    line = pygame.Surface((18, 4))
+    line.fill(theme.PANEL)
+    for x in (0, 7, 14) if color else (0, 4, 8, 12, 16):
+        line.fill(color or theme.ACCENT, (x, 0, 4, 3))
+    return line
+
+
+def _check(card: Card, reading: Reading, split: Split | None) -> None:
     result = reading.result
     check = result.check
     color = _COLORS[result.verdict]
@@ -189,8 +284,14 @@ def _check(card: Card, reading: Reading) -> None:
     else:
         expected = wording.quantity(reading.expected, result.unit)
         measured = wording.measured(reading.measured, reading.expected, result.unit)
+        if split is not None:
+            digits = wording.surviving(reading.measured, split.off)
+            measured = wording.quantity(reading.measured, result.unit, digits)
         error = wording.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
+        if split is not None:
+            off = wording.quantity(split.off, result.unit, 1)
+            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=INDENT)
     if result.verdict == "failed" and result.t is not None:
         worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
         card.text(worst, 12, color, indent=INDENT)

@@ -1,7 +1,9 @@
 """The checks of a run that is still going on."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from time import perf_counter
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -11,10 +13,12 @@ from sandbox.model.level import Check
 from sandbox.physics.checks import Result, grade
 from sandbox.physics.trace import Recorder, Trace
 
-SHARE = 0.05
-"""The share of the time that grading may take while time runs."""
+T = TypeVar("T")
 
-LEAST = 0.1  # s, between two gradings
+SHARE = 0.05
+"""The share of the time that looking at a run may take while time runs."""
+
+LEAST = 0.1  # s, between two looks
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,27 +37,48 @@ class Reading:
     expected: float | None
 
 
+class Ration(Generic[T]):
+    """Looks at a growing run, no more often than the time for it allows.
+
+    Attributes
+    ----------
+    found
+        What was found when last looked.
+    """
+
+    def __init__(self, look: Callable[[], T], nothing: T) -> None:
+        self._look = look
+        self.found = nothing
+        self._seen = 0
+        self._next = 0.0
+
+    def __call__(self, length: int, *, hurried: bool) -> T:
+        """Return what is found in a run of a length; in a hurry, perhaps what was just before."""
+        now = perf_counter()
+        if self._seen != length and (now >= self._next or not hurried):
+            self._seen = length
+            self.found = self._look()
+            self._next = now + max(LEAST, (perf_counter() - now) / SHARE)
+        return self.found
+
+
 class Grading:
     """Grades what a recorder has noted, no more often than the time for it allows."""
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
-        self._readings: tuple[Reading, ...] = ()
         self._milestones: tuple[Milestone, ...] = ()
-        self._graded = 0
-        self._next = 0.0
+        self._ration: Ration[tuple[Reading, ...]] = Ration(self._grade, ())
 
     def readings(self, hurried: bool) -> tuple[Reading, ...]:
         """Return how the checks stand; if there is a hurry, perhaps how they stood just before."""
-        now = perf_counter()
-        if self._graded != len(self._recorder) and (now >= self._next or not hurried):
-            self._graded = len(self._recorder)
-            trace = self._recorder.trace
-            results = grade(trace)
-            self._readings = tuple(_reading(result, trace) for result in results)
-            self._milestones = milestones(results, trace)
-            self._next = now + max(LEAST, (perf_counter() - now) / SHARE)
-        return self._readings
+        return self._ration(len(self._recorder), hurried=hurried)
+
+    def _grade(self) -> tuple[Reading, ...]:
+        trace = self._recorder.trace
+        results = grade(trace)
+        self._milestones = milestones(results, trace)
+        return tuple(_reading(result, trace) for result in results)
 
     @property
     def milestones(self) -> tuple[Milestone, ...]:

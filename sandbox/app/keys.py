@@ -8,7 +8,8 @@ import pygame
 Command = Literal[
     "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
     "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
-    "levels", "panel", "energy", "next field", "page down", "page up", "help", "leave",
+    "levels", "panel", "energy", "level page", "effects page", "race page",
+    "accuracy page", "next field", "page down", "page up", "help", "leave",
 ]  # fmt: skip
 
 
@@ -43,6 +44,10 @@ BINDINGS = (
     Binding("levels", "L", "show or hide the levels", (), "lL"),
     Binding("panel", "P", "show or hide the panel", (), "pP"),
     Binding("energy", "E", "energy as a graph or as bars", (), "eE"),
+    Binding("level page", "O", "the level: parameters and checks", (), "oO"),
+    Binding("effects page", "X", "what if: effects off and on", (), "xX"),
+    Binding("race page", "S", "race: every scheme at once", (), "sS"),
+    Binding("accuracy page", "A", "accuracy: what the next digit costs", (), "aA"),
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),

@@ -34,6 +34,8 @@ def run(
     level: str | None = None,
     settings: Mapping[str, float] | None = None,
     accuracy: float | None = None,
+    *,
+    racing: bool = False,
 ) -> None:
     """Open the window, with a level given by its name or path, and stay until it is closed.
 
@@ -43,7 +45,10 @@ def run(
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
     window.open_level(level or FIRST, settings, accuracy)
+    if racing:
+        window.race()
     try:
         window.run()
     finally:
+        window.close()
         pygame.quit()

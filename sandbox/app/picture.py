@@ -8,15 +8,15 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import cards, graph, theme, wording
+from sandbox.app import cards, graph, race, theme, whatif, wording
+from sandbox.app.companions import Changes
 from sandbox.app.session import Session
+from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
-from sandbox.physics.comparison import differences
-from sandbox.physics.trace import needed, simulate
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
@@ -43,6 +43,8 @@ def render(
     at: float | None = None,
     size: tuple[int, int] = SIZE,
     beside: Beside | None = None,
+    *,
+    racing: bool = False,
 ) -> pygame.Surface:
     """Run a level up to a time and draw it, with its checks.
 
@@ -58,6 +60,8 @@ def render(
         Of the picture [px].
     beside
         What the run is compared with; then the differences stand in place of the checks.
+    racing
+        Whether the level's other schemes run over it.
 
     Raises
     ------
@@ -66,22 +70,27 @@ def render(
     """
     pygame.font.init()
     pen = Pen()
-    session = Session(level, values)
+    session = _session(level, values, beside, racing)
     picture = pygame.Surface(size)
     picture.fill(theme.PANEL)
     stage = Stage(pen, (size[0] - SIDE, size[1]))
     stage.use(session.world)
     stage.fit()
     _run(session, session.duration * TELLING if at is None else at, stage.watch)
-    stage.shown.ghosts = beside is None
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
-    stage.draw(drawn, session.trail, () if beside else session.milestones())
-    if beside:
-        other = Session(beside.level, values)
-        _run(other, session.t, stage.watch)
-        stage.draw_beside(drawn, other.world, other.trail)
-    _write(picture, session, pen, beside)
+    stage.draw(drawn, session.trail, session.milestones(), session.companions)
+    legend.draw(drawn, pen, legend.rows(session))
+    _write(picture, session, pen)
     return picture
+
+
+def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
+    session = Session(beside.level if beside else level, values)
+    if beside:
+        whatif.play_over(session, beside.level, level, Changes(told=beside.told))
+    if racing:
+        race.toggle(session)
+    return session
 
 
 def save_picture(
@@ -91,6 +100,8 @@ def save_picture(
     at: float | None = None,
     size: tuple[int, int] = SIZE,
     beside: Beside | None = None,
+    *,
+    racing: bool = False,
 ) -> None:
     """Draw a level into a PNG file, whole or not at all; see `render`.
 
@@ -100,7 +111,7 @@ def save_picture(
         If the run has to stop before that time, or the file cannot be written.
     """
     png = BytesIO()
-    pygame.image.save(render(level, values, at, size, beside), png, "x.png")
+    pygame.image.save(render(level, values, at, size, beside, racing=racing), png, "x.png")
     write_atomically(path, png.getvalue())
 
 
@@ -112,7 +123,7 @@ def _run(session: Session, at: float, each: Callable[[], None]) -> None:
         each()
 
 
-def _write(picture: pygame.Surface, session: Session, pen: Pen, beside: Beside | None) -> None:
+def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     """Fill the column of words; the energy stands at its foot."""
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
@@ -127,10 +138,18 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen, beside: Beside |
     drawn = graph.energies((width, GRAPH), session.history, session.duration)
     foot = cards.energy(pen, width, session.start_energies, session.energies(), drawn)
     end = picture.height - foot.height - MARGIN
-    checks = _compared(session, pen, width, beside) if beside else None
-    picture.blit(checks or _checks(session, pen, width, end - y), (left, y))
+    picture.blit(_judged(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))
     picture.blit(foot, (left, end))
+
+
+def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
+    """Draw how the run differs from the one beside it, how the race stands, or the checks."""
+    if session.changes:
+        return cards.compared(pen, width, session.changes.told, whatif.compared(session))
+    if race.racing(session):
+        return cards.lanes(pen, width, race.lanes(session), session.world.stepping.rate)
+    return _checks(session, pen, width, room)
 
 
 def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
@@ -142,12 +161,3 @@ def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface
             break
         drawn = cards.checks(pen, width, readings[:count], left_out=len(readings) - count)
     return drawn
-
-
-def _compared(session: Session, pen: Pen, width: int, beside: Beside) -> pygame.Surface:
-    """Draw how the run differs from the one beside it, up to now."""
-    runs = (
-        simulate(level, session.values, session.t, needed(beside.level))
-        for level in (beside.level, session.level)
-    )
-    return cards.compared(pen, width, beside.told, differences(*runs))

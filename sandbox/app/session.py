@@ -4,26 +4,28 @@ The time step belongs to the level. A frame only decides how many whole steps ar
 be paid for within its budget is dropped and shown as a lower pace, never stretched.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from time import perf_counter
 
 import numpy as np
 
 from sandbox.app import milestones
+from sandbox.app.clock import Clock
+from sandbox.app.companions import NONE, Changes, Companion, Variant
 from sandbox.app.grading import Grading, Reading
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.ledger import Balance, Ledger
 from sandbox.physics.measure import Meter
-from sandbox.physics.trace import Recorder, count_steps, needed
+from sandbox.physics.trace import Recorder, Trace, count_steps, needed
 from sandbox.physics.world import World, build
 
 INSTANTS = 500
@@ -47,8 +49,16 @@ class Session:
 
     Attributes
     ----------
+    original
+        The level as its file declares it.
     level
-        What is played.
+        What is played: the original, or with other effects, or with another stepping.
+    changes
+        Which effects were switched off and on.
+    companions
+        Other runs beside it, in lockstep.
+    clock
+        What the steps take.
     world
         Its present run.
     end
@@ -71,20 +81,23 @@ class Session:
     def __init__(
         self, level: Level, values: Values | None = None, rate: float | None = None
     ) -> None:
-        self.level = level
+        self.original = level
+        self.level = _at(level, rate)
+        self.changes = NONE
         self.playing = False
         self.speed = 1.0
-        self._stepping = stepping_at(level, rate)
-        self._begin(build(level, values, self._stepping))
+        self._begin(build(self.level, values), ())
 
-    def _begin(self, world: World) -> None:
+    def _begin(self, world: World, companions: Sequence[Companion]) -> None:
         self.world = world
+        self.companions = tuple(companions)
+        self.clock = Clock()
         self.failure: SandboxError | None = None
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
         self._ledger = Ledger(world)
-        self._recorder = Recorder(world, [*needed(self.level), *milestones.needed(self.level)])
+        self._recorder = Recorder(world, [*needed(self.original), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
         self._owed = 0.0  # steps
         self._meter = Meter(world, _ENERGIES)
@@ -123,8 +136,9 @@ class Session:
             If a parameter cannot have that value.
         """
         values = choose(self.level, {**self.values, **(settings or {})})
+        variants = [companion.variant for companion in self.companions]
         try:
-            self._begin(build(self.level, values, self._stepping))
+            self._begin(*self._built(self.level, variants, values))
         except SandboxError as error:
             self._stop(error)
 
@@ -135,9 +149,39 @@ class Session:
 
     def rerun(self, rate: float) -> None:
         """Play anew at another rate, from now on [Hz]."""
-        self._stepping = stepping_at(self.level, rate)
+        self.level = _at(self.level, rate)
         self.restart()
         self.playing = self.failure is None
+
+    def play_as(
+        self, level: Level, beside: Sequence[Variant] = (), changes: Changes = NONE
+    ) -> None:
+        """Start anew with another form of the level, and with other runs beside it.
+
+        Parameters
+        ----------
+        level
+            The original, with other effects or another stepping.
+        beside
+            What runs beside it.
+        changes
+            The effects in which it differs from the original.
+
+        Raises
+        ------
+        SandboxError
+            If one of them cannot be run; then all stays as it was.
+        """
+        begun = self._built(level, beside, self.values)
+        self.level, self.changes = level, changes
+        self._begin(*begun)
+
+    @staticmethod
+    def _built(
+        level: Level, beside: Sequence[Variant], values: Values
+    ) -> tuple[World, list[Companion]]:
+        world = build(level, values)
+        return world, [Companion(variant, values) for variant in beside]
 
     def toggle(self) -> None:
         """Play, or pause."""
@@ -179,11 +223,14 @@ class Session:
         if self.failure is not None:
             return
         try:
-            snapshot = self.world.advance()
+            with self.clock.running():
+                snapshot = self.world.advance()
         except SandboxError as error:
             self._stop(error)
             return
         self._ledger.note()
+        for companion in self.companions:
+            companion.follow(self.t)
         self.trail.add(snapshot.position)
         if self.world.steps % self._every == 0:
             self._history.add(self._energies_at())
@@ -206,6 +253,11 @@ class Session:
             return ()
         self.readings()
         return self._grading.milestones
+
+    @property
+    def trace(self) -> Trace:
+        """What was recorded of the run so far."""
+        return self._recorder.trace
 
     def energies(self) -> Energies:
         """Return the energies of now."""
@@ -276,6 +328,8 @@ class Session:
         self._history.restart(self._energies_at())
 
 
-def stepping_at(level: Level, rate: float | None) -> Stepping:
-    """Return a level's stepping, at another rate if one is given [Hz]."""
-    return level.stepping if rate is None else level.stepping.at(float(rate))
+def _at(level: Level, rate: float | None) -> Level:
+    """Return a level, at another rate if one is given [Hz]."""
+    if rate is None:
+        return level
+    return level.model_copy(update={"stepping": level.stepping.at(float(rate))})

@@ -28,6 +28,9 @@ UPWARDS: Color = (178, 156, 255)
 RESULTANT: Color = (255, 214, 80)
 FORCES: tuple[Color, ...] = ((255, 128, 96), (232, 140, 200), (150, 200, 120))
 
+LANES: tuple[Color, ...] = (GHOST, (255, 112, 67), (232, 140, 200))
+"""Of what runs beside the level that is played."""
+
 KINETIC: Color = (230, 159, 0)
 POTENTIAL: Color = (86, 180, 233)
 TOTAL: Color = (214, 222, 233)

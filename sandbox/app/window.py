@@ -6,14 +6,17 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import race, theme, whatif, wording
 from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
+from sandbox.app.load import Load
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.panels.parameters import Change
 from sandbox.app.session import Session
+from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
+from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
@@ -58,13 +61,15 @@ class Window:
         self._pen = Pen()
         self.stage = Stage(self._pen, size)
         self.hand = Hand(self.stage)
-        self.panels = Panels(self._pen, size)
+        self.studying, self._load = Studying(), Load()
+        self.panels = Panels(self._pen, size, self.studying, self._load)
         self._entries = levels.entries()
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
         self._refused = ""
         self._advised: float | None = None  # the rate for a level that cannot be opened [Hz]
         self._note = ("", 0.0)
+        self._ended: tuple[object, str] = None, ""
         self._help = False
         self._quiet = 0.0  # s since the last event
         self._commands = self._make_commands()
@@ -94,6 +99,10 @@ class Window:
             "levels": lambda: self._toggle_column("levels"),
             "panel": lambda: self._toggle_column("side"),
             "energy": self._toggle_graph,
+            "level page": lambda: self._turn_to("level page"),
+            "effects page": lambda: self._turn_to("effects page"),
+            "race page": lambda: self._turn_to("race page"),
+            "accuracy page": lambda: self._turn_to("accuracy page"),
             "next field": self._next_field,
             "help": self._toggle_help,
             "leave": self._leave,
@@ -115,6 +124,12 @@ class Window:
             self._refuse(None, str(error))
             return
         self._open(path, settings or {}, accuracy)
+
+    def race(self) -> None:
+        """Let every scheme that the open level can use race over it, and show how that stands."""
+        self._turn_to("race page")
+        if self.session is not None:
+            race.toggle(self.session)
 
     def _open(
         self,
@@ -148,6 +163,7 @@ class Window:
     def _refuse(self, path: Path | None, text: str) -> None:
         self._path, self._refused, self.session = path, text, None
         self._advised = None
+        self.studying.cancel()
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -169,7 +185,7 @@ class Window:
     @property
     def _busy(self) -> bool:
         playing = self.session is not None and self.session.playing
-        return playing or self._quiet < QUIET
+        return playing or self._quiet < QUIET or self.studying.running
 
     def frame(self, seconds: float) -> None:
         """Handle what has happened, let time pass, and draw."""
@@ -182,12 +198,38 @@ class Window:
         self._note = self._note[0], self._note[1] - seconds
         if self.session is not None:
             self._leave_fields()
-            self.session.update(seconds)
+            self._play(self.session, seconds)
+            self._study(self.session, seconds)
             self._follow(self.session)
+        begun = perf_counter()
         if self.panels.side is not None:
             self.panels.side.update(seconds)
         self.panels.controls.update(self.session, self.stage.shown)
         self._draw()
+        self._load.drew(perf_counter() - begun)
+
+    def _play(self, session: Session, seconds: float) -> None:
+        """Let time pass, and note what that takes."""
+        world, hooks, begun = session.world, session.world.hook_seconds, perf_counter()
+        session.update(seconds)
+        if session.playing:
+            self._load.stepped(perf_counter() - begun, world.hook_seconds - hooks)
+
+    def _study(self, session: Session, seconds: float) -> None:
+        """Take in what is found out about the accuracy."""
+        watched = self.panels.page == "accuracy page"
+        self.studying.follow(session, seconds, watched=watched)
+        setting = self.studying.look()
+        if setting is not None:
+            try:
+                whatif.repace(session, (setting.in_real_time or setting.chosen).stepping)
+                self._tell(wording.offer(setting))
+            except SandboxError as error:
+                self._tell(str(error))
+
+    def close(self) -> None:
+        """End what works for the window."""
+        self.studying.cancel()
 
     def _follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew."""
@@ -225,8 +267,8 @@ class Window:
             self._run_as_advised()
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
-        elif self.panels.side is not None and (wanted := self.panels.side.process(event)):
-            self._commands[wanted]()
+        elif self._click_side(event):
+            return
         elif self.session is not None:
             mouse = pygame.mouse.get_pos()
             if event.type == pygame.MOUSEWHEEL and self.panels.layout.stage.collidepoint(mouse):
@@ -243,6 +285,19 @@ class Window:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
             self._tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+
+    def _click_side(self, event: pygame.event.Event) -> bool:
+        """Give an event to the side panel, and return whether it was for that."""
+        side = self.panels.side
+        if side is None:
+            return False
+        if wanted := side.process(event):
+            self._commands[wanted]()
+            return True
+        told = side.act(event)
+        if told is not None:
+            self._tell(told)
+        return told is not None
 
     def _change(self, event: pygame.event.Event) -> bool:
         side = self.panels.side
@@ -304,6 +359,11 @@ class Window:
         self.panels.graph = not self.panels.graph
         self._lay_out()
 
+    def _turn_to(self, page: Command) -> None:
+        """Show a page of the side panel, also where that was hidden."""
+        self.panels.show(page)
+        self._lay_out()
+
     def _next_field(self) -> None:
         if self.panels.side is not None:
             backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
@@ -333,7 +393,9 @@ class Window:
         area = layout.stage.clip(surface.get_rect())
         if self.session is not None and area:
             view = surface.subsurface(area)
-            self.stage.draw(view, self.session.trail, self.session.milestones())
+            session = self.session
+            self.stage.draw(view, session.trail, session.milestones(), session.companions)
+            legend.draw(view, self._pen, legend.rows(session))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             self._draw_banner(self.session)
@@ -357,8 +419,16 @@ class Window:
         elif session.at_end and not session.playing:
             when = wording.seconds(session.duration)
             text, color = f"Run complete at {when} – R restarts, Space goes on", theme.ACCENT
+            if session.changes:
+                text = self._compared(session)
         if text:
             messages.draw_banner(self.surface, self._pen, self.panels.layout.stage, text, color)
+
+    def _compared(self, session: Session) -> str:
+        """Tell once for each run what the changed effects make of it."""
+        if self._ended[0] is not session.world:
+            self._ended = session.world, whatif.told(session, whatif.compared(session))
+        return self._ended[1]
 
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)

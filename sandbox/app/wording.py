@@ -1,10 +1,16 @@
 """How numbers and moments are put for a person to read."""
 
+from collections.abc import Iterator, Sequence
 from math import degrees, floor, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
+from sandbox.physics.accuracy import Offer, Setting
+from sandbox.physics.comparison import Difference
 
 MINUS = "−"
+NO_DIFFERENCE = "no difference"
+MOST_DIGITS = 8
+"""There is no room for more in a column of numbers."""
 
 
 def number(value: float, digits: int = 5) -> str:
@@ -16,7 +22,7 @@ def number(value: float, digits: int = 5) -> str:
     if 1e-3 <= abs(value) < 1e5:
         text = f"{value:#.{digits}g}".rstrip(".")
     else:
-        text = _power(f"{value:.{digits - 3}e}")
+        text = _power(f"{value:.{max(digits - 3, 0)}e}")
     return text.replace("-", MINUS)
 
 
@@ -95,6 +101,57 @@ def occasion(check: Check) -> str:
             return "crossing"
         case _:
             return "later"
+
+
+def difference(found: Difference) -> str:
+    """Write how two runs differ: as a share if there is something to compare it with."""
+    if found.share == 0:
+        return NO_DIFFERENCE
+    if found.before is None or found.after is None:
+        return "comes" if found.before is None else "never comes"
+    if found.relative is not None and abs(found.relative) < 10:
+        return f"{100 * found.relative:+.3g} %"
+    return f"{found.after - found.before:+.3g} {found.unit}"
+
+
+def step_cost(seconds: float) -> str:
+    """Write what a step costs more or less."""
+    return f"{round(1e3 * seconds, 4):+.2g} ms a step"
+
+
+def summary(found: Sequence[Difference]) -> Iterator[str]:
+    """Yield what a change of effects does to each quantity, in a few words."""
+    for label, one in {each.label or each.quantity: each for each in found}.items():
+        if one.share:
+            yield f"{label} {difference(one)}"
+
+
+def offer(setting: Setting) -> str:
+    """Write which setting reaches an accuracy, or what can be had instead."""
+    if setting.in_real_time is None:
+        return f"{error(setting.target)}: {_offer(setting.chosen)}"
+    price = f"{setting.chosen.price:.2g} s of computing for 1 s"
+    return (
+        f"{error(setting.target)} cannot be had in real time: it takes {price}."
+        f" Instead: {_offer(setting.in_real_time)}"
+    )
+
+
+def _offer(found: Offer) -> str:
+    price = f"{1e3 * found.price:.3g} ms of computing for 1 s"
+    stepping = found.stepping
+    return f"{stepping.scheme} at {stepping.rate:g} Hz, error {error(found.error)}, {price}"
+
+
+def surviving(value: float, off: float) -> int:
+    """Return how many significant digits of a value survive if it may be off by so much.
+
+    >>> surviving(3.14159, 2e-4)
+    4
+    """
+    if not value or off <= 0 or not isfinite(value) or not isfinite(off):
+        return 5
+    return min(max(floor(log10(abs(value))) - floor(log10(off)), 1), MOST_DIGITS)
 
 
 def _power(text: str) -> str:

@@ -62,6 +62,12 @@ AccuracyOption = Annotated[
         show_default=False,
     ),
 ]
+RaceOption = Annotated[
+    bool,
+    typer.Option(
+        "--race", help="Let every scheme that the level can use run over it, up to four of them."
+    ),
+]
 
 
 @app.callback(invoke_without_command=True)
@@ -79,11 +85,16 @@ def start(context: typer.Context) -> None:
 
 
 @app.command()
-def play(level: LevelArgument, set_: SetOption = None, accuracy: AccuracyOption = None) -> None:
+def play(
+    level: LevelArgument,
+    set_: SetOption = None,
+    accuracy: AccuracyOption = None,
+    race: RaceOption = False,
+) -> None:
     """Open a level in the window."""
     from sandbox.cli.playing import play
 
-    play(level, set_ or [], accuracy)
+    play(level, set_ or [], accuracy, racing=race)
 
 
 @app.command("list")
@@ -198,6 +209,7 @@ def render(
     without: WithoutOption = None,
     with_: WithOption = None,
     accuracy: AccuracyOption = None,
+    race: RaceOption = False,
 ) -> None:
     """Draw a level as a PNG picture, without a window.
 
@@ -205,7 +217,7 @@ def render(
     """
     from sandbox.cli.rendering import render
 
-    render(level, output, set_ or [], at, without or [], with_ or [], accuracy)
+    render(level, output, set_ or [], at, without or [], with_ or [], accuracy, racing=race)
 
 
 @app.command()

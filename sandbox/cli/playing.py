@@ -33,7 +33,9 @@ def open_sandbox() -> int:
     return tour(TOUR)
 
 
-def play(argument: str, pairs: Sequence[str], accuracy: float | None = None) -> None:
+def play(
+    argument: str, pairs: Sequence[str], accuracy: float | None = None, *, racing: bool = False
+) -> None:
     """Open the window on a level."""
     settings = usage.settings(pairs)
     _, level = usage.open_level(argument)
@@ -47,7 +49,7 @@ def play(argument: str, pairs: Sequence[str], accuracy: float | None = None) -> 
             "there is no display to open a window on; 'render' draws a level without one,"
             " 'simulate' runs it"
         )
-    run(argument, settings, accuracy)
+    run(argument, settings, accuracy, racing=racing)
 
 
 def _quiet() -> None:

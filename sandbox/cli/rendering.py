@@ -28,8 +28,12 @@ def render(
     off: Sequence[str] = (),
     on: Sequence[str] = (),
     accuracy: float | None = None,
+    *,
+    racing: bool = False,
 ) -> None:
     """Draw a level as it is at a time; with effects switched off or on, over the level as it is."""
+    if racing and (off or on):
+        raise usage.UsageError("--race: the race is of the level as it is, without --with and such")
     settings = usage.settings(pairs)
     if output.suffix.lower() != ".png":
         raise usage.UsageError(f"--output {output}: the picture is a PNG; its name must end so")
@@ -48,5 +52,5 @@ def render(
         beside = Beside(level, varied.change.told)
         save_picture(varied.level, values, output, at=at, beside=beside)
     else:
-        save_picture(level, values, output, at=at)
+        save_picture(level, values, output, at=at, racing=racing)
     typer.echo(f"{output}: {source}" + (f" {varied.change.told}" if varied else ""))

@@ -7,6 +7,7 @@ import typer
 from pydantic import ValidationError
 from rich.console import Console
 
+from sandbox.app import wording as telling
 from sandbox.cli import usage, varying, verdicts
 from sandbox.cli.accuracy import asking, find_out
 from sandbox.cli.varying import Varied, vary
@@ -73,7 +74,7 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
     if found:
         for line in varying.differences(found):
             typer.echo(line)
-    said = [*varying.summary(found), varying.seconds(cost)]
+    said = [*telling.summary(found), telling.step_cost(cost)]
     typer.echo(f"{varied.change.told}: {'; '.join(said)}")
 
 

@@ -4,15 +4,15 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from sandbox.app import wording
 from sandbox.cli.columns import aligned
 from sandbox.cli.usage import UsageError
+from sandbox.model import variants
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
-from sandbox.model.variants import including, without
 from sandbox.physics.comparison import Difference
 from sandbox.physics.export import Change
 
-NOTHING = "no difference"
 _HEADER = ("quantity", "as declared", "changed", "difference")
 
 
@@ -39,25 +39,10 @@ def vary(level: Level, off: Sequence[str], on: Sequence[str]) -> Varied | None:
     both = next((name for name in off if name in settings), None)
     if both is not None:
         raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
-    changed = level
-    told: list[str] = []
-    for name in dict.fromkeys(off):
-        if name in level.effects.declared and name not in changed.effects.declared:
-            continue  # it has gone with another
-        changed, gone = without(changed, name)
-        also = f" (and so without {', without '.join(gone)})" if gone else ""
-        told.append(f"without {name}{also}")
-    for name, fields in settings.items():
-        changed = including(changed, name, fields)
-        said = ", ".join(f"{field} {_shown(value)}" for field, value in fields.items())
-        told.append(f"with {name}" + (f" ({said})" if said else ""))
+    changed, told = variants.vary(level, off, settings)
     options = [*(word for name in off for word in ("--without", name))]
     options += [word for text in on for word in ("--with", text)]
-    return Varied(changed, Change(level, ", ".join(told), tuple(options)))
-
-
-def _shown(value: object) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
+    return Varied(changed, Change(level, told, tuple(options)))
 
 
 def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:
@@ -93,7 +78,7 @@ def differences(found: Sequence[Difference]) -> Iterator[str]:
 def row(difference: Difference) -> tuple[str, ...]:
     """Return what differs, the two values, and the difference."""
     values = (_number(v, difference.unit) for v in (difference.before, difference.after))
-    return (about(difference), *values, told(difference))
+    return (about(difference), *values, wording.difference(difference))
 
 
 def _number(value: float | None, unit: str) -> str:
@@ -104,26 +89,3 @@ def about(difference: Difference) -> str:
     """Return what it is that differs."""
     label, quantity = difference.label, difference.quantity
     return f"{quantity} ({label})" if label else quantity
-
-
-def told(difference: Difference) -> str:
-    """Return a difference in words: as a share if there is something to compare it with."""
-    if difference.share == 0:
-        return NOTHING
-    if difference.before is None or difference.after is None:
-        return "comes" if difference.before is None else "never comes"
-    if difference.relative is not None and abs(difference.relative) < 10:
-        return f"{100 * difference.relative:+.3g} %"
-    return f"{difference.after - difference.before:+.3g} {difference.unit}"
-
-
-def seconds(difference: float) -> str:
-    """Return what a step costs more or less."""
-    return f"{round(1e3 * difference, 4):+.2g} ms a step"
-
-
-def summary(found: Sequence[Difference]) -> Iterator[str]:
-    """Yield what a change of effects does to each quantity, in a few words."""
-    for label, difference in {d.label or d.quantity: d for d in found}.items():
-        if difference.share:
-            yield f"{label} {told(difference)}"

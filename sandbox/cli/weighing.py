@@ -6,6 +6,7 @@ from typing import NamedTuple
 import typer
 from rich.console import Console
 
+from sandbox.app import wording
 from sandbox.cli import usage, varying
 from sandbox.cli.columns import aligned
 from sandbox.model.errors import SandboxError
@@ -72,9 +73,9 @@ def _row(weight: Weight) -> tuple[str, ...]:
     worst = weight.worst
     if worst is None:
         return weight.effect, "the level cannot run without it", "", "", "", ""
-    cost = varying.seconds(weight.cost)
+    cost = wording.step_cost(weight.cost)
     if not worst.share:
-        return weight.effect, "nothing", "", "", varying.NOTHING, cost
+        return weight.effect, "nothing", "", "", wording.NO_DIFFERENCE, cost
     return (weight.effect, *varying.row(worst), cost)
 
 

@@ -5,7 +5,7 @@ switched off leaves without meaning goes with it: friction needs contact.
 """
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import cast
 
 from pydantic import ValidationError
@@ -127,6 +127,33 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
             place = ".".join(map(str, fault.path))
             raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
     return changed
+
+
+def vary(level: Level, off: Sequence[str], on: Mapping[str, Settings]) -> tuple[Level, str]:
+    """Return a level with some effects switched off, then others on, and how that is told.
+
+    Raises
+    ------
+    EffectError
+        If that makes no sense.
+    """
+    changed = level
+    told: list[str] = []
+    for name in dict.fromkeys(off):
+        if name in level.effects.declared and name not in changed.effects.declared:
+            continue  # it has gone with another
+        changed, gone = without(changed, name)
+        also = f" (and so without {', without '.join(gone)})" if gone else ""
+        told.append(f"without {name}{also}")
+    for name, fields in on.items():
+        changed = including(changed, name, fields)
+        said = ", ".join(f"{field} {_shown(value)}" for field, value in fields.items())
+        told.append(f"with {name}" + (f" ({said})" if said else ""))
+    return changed, ", ".join(told)
+
+
+def _shown(value: object) -> str:
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 def _example(effect: str) -> str:

@@ -7,17 +7,20 @@ strength offers both moments; a level that needs neither has no hook at all.
 """
 
 from collections.abc import Callable, Sequence
+from time import perf_counter
 
 import pymunk
 
 Work = Callable[[], None]
+Call = Callable[[pymunk.Constraint, pymunk.Space], None]
 
 
 class Hook:
     """Calls work between drift and kick, and after the solver, and keeps what goes wrong.
 
     pymunk prints an exception that leaves a callback and carries on; `error` holds it instead, for
-    the world to raise once the step is over. `count` is the number of calls a step.
+    the world to raise once the step is over. `count` is the number of calls a step, `seconds`
+    what they have taken since they are `timed` [s].
     """
 
     def __init__(
@@ -28,8 +31,9 @@ class Hook:
         after_solve: Sequence[Work],
     ) -> None:
         self.error: Exception | None = None
+        self.seconds = 0.0
         self.count = bool(before_kick) + bool(after_solve)
-        motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
+        self._motor = motor = pymunk.SimpleMotor(space.static_body, body, 0.0)
         motor.max_force = 0.0
         if before_kick:
             motor.pre_solve = self._guarded(before_kick)
@@ -37,7 +41,23 @@ class Hook:
             motor.post_solve = self._guarded(after_solve)
         space.add(motor)
 
-    def _guarded(self, work: Sequence[Work]) -> Callable[[pymunk.Constraint, pymunk.Space], None]:
+    def timed(self) -> None:
+        """Take the time of the calls from now on, which costs a little itself."""
+        motor = self._motor
+        if motor.pre_solve:
+            motor.pre_solve = self._timing(motor.pre_solve)
+        if motor.post_solve:
+            motor.post_solve = self._timing(motor.post_solve)
+
+    def _timing(self, call: Call) -> Call:
+        def run(constraint: pymunk.Constraint, space: pymunk.Space) -> None:
+            start = perf_counter()
+            call(constraint, space)
+            self.seconds += perf_counter() - start
+
+        return run
+
+    def _guarded(self, work: Sequence[Work]) -> Call:
         def run(_constraint: pymunk.Constraint, _space: pymunk.Space) -> None:
             try:
                 for item in work:

@@ -165,6 +165,16 @@ class World:
         hooked = (self._hook.count if self._hook else 0) * (len(self._leading) + 1)
         return hooked + self.scene.pair_callbacks
 
+    def time_hooks(self) -> None:
+        """Take the time of the shared hook from now on."""
+        if self._hook:
+            self._hook.timed()
+
+    @property
+    def hook_seconds(self) -> float:
+        """What the shared hook has taken since it is timed [s]."""
+        return self._hook.seconds if self._hook else 0.0
+
     def step(self) -> None:
         """Take one step without looking at it: nothing but pymunk's own step is paid for.
 

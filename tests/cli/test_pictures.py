@@ -30,6 +30,16 @@ def test_the_time_changes_the_picture(run: Run, write: Write, tmp_path: Path) ->
     assert pictures[0] != pictures[1] == pictures[2]
 
 
+def test_the_race_is_drawn_over_the_level(run: Run, write: Write, tmp_path: Path) -> None:
+    path = write()
+    alone, raced = tmp_path / "alone.png", tmp_path / "raced.png"
+
+    assert run("render", path, "--output", alone).status == 0
+    assert run("render", path, "--race", "--output", raced).status == 0
+
+    assert alone.read_bytes() != raced.read_bytes()
+
+
 @pytest.mark.parametrize(
     ("options", "message"),
     [
@@ -38,6 +48,7 @@ def test_the_time_changes_the_picture(run: Run, write: Write, tmp_path: Path) ->
         (["--output", "out.png", "--at", "-1"], "--at -1: must be a finite time, at least 0"),
         (["--output", "out.png", "--at", "nan"], "--at nan"),
         (["--output", "out.png", "--set", "h=1"], "unknown parameter 'h'"),
+        (["--output", "out.png", "--race", "--without", "gravity"], "--race"),
         ([], "--output"),
     ],
 )

@@ -16,7 +16,11 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> Opened:
     """What a window was opened with, on a machine that has a display."""
     calls: Opened = []
     monkeypatch.setattr(window, "has_display", lambda: True)
-    monkeypatch.setattr(window, "run", lambda *arguments: calls.append(arguments))
+
+    def run(*arguments: object, racing: bool = False) -> None:
+        calls.append((*arguments, "racing") if racing else arguments)
+
+    monkeypatch.setattr(window, "run", run)
     return calls
 
 
@@ -32,6 +36,13 @@ def test_a_level_is_opened_with_its_settings(run: Run, write: Write, opened: Ope
 
     assert run("play", path, "--set", "g=1.6").status == 0
     assert opened == [(str(path), {"g": 1.6}, None)]
+
+
+def test_a_level_is_opened_with_the_race_under_way(run: Run, write: Write, opened: Opened) -> None:
+    path = write()
+
+    assert run("play", path, "--race").status == 0
+    assert opened == [(str(path), {}, None, "racing")]
 
 
 def test_without_a_command_the_window_opens(run: Run, opened: Opened) -> None:

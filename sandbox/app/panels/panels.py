@@ -8,12 +8,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 
 from sandbox.app import theme
+from sandbox.app.keys import Command
+from sandbox.app.load import Load
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import Entry, LevelList
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
+from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 
 if TYPE_CHECKING:
@@ -35,22 +38,30 @@ class Panels:
         The bar below.
     graph
         Whether the energies are drawn as a graph, and not as bars.
+    page
+        The command of the side panel's tab that is chosen.
     refusal
         Why the level cannot be opened; None if it can.
     offer
         The button that runs a level that had to stop at another rate; None if there is none.
     """
 
-    def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
-        self._pen = pen
+    def __init__(self, pen: Pen, size: tuple[int, int], studying: Studying, load: Load) -> None:
+        self._pen, self._studying, self._load = pen, studying, load
         self._hidden: set[str] = set()
         self.graph = True
         self._advised: float | None = None
+        self.page: Command = "level page"
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
     def hide_or_show(self, column: str) -> None:
         """Hide a column, `levels` or `side`, or show it again, from the next building on."""
         self._hidden ^= {column}
+
+    def show(self, page: Command) -> None:
+        """Show a page of the side column, from the next building on."""
+        self.page = page
+        self._hidden -= {"side"}
 
     def build(
         self, size: tuple[int, int], entries: Sequence[Entry], path: Path | None,
@@ -68,7 +79,16 @@ class Panels:
             self.list.choose(path)
         self.side: SidePanel | None = None
         if session is not None and layout.side.width:
-            self.side = SidePanel(manager, pen, layout.side, session, as_graph=self.graph)
+            self.side = SidePanel(
+                manager,
+                pen,
+                layout.side,
+                session,
+                page=self.page,
+                as_graph=self.graph,
+                studying=self._studying,
+                load=self._load,
+            )
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
         self.offer: UIButton | None = None

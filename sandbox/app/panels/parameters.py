@@ -1,5 +1,6 @@
 """Sliders and number fields for a level's parameters."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from math import isfinite
 
@@ -11,7 +12,7 @@ from sandbox.app import theme, wording
 from sandbox.app.rounding import rounded, step
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Parameter
+from sandbox.model.level import Parameter
 
 ROW = 46  # px
 FIELD = 68  # px
@@ -43,11 +44,11 @@ class Parameters:
 
     def __init__(
         self, manager: UIManager, pen: Pen, container: UIScrollingContainer,
-        area: pygame.Rect, level: Level, values: Values,
+        area: pygame.Rect, parameters: Mapping[str, Parameter], values: Values,
     ) -> None:  # fmt: skip
         self._manager = manager
         self._rows: dict[str, Row] = {}
-        for i, (name, parameter) in enumerate(level.parameters.items()):
+        for i, (name, parameter) in enumerate(parameters.items()):
             row = pygame.Rect(area.x, area.y + i * ROW, area.width, ROW)
             self._rows[name] = self._row(pen, container, row, name, parameter, values[name])
         self.height = len(self._rows) * ROW

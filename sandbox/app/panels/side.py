@@ -1,18 +1,28 @@
-"""The column on the right: what the level is, its parameters, its checks, its energy."""
+"""The column on the right: the pages of the level behind tabs, and below its energy."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
-from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
+from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app import cards, graph
-from sandbox.app.keys import Command
+from sandbox.app.keys import BINDINGS, Command
+from sandbox.app.load import Load
+from sandbox.app.panels.accuracy import AccuracyPage
+from sandbox.app.panels.effects import EffectsPage
+from sandbox.app.panels.level import LevelPage
 from sandbox.app.panels.parameters import Parameters
-from sandbox.app.panels.widgets import scroll, scrolled
+from sandbox.app.panels.race import RacePage
+from sandbox.app.panels.sheet import MARGIN, Page, Sheet
+from sandbox.app.panels.widgets import press, scroll, scrolled
 from sandbox.app.session import Session
+from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 
-MARGIN = 16  # px
-BAR = 26  # px, kept free for the scroll bar
+TAB = 28  # px, the height of a tab
+TABS: tuple[tuple[Command, str], ...] = (
+    ("level page", "Level"), ("effects page", "Effects"), ("race page", "Race"),
+    ("accuracy page", "Accuracy"),
+)  # fmt: skip
 REFRESH = 0.1  # s
 GRAPH = 66, 120  # px, how high the graph may be
 SWITCH = 58, 22  # px, the button that changes graph and bars
@@ -21,102 +31,123 @@ FOOT = 8  # px, left free below all
 
 
 class SidePanel:
-    """The column of a session: what scrolls if it must, and below it the energy, always seen."""
+    """The column of a session: a page that scrolls if it must, and below it the energy.
+
+    Attributes
+    ----------
+    page
+        What the chosen tab shows.
+    parameters
+        The parameters, none where the page has no room for them.
+    """
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        as_graph: bool,
+        page: Command, as_graph: bool, studying: Studying, load: Load,
     ) -> None:  # fmt: skip
         self._manager, self._pen, self._session = manager, pen, session
-        self._graph = as_graph
-        self._width = rect.width - MARGIN - BAR
+        self._graph, self._studying, self._load = as_graph, studying, load
+        upper = self._put_energy(rect)
+        self._tabs = self._put_tabs(upper, page)
+        upper = pygame.Rect(upper.x, TAB + 14, upper.width, max(upper.height - TAB - 14, 1))
+        self._sheet = Sheet(manager, pen, upper)
+        self.page: Page = self._made(page)
+        self._since = 0.0
+        self._shown = self._state
+
+    def _put_energy(self, rect: pygame.Rect) -> pygame.Rect:
+        """Put the energy at the foot, and return what is left above it."""
+        self._width = rect.width - 2 * MARGIN - 10
         self._graph_size = self._width, min(max(rect.height // 5 - CAPTION, GRAPH[0]), GRAPH[1])
         energy = self._draw_energy()
         upper = pygame.Rect(rect.topleft, (rect.width, max(rect.height - energy.height - FOOT, 1)))
-        self._energy = UIImage(
-            energy.get_rect(topleft=(rect.x + MARGIN, upper.bottom)), energy, manager
-        )
+        place = energy.get_rect(topleft=(rect.x + MARGIN, upper.bottom))
+        self._energy = UIImage(place, energy, self._manager)
         self._switch = UIButton(
-            pygame.Rect((rect.x + MARGIN + self._width - SWITCH[0], upper.bottom + 4), SWITCH),
-            "Bars" if as_graph else "Graph", manager,
+            pygame.Rect((place.right - SWITCH[0], upper.bottom + 4), SWITCH),
+            "Bars" if self._graph else "Graph", self._manager,
             tool_tip_text="energy as a graph or as bars (E)",
         )  # fmt: skip
-        self._container = UIScrollingContainer(upper, manager, allow_scroll_x=False)
-        y = MARGIN
-        y = self._below(self._image(cards.header(pen, self._width, session.level), y)) + 8
-        if session.level.parameters:
-            y = self._below(self._image(cards.heading(pen, self._width, "Parameters"), y))
-        area = pygame.Rect(MARGIN, y, self._width, 0)
-        self.parameters = Parameters(
-            manager, pen, self._container, area, session.level, session.values
-        )
-        self._top = y + self.parameters.height + 8
-        self._checks = self._image(self._draw_checks(), self._top)
-        self._since = 0.0
-        self._snapshot = session.world.snapshot
-        self._playing = session.playing
-        self._arrange()
+        return upper
 
-    def _image(self, surface: pygame.Surface, y: int) -> UIImage:
-        rect = pygame.Rect((MARGIN, y), surface.size)
-        return UIImage(rect, surface, self._manager, container=self._container)
+    def _put_tabs(self, rect: pygame.Rect, page: Command) -> dict[UIButton, Command]:
+        width = (self._width + 4) // len(TABS)
+        tabs: dict[UIButton, Command] = {}
+        for i, (command, text) in enumerate(TABS):
+            binding = next(binding for binding in BINDINGS if binding.command == command)
+            place = pygame.Rect(rect.x + MARGIN + i * width, 10, width - 4, TAB)
+            tip = f"{binding.text} ({binding.shown})"
+            tab = UIButton(place, text, self._manager, tool_tip_text=tip)
+            press(tab, command == page)
+            tabs[tab] = command
+        return tabs
 
-    @staticmethod
-    def _below(image: UIImage) -> int:
-        return int(image.relative_rect.bottom)
+    def _made(self, page: Command) -> Page:
+        nowhere = pygame.Rect(0, 0, 0, 0)
+        container = self._sheet.container
+        self.parameters = Parameters(self._manager, self._pen, container, nowhere, {}, {})
+        if page == "effects page":
+            return EffectsPage(self._sheet, self._session)
+        if page == "race page":
+            return RacePage(self._sheet, self._session)
+        if page == "accuracy page":
+            return AccuracyPage(self._sheet, self._session, self._studying, self._load)
+        made = LevelPage(self._sheet, self._session, self._studying)
+        self.parameters = made.parameters
+        return made
 
     def turn(self, pages: float) -> None:
         """Scroll by a part of what is seen at once."""
-        by = pages * self._container.rect.height
-        scroll(self._container, scrolled(self._container) + by)
+        container = self._sheet.container
+        scroll(container, scrolled(container) + pages * container.rect.height)
 
     def focus(self, direction: int) -> None:
         """Go on to the next number field, or back, and bring it into view."""
         field = self.parameters.focus(direction)
         if field is not None:
-            scroll(self._container, field.relative_rect.y - self._container.rect.height / 2)
+            container = self._sheet.container
+            scroll(container, field.relative_rect.y - container.rect.height / 2)
 
     def process(self, event: pygame.event.Event) -> Command | None:
         """Return the command whose button was pressed, if one was."""
-        pressed = event.type == UI_BUTTON_PRESSED and event.ui_element is self._switch
-        return "energy" if pressed else None
+        if event.type != UI_BUTTON_PRESSED:
+            return None
+        if event.ui_element is self._switch:
+            return "energy"
+        return self._tabs.get(event.ui_element)
+
+    def act(self, event: pygame.event.Event) -> str | None:
+        """Let the page do what was clicked on; return what is to be told, None if nothing was."""
+        told = self.page.process(event)
+        if told is not None:
+            self.page.update()
+        return told
 
     @property
     def switch(self) -> UIButton:
         """The button that changes graph and bars."""
         return self._switch
 
+    def tab(self, page: Command) -> UIButton:
+        """Return the tab of a page."""
+        return next(tab for tab, command in self._tabs.items() if command == page)
+
+    @property
+    def _state(self) -> tuple[object, ...]:
+        """What is shown depends on."""
+        session = self._session
+        return session.world.snapshot, session.playing, session.companions, self._studying.news
+
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs."""
-        session = self._session
         self._since += seconds
-        snapshot, playing = session.world.snapshot, session.playing
-        changed = snapshot is not self._snapshot or playing != self._playing
-        if not changed or (playing and self._since < REFRESH):
+        state = self._state
+        changed = any(new is not old for new, old in zip(state, self._shown, strict=True))
+        if not changed or (self._session.playing and self._since < REFRESH):
             return
-        self._since, self._snapshot, self._playing = 0.0, snapshot, playing
-        self._replace(self._checks, self._draw_checks())
-        self._replace(self._energy, self._draw_energy())
-        self._arrange()
-        self.parameters.show(session.values)
-
-    def _replace(self, image: UIImage, surface: pygame.Surface) -> None:
-        if image.relative_rect.size != surface.size:
-            image.set_dimensions(surface.size)
-        image.set_image(surface)
-
-    def _arrange(self) -> None:
-        """Let all be scrolled to, wherever the checks end."""
-        height = self._below(self._checks) + 2
-        width = self._width + MARGIN
-        if self._container.scrollable_container.rect.height != height:
-            self._container.set_scrollable_area_dimensions((width, height))
-
-    def _draw_checks(self) -> pygame.Surface:
-        session = self._session
-        return cards.checks(
-            self._pen, self._width, session.readings(), disturbed=session.world.disturbed
-        )
+        self._since, self._shown = 0.0, state
+        self.page.update()
+        self._sheet.replace(self._energy, self._draw_energy())
 
     def _draw_energy(self) -> pygame.Surface:
         session = self._session

@@ -30,15 +30,14 @@ PATH_POINTS = 240
 """Into how many pieces the closed form's path is cut."""
 
 
-def trail_color(outline: Outline) -> Color:
-    """Return the colour of a body's trail."""
-    return theme.mix(theme.STAGE, outline.color, 0.6)
+def trail_color(color: Color) -> Color:
+    """Return the colour of the trail of a body of some colour."""
+    return theme.mix(theme.STAGE, color, 0.6)
 
 
-def draw_trail(surface: pygame.Surface, camera: Camera, outline: Outline, points: Array) -> None:
+def draw_trail(surface: pygame.Surface, camera: Camera, color: Color, points: Array) -> None:
     """Draw a body's path through points: (k, 2) [m]."""
     pixels = camera.path(points.tolist())
-    color = trail_color(outline)
     steps = [pixels[0]]
     for pixel in pixels[1:]:
         if hypot(pixel[0] - steps[-1][0], pixel[1] - steps[-1][1]) >= 2:
@@ -48,16 +47,17 @@ def draw_trail(surface: pygame.Surface, camera: Camera, outline: Outline, points
 
 
 def draw_ghost(
-    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
-) -> None:
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
+    color: Color = theme.GHOST,
+) -> None:  # fmt: skip
     """Draw where a body is by the closed form, or in another run."""
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, theme.GHOST, corners)
+    lines.dashed(surface, color, corners)
     if lines.near(corners):
         x, y = camera.to_screen(position)
-        pygame.draw.aacircle(surface, theme.GHOST, (x, y), 2)
+        pygame.draw.aacircle(surface, color, (x, y), 2)
 
 
 def draw_ghost_path(

@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.camera import Camera
+from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage import bodies, flows, grid, joints, lines, marks
 from sandbox.app.stage.forces import Arrow, Forces
@@ -59,7 +60,7 @@ class Stage:
         self._canvas = pygame.Surface(size)
         self._base_key: object = None
         self._trail_key: object = None
-        self._trail_drawn = 0
+        self._trail_drawn: list[int] = []
         self._fastest = 0.0
         self._level: object = None
 
@@ -94,13 +95,14 @@ class Stage:
 
     def draw(
         self, surface: pygame.Surface, trail: Trail | None = None,
-        milestones: Sequence[Milestone] = (),
+        milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
     ) -> None:  # fmt: skip
-        """Draw the world as it is now on a surface of the stage's size."""
+        """Draw the world as it is now on a surface of the stage's size, and other runs over it."""
         labels = Labels(surface.get_rect())
         labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
         self._draw_base()
-        self._draw_trail(trail if self.shown.trail and self._few else None)
+        traced = self.shown.trail and self._few
+        self._draw_trails(trail if traced else None, beside if traced else ())
         surface.blit(self._canvas, (0, 0))
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
@@ -111,6 +113,7 @@ class Stage:
         self._draw_joints(surface, in_front=True)
         if self._ghosts:
             self._draw_ghosts(surface)
+        self._draw_beside(surface, beside)
         if self._few:
             marks.draw_milestones(surface, self.camera, self._pen, milestones, labels)
         if self.shown.arrows:
@@ -119,14 +122,14 @@ class Stage:
             named = [(outline, *self._state(outline)) for outline in self._moving]
             marks.draw_names(surface, self.camera, self._pen, named, labels)
 
-    def draw_beside(self, surface: pygame.Surface, world: World, trail: Trail) -> None:
-        """Draw another run of the same bodies over this one: dashed, with the way it took."""
-        for outline in self._moving:
-            if self._few:
-                marks.draw_ghost_trail(surface, self.camera, trail.points[:, outline.row])
-            x, y = world.snapshot.position[outline.row].tolist()
-            angle = float(world.snapshot.angle[outline.row])
-            marks.draw_ghost(surface, self.camera, outline, (x, y), angle)
+    def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
+        """Draw the bodies of other runs as dashed outlines."""
+        for companion in beside:
+            snapshot, color = companion.world.snapshot, companion.variant.color
+            for outline in self._moving:
+                x, y = snapshot.position[outline.row].tolist()
+                angle = float(snapshot.angle[outline.row])
+                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, color)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the body that a hand would take hold of at a pixel."""
@@ -196,20 +199,23 @@ class Stage:
             for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
                 lines.stroke(self._base, theme.STAGE, a, b, 2)
 
-    def _draw_trail(self, trail: Trail | None) -> None:
-        """Bring the trail on the canvas up to date, from the base if it must be."""
-        key = trail and (id(trail), trail.version)
-        count = len(trail) if trail else 0
-        if key != self._trail_key or count < self._trail_drawn or key is None:
+    def _draw_trails(self, own: Trail | None, beside: Sequence[Companion]) -> None:
+        """Bring the trails on the canvas up to date, from the base if it must be."""
+        trails = [*(companion.trail for companion in beside), *([own] if own else [])]
+        colors = [*(companion.variant.color for companion in beside), *([None] if own else [])]
+        key = [(id(trail), trail.version) for trail in trails]
+        counts = [len(trail) for trail in trails]
+        fewer = any(a < b for a, b in zip(counts, self._trail_drawn, strict=False))
+        if key != self._trail_key or fewer or not key:
             self._canvas.blit(self._base, (0, 0))
-            self._trail_key, self._trail_drawn = key, 0
-        if trail is None or count == self._trail_drawn:
-            return
-        first = max(self._trail_drawn - 1, 0)
-        for outline in self._moving:
-            points = trail.points[first:, outline.row]
-            marks.draw_trail(self._canvas, self.camera, outline, points)
-        self._trail_drawn = count
+            self._trail_key, self._trail_drawn = key, [0] * len(trails)
+        for trail, color, drawn in zip(trails, colors, self._trail_drawn, strict=True):
+            if len(trail) > drawn:
+                for outline in self._moving:
+                    points = trail.points[max(drawn - 1, 0) :, outline.row]
+                    drawn_in = marks.trail_color(color or outline.color)
+                    marks.draw_trail(self._canvas, self.camera, drawn_in, points)
+        self._trail_drawn = counts
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw what goes through bodies, or all else, which ends behind them."""

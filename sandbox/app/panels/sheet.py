@@ -1,0 +1,71 @@
+"""The scrolled part of the side panel, on which a page puts what it shows."""
+
+from typing import Protocol
+
+import pygame
+from pygame_gui import UIManager
+from pygame_gui.core import ObjectID
+from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
+
+from sandbox.app.text import Pen
+
+MARGIN = 16  # px
+BAR = 26  # px, kept free for the scroll bar
+
+
+class Sheet:
+    """An area of some width that scrolls if it must.
+
+    Attributes
+    ----------
+    width
+        Of what is put on it [px].
+    container
+        pygame_gui's.
+    """
+
+    def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
+        self.manager, self.pen = manager, pen
+        self.width = rect.width - MARGIN - BAR
+        self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
+
+    def image(self, surface: pygame.Surface, y: int) -> UIImage:
+        """Put a picture at a height."""
+        rect = pygame.Rect((MARGIN, y), surface.size)
+        return UIImage(rect, surface, self.manager, container=self.container)
+
+    def button(self, rect: pygame.Rect, text: str, tip: str, kind: str | None = None) -> UIButton:
+        """Put a button, with its place relative to the left margin."""
+        return UIButton(
+            rect.move(MARGIN, 0), text, self.manager, container=self.container, tool_tip_text=tip,
+            object_id=ObjectID(class_id=kind) if kind else None,
+        )  # fmt: skip
+
+    @staticmethod
+    def replace(image: UIImage, surface: pygame.Surface) -> None:
+        """Let a picture show another one."""
+        if image.relative_rect.size != surface.size:
+            image.set_dimensions(surface.size)
+        image.set_image(surface)
+
+    def end(self, height: int) -> None:
+        """Let all be scrolled to, down to a height."""
+        if self.container.scrollable_container.rect.height != height:
+            self.container.set_scrollable_area_dimensions((self.width + MARGIN, height))
+
+
+class Page(Protocol):
+    """What one tab of the side panel shows."""
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Do what was clicked on; return what is to be told, None if nothing was."""
+        ...
+
+    def update(self) -> None:
+        """Bring what is shown up to date."""
+        ...
+
+
+def below(image: UIImage) -> int:
+    """Return the height at which a picture ends."""
+    return int(image.relative_rect.bottom)

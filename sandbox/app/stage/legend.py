@@ -1,0 +1,54 @@
+"""What runs over each other on the stage, and in which colours."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import race, theme, wording
+from sandbox.app.session import Session
+from sandbox.app.stage import lines
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+
+CORNER = 44, 62  # px, clear of the ruler and of banners
+SWATCH = 26  # px
+PADDING = 8  # px
+
+Row = tuple[Color | None, str]
+"""A colour, None for the run that is played, and what is drawn in it."""
+
+
+def rows(session: Session) -> list[Row]:
+    """Return what runs over each other; nothing if one run is alone."""
+    if session.changes:
+        original = session.companions[0].variant
+        return [(None, session.changes.told), (original.color, original.told)]
+    if not session.companions:
+        return []
+    return [(lane.color, _lane(lane)) for lane in race.lanes(session)]
+
+
+def _lane(lane: race.Lane) -> str:
+    title = race.title(lane.scheme)
+    return title if lane.error is None else f"{title}: error {wording.error(lane.error)}"
+
+
+def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row]) -> None:
+    """Draw a row for each run in the upper left corner."""
+    if not told:
+        return
+    texts = [pen.write(text, 14) for _, text in told]
+    height = texts[0].height + 2
+    box = pygame.Rect(CORNER, (0, len(texts) * height + 2 * PADDING))
+    box.width = max(text.width for text in texts) + SWATCH + 10 + 2 * PADDING
+    pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
+    pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
+    x, y = box.x + PADDING, box.y + PADDING
+    for (color, _), text in zip(told, texts, strict=True):
+        ends = (x, y + height // 2), (x + SWATCH, y + height // 2)
+        if color is None:
+            lines.stroke(surface, theme.ACCENT, *ends, 3)
+        else:
+            lines.dashed(surface, color, ends)
+        surface.blit(text, (x + SWATCH + 10, y))
+        y += height

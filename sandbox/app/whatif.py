@@ -1,0 +1,98 @@
+"""What if an effect did not act, or another did: the changed level runs over the original."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sandbox.app import theme, wording
+from sandbox.app.companions import Changes, Variant
+from sandbox.app.session import Session
+from sandbox.model.level import Level, Stepping
+from sandbox.model.variants import DEFAULTS, Settings, vary
+from sandbox.physics.comparison import Difference, differences
+
+DECLARED = "as the level declares it"
+
+
+def toggle(session: Session, effect: str) -> None:
+    """Switch an effect off or on, and start anew.
+
+    Raises
+    ------
+    SandboxError
+        If the level makes no sense so, or cannot be run; then all stays as it was.
+    """
+    changes = session.changes
+    if effect in session.original.effects.declared:
+        changes = Changes(_without(changes.off, effect), changes.on)
+    else:
+        changes = Changes(changes.off, _without(changes.on, effect))
+    change(session, changes)
+
+
+def _without(names: tuple[str, ...], name: str) -> tuple[str, ...]:
+    return tuple(n for n in names if n != name) if name in names else (*names, name)
+
+
+def change(session: Session, changes: Changes) -> None:
+    """Play the level with some effects off and others on; see `toggle`."""
+    original = at_its_pace(session)
+    if not (changes.off or changes.on):
+        session.play_as(original)
+        return
+    level, told = vary(original, changes.off, _settings(changes))
+    play_over(session, original, level, replace(changes, told=told))
+
+
+def play_over(session: Session, original: Level, level: Level, changes: Changes) -> None:
+    """Play a changed level over the original, whose formulas do not describe it."""
+    unjudged = level.model_copy(update={"checks": (), "ghosts": {}})
+    session.play_as(unjudged, [Variant(DECLARED, original, theme.GHOST)], changes)
+
+
+def repace(session: Session, stepping: Stepping) -> None:
+    """Play with another stepping, and what runs beside it too; a race ends.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be run so; then all stays as it was.
+    """
+    pace = {"stepping": stepping}
+    variants = (companion.variant for companion in session.companions if session.changes)
+    beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
+    session.play_as(session.level.model_copy(update=pace), beside, session.changes)
+
+
+def at_its_pace(session: Session) -> Level:
+    """Return the level as its file declares it, with the stepping of the present run."""
+    return session.original.model_copy(update={"stepping": session.world.stepping})
+
+
+def _settings(changes: Changes) -> dict[str, Settings]:
+    return {name: DEFAULTS[name] for name in changes.on}
+
+
+def addable(level: Level) -> list[str]:
+    """Return the effects that a level does not declare, and that can be tried without settings."""
+    return [name for name in DEFAULTS if name not in level.effects.declared]
+
+
+def compared(session: Session) -> tuple[Difference, ...]:
+    """Return how the run differs from the original so far."""
+    return differences(session.companions[0].trace, session.trace)
+
+
+def cost(session: Session) -> float | None:
+    """Return what the change costs a step [s], less than zero if it saves; None if not known."""
+    here, there = session.clock.step, session.companions[0].clock.step
+    return None if here is None or there is None else here - there
+
+
+def told(session: Session, found: Sequence[Difference]) -> str:
+    """Say in one sentence what the change makes of the level, and what it costs."""
+    said = list(wording.summary(found))
+    price = cost(session)
+    if price is not None:
+        said.append(wording.step_cost(price))
+    text = f"{session.changes.told}: {', '.join(said) or wording.NO_DIFFERENCE}"
+    return text.replace(" -", f" {wording.MINUS}")

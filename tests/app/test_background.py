@@ -1,0 +1,117 @@
+"""Work in another process."""
+
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from sandbox.app.background import Background
+from tests.app import work
+
+PATIENCE = 60.0  # s
+
+
+@pytest.fixture
+def background() -> Iterator[Background]:
+    found = Background()
+    yield found
+    found.cancel()
+
+
+def until(true: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + PATIENCE
+    while not true():
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+
+
+def alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    status = Path(f"/proc/{pid}/stat")
+    return not status.exists() or status.read_text().rpartition(")")[2].split()[0] != "Z"
+
+
+def findings(background: Background) -> list[object]:
+    found: list[object] = []
+    until(lambda: found.extend(background.found()) or not background.running)  # type: ignore[func-returns-value]
+    return found
+
+
+def test_findings_come_in_one_by_one_until_the_work_is_done(background: Background) -> None:
+    background.start(work.count, 5)
+
+    assert background.running
+    assert findings(background) == [0, 1, 2, 3, 4]
+    assert not background.running
+
+
+def test_looking_does_not_wait(background: Background) -> None:
+    background.start(work.dawdle)
+
+    begun = time.monotonic()
+    list(background.found())
+
+    assert time.monotonic() - begun < 1
+
+
+def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
+    background.start(work.dawdle)
+    pid = background.pid
+    assert pid is not None
+
+    background.cancel()
+
+    assert not background.running
+    assert not alive(pid)
+    assert list(background.found()) == []
+
+
+def test_new_work_takes_the_place_of_the_old(background: Background) -> None:
+    background.start(work.dawdle)
+    before = background.pid
+    background.start(work.count, 2)
+
+    assert before is not None
+    assert not alive(before)
+    assert findings(background) == [0, 1]
+
+
+@pytest.mark.skipif(not hasattr(os, "nice"), reason="there are no priorities here")
+def test_the_work_gives_way_to_the_window(background: Background) -> None:
+    background.start(work.priority)
+
+    assert findings(background) == [min(os.nice(0) + 5, 19)]
+
+
+def test_a_window_that_is_killed_leaves_no_orphan() -> None:
+    text = (
+        "from sandbox.app.background import Background\n"
+        "from tests.app import work\n"
+        "import time\n"
+        "if __name__ == '__main__':\n"
+        "    background = Background()\n"
+        "    background.start(work.dawdle)\n"
+        "    found = []\n"
+        "    while not found:\n"
+        "        found = list(background.found())\n"
+        "        time.sleep(0.01)\n"
+        "    print(found[0], flush=True)\n"
+        "    time.sleep(600)\n"
+    )
+    window = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
+    assert window.stdout is not None
+    pid = int(window.stdout.readline())
+    assert alive(pid)
+
+    window.kill()
+    window.wait()
+
+    until(lambda: not alive(pid))
+    window.stdout.close()

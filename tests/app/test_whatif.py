@@ -1,0 +1,206 @@
+"""What if: effects switched off and on for a run, which is drawn over the level as it is."""
+
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme, whatif
+from sandbox.app.panels.effects import EffectsPage
+from sandbox.app.session import Session
+from sandbox.model.catalog import find
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import load, parse
+from sandbox.model.variants import EffectError
+from sandbox.physics.trace import simulate
+from sandbox.physics.world import build
+from tests.app import scenes
+from tests.app.person import Person
+
+
+def play(session: Session) -> None:
+    session.playing = True
+    while session.playing:
+        session.update(1 / 60, budget=10.0)
+
+
+def page(person: Person) -> EffectsPage:
+    assert person.window.panels.side is not None
+    found = person.window.panels.side.page
+    assert isinstance(found, EffectsPage)
+    return found
+
+
+@pytest.fixture
+def player(person: Person, tmp_path: Path) -> Person:
+    """Somebody who has turned to the effects of a ball that is about to fall."""
+    person.open(tmp_path, scenes.falling())
+    person.press(pygame.K_x, "x")
+    return person
+
+
+def test_both_runs_are_in_lockstep_and_each_in_its_own_bits() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+
+    (original,) = session.companions
+    alone = build(scenes.level())
+    alone.advance(60)
+    assert original.world.steps == session.world.steps == 60
+    assert np.array_equal(original.world.snapshot.position, alone.snapshot.position)
+    assert session.world.snapshot.position[0, 1] > original.world.snapshot.position[0, 1] + 0.1
+
+
+def test_an_effect_is_switched_off_and_on_again() -> None:
+    session = Session(scenes.level())
+
+    whatif.toggle(session, "gravity")
+    assert session.level.effects.gravity is None
+    assert session.changes.told == "without gravity"
+    whatif.toggle(session, "gravity")
+
+    assert session.level == session.original
+    assert session.companions == ()
+
+
+def test_the_formulas_do_not_judge_what_they_do_not_describe() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+
+    assert session.readings() == ()
+    assert [r.result.verdict for r in session.companions[0].readings(hurried=False)] == [
+        "passed",
+        "passed",
+    ]
+
+
+def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+    found = whatif.compared(session)
+    told = whatif.told(session, found)
+
+    half_way = simulate(session.original).columns["ball.speed"][30]
+    assert found[1].before == pytest.approx(half_way)
+    assert found[1].after == pytest.approx(100 * (1 - np.exp(-0.05)), rel=1e-4)
+    assert told.startswith("with drag (linear 0.1): ")
+    assert "half way −2.4" in told
+    assert told.endswith("ms a step")
+
+
+def test_a_change_of_a_parameter_changes_both_runs() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    session.restart({"g": 2})
+
+    assert session.companions[0].world.values["g"] == session.world.values["g"] == 2
+    assert session.changes.on == ("drag",)
+
+
+def test_what_cannot_be_leaves_everything_as_it_was() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+    world = session.world
+
+    with pytest.raises(EffectError, match="'friction' needs the effect 'contact'"):
+        whatif.toggle(session, "friction")
+
+    assert session.world is world
+    assert session.changes.on == ("drag",)
+
+
+def test_an_effect_takes_with_it_what_is_nothing_without_it_and_brings_it_back() -> None:
+    session = Session(load(find("momentum/bouncing-ball")))
+
+    whatif.toggle(session, "contact")
+    assert session.changes.told == "without contact (and so without restitution)"
+    assert session.level.effects.restitution is None
+    whatif.toggle(session, "contact")
+
+    assert session.level.effects.restitution is not None
+
+
+def test_a_companion_that_has_to_stop_lets_the_other_go_on() -> None:
+    session = Session(parse(scenes.runaway()))
+    whatif.toggle(session, "gravity")
+
+    play(session)
+
+    assert session.failure is None
+    assert session.at_end
+    assert isinstance(session.companions[0].failure, SandboxError)
+
+
+def test_a_switch_changes_the_run_and_shows_both(player: Person) -> None:
+    player.click(page(player).switch("gravity").rect)
+    assert not page(player).switch("gravity").is_selected
+    assert player.session.level.effects.gravity is None
+
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.7)
+
+    _, fallen = (float(x) for x in player.session.companions[0].world.snapshot.position[0])
+    x, y = player.on_screen((0.0, fallen))
+    around = [player.color_at((x + i, y + j)) for i in range(-26, 27) for j in range(-26, 27)]
+    still = player.on_screen((0.0, 5.0))
+    assert theme.GHOST in around
+    assert player.color_at((still[0] + 9, still[1] + 5)) == (255, 0, 0)
+
+
+def test_the_end_of_the_run_tells_what_is_different(player: Person) -> None:
+    player.click(page(player).switch("drag").rect)
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.5)
+    before = player.window.surface.copy()
+    player.wait(0.7)
+
+    stage = player.window.panels.layout.stage
+    assert player.session.at_end
+    row = [(x, 36) for x in range(stage.left, stage.right)]
+    assert theme.ACCENT in [player.color_at(pixel) for pixel in row]
+    assert any(before.get_at(pixel) != player.window.surface.get_at(pixel) for pixel in row)
+
+
+def test_reset_restores_the_level(player: Person) -> None:
+    player.click(page(player).switch("drag").rect)
+    player.click(page(player).switch("gravity").rect)
+    assert player.session.changes.off == ("gravity",)
+
+    player.click(page(player).reset.rect)
+
+    assert player.session.level == player.session.original
+    assert not page(player).reset.is_enabled
+
+
+def test_where_an_effect_cannot_go_is_told(player: Person) -> None:
+    before = player.window.surface.copy()
+
+    player.click(page(player).switch("friction").rect)
+    player.wait()
+
+    stage = player.window.panels.layout.stage
+    column = [(x, 40) for x in range(stage.left, stage.right)]
+    assert theme.NOTICE in [player.color_at(pixel) for pixel in column]
+    assert theme.NOTICE not in [tuple(before.get_at(pixel))[:3] for pixel in column]
+    assert not page(player).switch("friction").is_selected
+
+
+def test_the_tabs_are_turned_by_mouse_and_keyboard(player: Person) -> None:
+    side = player.window.panels.side
+    assert side is not None
+
+    player.click(side.tab("level page").rect)
+    assert player.window.panels.side is not None
+    assert player.window.panels.side.parameters.row("g")
+    player.press(pygame.K_p, "p")
+    player.press(pygame.K_x, "x")
+
+    assert page(player).switch("gravity").is_selected
