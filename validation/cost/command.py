@@ -31,7 +31,7 @@ def measure(
         check_writable(json_file)
     for name in names:
         catalog.find(name)
-    found = sweep_all(list(names) or catalog.names(), quick=quick)
+    found = sweep_all(list(names) or catalog.textbook(), quick=quick)
     Console(width=None if Console().is_terminal else 160).print(table(found))
     if json_file:
         write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "\n")
