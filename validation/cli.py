@@ -141,6 +141,31 @@ def _writer() -> Callable[..., bool]:
     return write
 
 
+@app.command()
+def stability(
+    json_file: JsonFile = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Shorter runs; see only whether frontiers still hold.")
+    ] = False,
+    update: Annotated[
+        bool, typer.Option("--update", help="Write down where the frontiers lie now.")
+    ] = False,
+) -> None:
+    """Run the hard cases, and make them harder until they break, beside pymunk at the same cost.
+
+    Exit status 1 if a case misses its bound, or a frontier has moved inward.
+    """
+    from validation.stability.command import measure  # what one command needs need not slow all
+
+    try:
+        failed = measure(json_file, quick=quick, update=update and not quick)
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        raise typer.Exit(2) from None
+    if failed:
+        raise typer.Exit(1)
+
+
 def _width() -> int | None:
     """Return the width of a terminal; a pipe or a log has room for whole names."""
     return None if Console().is_terminal else 160

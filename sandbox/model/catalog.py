@@ -12,6 +12,9 @@ CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange"
 ORDER = "order.txt"
 """The file that tells in which order the levels of a chapter stand; others follow by name."""
 
+HARD = "hard"
+"""The folder of the hard cases: scenes that break engines, made by `validation.stability`."""
+
 
 def root() -> Path:
     """Return the folder of the levels: inside an installed package, beside it in a checkout."""
@@ -33,6 +36,11 @@ def names() -> list[str]:
 
     levels = ((path.parent.name, path.stem) for path in root().glob("*/*.json"))
     return [f"{chapter}/{level}" for chapter, level in sorted(levels, key=by_chapter)]
+
+
+def textbook() -> list[str]:
+    """Return the names of the levels that belong to the document: all but the hard cases."""
+    return [name for name in names() if not name.startswith(f"{HARD}/")]
 
 
 def find(level: str) -> Path:

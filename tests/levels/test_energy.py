@@ -70,7 +70,7 @@ def _lossless(joint: object, level: Level) -> bool:
     return isinstance(joint, Pivot | Pulley | Rail)
 
 
-NAMES = [name for name in catalog.names() if conservative(load(catalog.find(name)))]
+NAMES = [name for name in catalog.textbook() if conservative(load(catalog.find(name)))]
 
 
 def watched(name: str) -> Trace:

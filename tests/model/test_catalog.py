@@ -30,6 +30,16 @@ def test_levels_are_one_folder_deep_and_in_the_documents_order(shelf: Path) -> N
     assert catalog.names() == ["newton/atwood", "newton/incline", "energy/incline"]
 
 
+@pytest.mark.usefixtures("shelf")
+def test_the_hard_cases_are_listed_last_and_belong_to_no_chapter() -> None:
+    hard = catalog.root() / "hard" / "stack.json"
+    hard.parent.mkdir()
+    hard.write_text("{}")
+
+    assert catalog.names() == [*catalog.textbook(), "hard/stack"]
+    assert "hard/stack" not in catalog.textbook()
+
+
 @pytest.mark.parametrize(
     ("asked", "found"),
     [

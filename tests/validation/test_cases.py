@@ -30,7 +30,7 @@ def test_cases_have_names_of_their_own() -> None:
 
 
 def test_every_level_has_a_case() -> None:
-    assert {case.level for case in CASES} == set(catalog.names())
+    assert {case.level for case in CASES} == set(catalog.textbook())
 
 
 @pytest.mark.parametrize("case", CASES, ids=ident)

@@ -31,7 +31,7 @@ def measure(
         check_writable(json_file)
     for name in names:
         catalog.find(name)
-    found = sweep_all(list(names) or catalog.names(), quick=quick)
+    found = sweep_all(list(names) or catalog.textbook(), quick=quick)
     console = Console(width=None if Console().is_terminal else 160)
     console.print(table(found))
     if any(sweep.requests for sweep in found):

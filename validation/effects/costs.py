@@ -104,7 +104,7 @@ class EffectCost:
 
 def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterator[LevelCost]:
     """Measure levels, those of the catalog if left out, beside the bare engine."""
-    for name in catalog.names() if names is None else names:
+    for name in catalog.textbook() if names is None else names:
         level = load(catalog.find(name))
         world = build(level)
         steps = max(min(count_steps(world), STEPS), 1)

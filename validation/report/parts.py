@@ -62,7 +62,7 @@ def quick_cases() -> list[Case]:
 
 
 def _cost(quick: bool) -> Content:
-    return cost.content(cost.sweep_all(SAMPLE if quick else catalog.names(), quick=quick))
+    return cost.content(cost.sweep_all(SAMPLE if quick else catalog.textbook(), quick=quick))
 
 
 def _effects(quick: bool) -> Content:

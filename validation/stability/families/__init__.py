@@ -1,0 +1,35 @@
+"""The families of hard cases, one a file."""
+
+from collections.abc import Callable, Iterator, Mapping
+
+from validation.stability.case import Frontier, HardCase
+from validation.stability.families import (
+    bounces,
+    bullets,
+    chains,
+    cradles,
+    exact,
+    oscillators,
+    piles,
+    structures,
+)
+from validation.stability.scene import Document
+
+FAMILIES = (exact, bounces, cradles, oscillators, piles, structures, chains, bullets)
+
+
+def all_cases() -> Iterator[HardCase]:
+    """Yield the cases of all families."""
+    for family in FAMILIES:
+        yield from family.cases()
+
+
+def all_frontiers() -> Iterator[Frontier]:
+    """Yield the frontiers of all families."""
+    for family in (cradles, oscillators, piles, structures, chains, bullets):
+        yield from family.frontiers()
+
+
+def all_levels() -> Mapping[str, Callable[[], Document]]:
+    """Return what makes each level of `levels/hard`, by the name of its file."""
+    return {name: make for family in FAMILIES for name, make in family.LEVELS.items()}

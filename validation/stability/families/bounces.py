@@ -1,0 +1,185 @@
+"""Bounces: balls, boxes and gases that keep their energy, and balls that lose what they should."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from validation.stability.case import HardCase
+from validation.stability.figures import Run, energy, measured
+from validation.stability.scene import (
+    GRAVITY,
+    MOMENTUM,
+    Document,
+    G,
+    box,
+    check,
+    disc,
+    level,
+    line,
+)
+
+FAMILY = "bounces"
+
+DROP = 5.0  # m
+RADIUS = 0.1  # m
+BOUNCE: Document = {"contact": {}, "restitution": {}}
+FLOOR_HALF = 8.0  # m
+
+
+def ball(e: float = 1.0, rate: float = 60, *, located: bool = False) -> Document:
+    """Return a ball that falls 5 m and bounces."""
+    contact: Document = {"located": ["ball"]} if located else {}
+    return level(
+        "An elastic ball" if e == 1 else f"A ball of restitution {e:g}",
+        "A ball falls by 5 m and comes back as high as its restitution lets it.",
+        MOMENTUM,
+        effects={**GRAVITY, "contact": contact, "restitution": {}},
+        bodies={
+            "ball": disc((0, DROP + RADIUS), RADIUS, restitution=1),
+            "floor": line((-4, 0), (4, 0), restitution=e),
+        },
+        stepping={"rate": rate},
+        duration=5 if e == 1 else 2,
+        checks=[check("ball.energy", G * (DROP + RADIUS), 1e-9, "energy")]
+        if e == 1
+        else [check("ball.position.x", 0, 1e-9, "it stays over its place")],
+        view={"center": [0, 2.7], "width": 10},
+    )
+
+
+def many() -> Document:
+    """Return 49 balls of 10 kg (SimBenchmark's bouncing, in the plane)."""
+    balls = {
+        f"ball{i + 1}": disc(((i - 24) * 0.3, DROP + RADIUS), RADIUS, 10, restitution=1)
+        for i in range(49)
+    }
+    return level(
+        "49 elastic balls",
+        "SimBenchmark's bouncing: balls of 10 kg fall by 5 m and must keep their energy.",
+        MOMENTUM,
+        effects={**GRAVITY, **BOUNCE},
+        bodies={**balls, "floor": line((-FLOOR_HALF, 0), (FLOOR_HALF, 0), restitution=1)},
+        stepping={"rate": 1000},
+        duration=3,
+        checks=[check("system.energy", 49 * 10 * G * (DROP + RADIUS), 1e-9, "energy")],
+        view={"center": [0, 2.7], "width": 17},
+    )
+
+
+def mean_square(run: Run) -> float:
+    """Return the mean of (E − E0)² over the run and the balls [J²]."""
+    total = measured(run, "system.energy") / 49
+    return float(np.mean((total - total[0]) ** 2))
+
+
+def tumbling() -> Document:
+    """Return an elastic box that tumbles between smooth walls."""
+    tumbler = box((0, 0), 0.6, 0.3, velocity=[2, 1.5], angular_velocity=2, restitution=1)
+    return level(
+        "A tumbling box",
+        "An elastic box flies, turns and bounces between smooth walls without loss.",
+        MOMENTUM,
+        effects={"contact": {}, "restitution": {"impacts": "sequence"}, "rotation": {}},
+        bodies={"box": {**tumbler, "angle": 0.3}, "walls": _walls(2)},
+        stepping={"rate": 960},
+        duration=5,
+        checks=[check("system.energy", (4 + 2.25) / 2 + 0.45 / 12 * 4 / 2, 1e-9, "energy")],
+        view={"center": [0, 0], "width": 7},
+    )
+
+
+def gas(count: int = 60) -> Document:
+    """Return elastic balls between walls."""
+    half = 3.0
+    balls: Document = {}
+    for i in range(count):
+        place = (i % 8 - 3.5) * 0.7, (i // 8 - 3.5) * 0.7
+        turn = 2 * np.pi * (i * 0.6180339887498949 % 1)
+        velocity = [round(2 * float(np.cos(turn)), 9), round(2 * float(np.sin(turn)), 9)]
+        balls[f"ball{i + 1}"] = disc(place, RADIUS, velocity=velocity, restitution=1)
+    total = sum(v[0] ** 2 + v[1] ** 2 for v in (b["velocity"] for b in balls.values())) / 2
+    return level(
+        f"A gas of {count} balls",
+        "Elastic balls fly about between walls, and keep their energy.",
+        MOMENTUM,
+        effects=BOUNCE,
+        bodies={**balls, "walls": _walls(half)},
+        stepping={"rate": 240},
+        duration=5,
+        checks=[check("system.energy", total, 1e-9, "energy")],
+        view={"center": [0, 0], "width": 10},
+    )
+
+
+def _walls(half: float) -> Document:
+    corners = (-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)
+    return line(*corners, restitution=1)
+
+
+def escaped(run: Run) -> float:
+    """Return how many bodies left the walls."""
+    out = np.abs(run.states.position).max(axis=(0, 2)) > 3.0
+    return float(out.sum())
+
+
+def apexes(run: Run) -> float:
+    """Return how far off the first four apexes are, of each: e², e⁴, e⁶, e⁸ times the height.
+
+    In flight y + v²/(2 g) is the height of the next apex, at every step.
+    """
+    e = run.level.bodies["floor"].restitution
+    assert e is not None
+    y, v = measured(run, "ball.position.y") - RADIUS, measured(run, "ball.velocity.y")
+    bounced = np.flatnonzero((v[1:] > 0) & (v[:-1] <= 0)) + 1
+    heights = (y + v**2 / (2 * G))[bounced[:4] + 1]
+    expected = DROP * e({}) ** (2 * np.arange(1, 5))
+    if len(heights) < len(expected):
+        return float("inf")
+    return float(np.abs(heights / expected - 1).max())
+
+
+LEVELS = {
+    "elastic-ball": ball,
+    "49-elastic-balls": many,
+    "tumbling-box": tumbling,
+    "gas-of-60": gas,
+    "ball-of-half": lambda: ball(0.5, located=True),
+    "ball-of-four-fifths": lambda: ball(0.8, located=True),
+}
+
+KEEPS = "elastic impacts keep the energy, to rounding"
+
+
+def cases() -> Iterator[HardCase]:
+    """Yield what bounces."""
+    for rate in (60, 240):
+        yield HardCase(
+            name=f"an elastic ball, 20 s at {rate} Hz", family=FAMILY, group="A",
+            level="hard/elastic-ball", criterion=KEEPS, figure=energy, bound=1e-10, duration=20,
+            rate=rate, every_step=True,
+        )  # fmt: skip
+    yield HardCase(
+        name="SimBenchmark: bouncing", family=FAMILY, group="A", level="hard/49-elastic-balls",
+        criterion="mean of (E - E0)² [J²]; RaiSim publishes 1.9e-2, ODE 185, Bullet 7.5e4",
+        figure=mean_square, bound=1e-6, duration=20, quick=4, every_step=True,
+    )  # fmt: skip
+    yield HardCase(
+        name="a tumbling elastic box", family=FAMILY, group="A", level="hard/tumbling-box",
+        criterion=KEEPS, figure=energy, bound=1e-10, duration=10, quick=5, every_step=True,
+    )  # fmt: skip
+    yield HardCase(
+        name="a gas of 60 elastic balls: energy", family=FAMILY, group="A", level="hard/gas-of-60",
+        criterion=KEEPS, figure=energy, bound=1e-10, duration=20, quick=5,
+    )  # fmt: skip
+    yield HardCase(
+        name="a gas of 60 elastic balls: none escapes", family=FAMILY, group="A",
+        level="hard/gas-of-60", criterion="balls that have left the walls", figure=escaped,
+        bound=0, duration=20, quick=5,
+    )  # fmt: skip
+    for e, name in ((0.5, "ball-of-half"), (0.8, "ball-of-four-fifths")):
+        yield HardCase(
+            name=f"four apexes of restitution {e:g}", family=FAMILY, group="B",
+            level=f"hard/{name}",
+            criterion="e² of the last height each time; naive pymunk at 60 Hz: 0.208 for 0.25",
+            figure=apexes, bound=1e-6, duration=4 if e == 0.5 else 6, every_step=True,
+        )  # fmt: skip

@@ -1,0 +1,104 @@
+"""Newton's cradle with balls that touch."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from validation.stability.case import Frontier, HardCase
+from validation.stability.figures import Run, energy
+from validation.stability.scene import GRAVITY, MOMENTUM, Document, check, disc, level, rod
+
+FAMILY = "cradles"
+
+RADIUS = 0.1  # m
+LEAVE = "as many leave as came, with the same speed: momentum and energy leave no other way"
+
+
+def cradle(count: int, coming: int = 1, gap: float = 0.0) -> Document:
+    """Return a row of balls, into which others come at 1 m/s."""
+    balls: Document = {}
+    for i in range(count):
+        comes = i < coming
+        place = i * (2 * RADIUS + gap) - (0.5 if comes else 0), 0.0
+        balls[f"ball{i + 1}"] = disc(place, RADIUS, velocity=[float(comes), 0.0], restitution=1)
+    return level(
+        f"A cradle of {count} balls",
+        "Balls in a row touch each other. As many leave as come.",
+        MOMENTUM,
+        effects={"contact": {}, "restitution": {"impacts": "sequence"}},
+        bodies=balls,
+        stepping={"rate": 240},
+        duration=1,
+        checks=[
+            check(f"ball{count}.velocity.x", 1, 1e-9, "the last ball", at=0.9),
+            check("ball1.velocity.x", 0, 1e-9, "the first ball", at=0.9),
+        ],
+        view={"center": [count * RADIUS, 0], "width": 2.6 * count * RADIUS + 1},
+    )
+
+
+def leaves(run: Run) -> float:
+    """Return how far the velocities at the end are from those that came, mirrored [m/s]."""
+    velocity = run.states.velocity
+    return float(np.abs(velocity[-1, :, 0] - velocity[0, ::-1, 0]).max())
+
+
+def hanging(count: int = 20) -> Document:
+    """Return a cradle whose balls hang from rods."""
+    balls: Document = {}
+    rods: Document = {}
+    for i in range(count):
+        lifted = 0.5 if i == 0 else 0.0
+        x = 2 * RADIUS * i
+        place = x - np.sin(lifted), -np.cos(lifted)
+        balls[f"ball{i + 1}"] = disc(place, RADIUS, restitution=1)
+        rods[f"rod{i + 1}"] = rod([round(x, 12), 0], f"ball{i + 1}")
+    return level(
+        f"A hanging cradle of {count} balls",
+        "Balls hang in a row and touch; the first is lifted and let go.",
+        MOMENTUM,
+        effects={**GRAVITY, "contact": {}, "restitution": {"impacts": "sequence"}},
+        bodies=balls,
+        joints=rods,
+        stepping={"rate": 800},
+        duration=3,
+        checks=[check("rod1.length", 1, 1e-9, "the first rod")],
+        view={"center": [count * RADIUS, -0.5], "width": 2.6 * count * RADIUS + 1},
+    )
+
+
+LEVELS = {
+    "cradle-of-50": lambda: cradle(50),
+    "cradle-of-five": lambda: cradle(5, 2),
+    "hanging-cradle": hanging,
+}
+
+
+def cases() -> Iterator[HardCase]:
+    """Yield the cradles."""
+    for coming in (1, 2, 3):
+        for gap in (0.0, 1e-9):
+            yield HardCase(
+                name=f"a cradle of five, {coming} in, gap {gap:g} m", family=FAMILY, group="A",
+                level="hard/cradle-of-five", criterion=LEAVE, figure=leaves, bound=1e-6,
+                duration=0.9, scene=cradle(5, coming, gap),
+            )  # fmt: skip
+    yield HardCase(
+        name="a cradle of 50 balls that touch", family=FAMILY, group="D",
+        level="hard/cradle-of-50", criterion=LEAVE, figure=leaves, bound=1e-6, duration=0.9,
+    )  # fmt: skip
+    yield HardCase(
+        name="a hanging cradle of 20: energy", family=FAMILY, group="C",
+        level="hard/hanging-cradle",
+        criterion="leapfrog's energy swings with (ω dt)²/8 and does not drift: below 1e-3",
+        figure=energy, bound=1e-3, duration=20, quick=2,
+    )  # fmt: skip
+
+
+def frontiers() -> Iterator[Frontier]:
+    """Yield how long a cradle may be."""
+    yield Frontier(
+        name="a cradle that touches", family=FAMILY, axis="balls", whole=True,
+        scene=lambda n: cradle(round(n)), figure=leaves, bound=1e-6, criterion=LEAVE, start=2,
+        end=50, duration=0.9,
+    )  # fmt: skip

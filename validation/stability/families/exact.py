@@ -1,0 +1,223 @@
+"""What should be exact: falls, pulleys, rolling, a pair on a pivot, and running it twice."""
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from hashlib import sha256
+
+import numpy as np
+
+from sandbox.model.level import Level
+from sandbox.physics.world import build
+from validation.stability.case import HardCase, watch
+from validation.stability.figures import Run, measured, naive_of
+from validation.stability.scene import (
+    NEWTON,
+    ROTATION,
+    Document,
+    box,
+    check,
+    disc,
+    ground,
+    level,
+    pile,
+)
+
+FAMILY = "exact"
+
+BALLS = 25
+PUSH = 150.0  # N
+
+
+def fall(run: Run) -> float:
+    """Return how far a fall is from that of Galileo, of its height."""
+    p, t = run.level.defaults, run.states.t
+    expected = p["height"] - p["g"] * t**2 / 2
+    return float(np.abs(measured(run, "ball.position.y") - expected).max() / p["height"])
+
+
+def late(scene: Level, duration: float) -> float:
+    """Return how far naive pymunk's fall is from one that is late by half a step, of that."""
+    run = watch(scene, naive_of(scene), duration, every_step=True)
+    p, t = scene.defaults, run.states.t
+    error = measured(run, "ball.position.y") - (p["height"] - p["g"] * t**2 / 2)
+    expected = p["g"] * t * run.world.dt / 2  # too high: a step drifts before it falls
+    return float(np.abs(error - expected).max() / expected.max())
+
+
+def atwood(run: Run) -> float:
+    """Return how far an Atwood machine is from its closed form, of the way."""
+    p, t = run.level.defaults, run.states.t
+    y = measured(run, "left.position.y")
+    way = (p["m2"] - p["m1"]) * p["g"] / (p["m1"] + p["m2"]) * t**2 / 2
+    return float(np.abs(y - y[0] - way).max() / np.abs(way).max())
+
+
+def rolls(run: Run) -> float:
+    """Return how far a disc that slid is at last from 2/3 of its speed, of that."""
+    speed = measured(run, "disc.velocity.x")
+    return float(abs(speed[-1] / (2 / 3 * speed[0]) - 1))
+
+
+def rolling() -> Document:
+    """Return a box on discs that is pulled (SimBenchmark's rolling, in the plane)."""
+    apart, radius = 0.5, 0.2
+    discs = {
+        f"disc{i + 1}": disc(((i - (BALLS - 1) / 2) * apart, radius), radius, friction=2)
+        for i in range(BALLS)
+    }
+    wide = BALLS * apart + 4
+    return level(
+        "A box pulled over rollers",
+        "25 discs roll without slipping under a box, which is pulled with 150 N.",
+        ROTATION,
+        effects={
+            **pile(1e-4),
+            "force": [{"body": "box", "force": [PUSH, 0]}],
+        },
+        bodies={
+            **discs,
+            "box": box((0, 2 * radius + 0.2), wide, 0.4, 10, friction=2),
+            "ground": ground(30, friction=2),
+        },
+        stepping={"rate": 1000},
+        duration=0.5,
+        checks=[check("box.velocity.x", f"150*t/(10 + 3/8*{BALLS})", 1e-9, "velocity of the box")],
+        view={"center": [0, 1], "width": wide + 4},
+    )
+
+
+def rollers(run: Run) -> float:
+    """Return how far the box is from a t, of its last speed.
+
+    Rollers go half as fast as the box, and turn: M v²/2 + n (3/2) m (v/2)²/2 = F x, and so
+    a = F / (M + 3 n m / 8).
+    """
+    expected = PUSH * run.states.t / (10 + 3 / 8 * BALLS)
+    return float(np.abs(measured(run, "box.velocity.x") - expected).max() / expected[-1])
+
+
+def pair() -> Document:
+    """Return two boxes that are pinned to each other and to nothing else."""
+    return level(
+        "Two boxes on a pivot",
+        "Two boxes that turn about a common pin, free of everything else.",
+        ROTATION,
+        effects={"rotation": {}},
+        bodies={
+            "left": box((-0.6, 0), 1, 0.4, 1, velocity=[0, 1], angular_velocity=3),
+            "right": box((0.6, 0), 1, 0.4, 2, velocity=[0.5, 0], angular_velocity=-2),
+        },
+        joints={
+            "pin": {
+                "type": "pivot",
+                "ends": [{"body": "left", "at": [0.6, 0]}, {"body": "right", "at": [-0.6, 0]}],
+            }
+        },
+        stepping={"rate": 960},
+        duration=5,
+        checks=[
+            check("pin.length", 0, 1e-9, "the pin stays closed"),
+        ],
+        view={"center": [3, 1], "width": 10},
+    )
+
+
+def linear(run: Run) -> float:
+    """Return by how much momentum changes after the start, of it."""
+    p = np.stack([measured(run, f"system.momentum.{axis}") for axis in "xy"], axis=1)[1:]
+    return float(np.abs(p - p[0]).max() / np.abs(p).max())
+
+
+def angular(run: Run) -> float:
+    """Return by how much angular momentum changes after the start, of it."""
+    turning = measured(run, "system.angular_momentum")[1:]
+    return float(np.abs(turning - turning[0]).max() / np.abs(turning).max())
+
+
+def boxes() -> Document:
+    """Return 144 boxes that fall on each other."""
+    many: Document = {}
+    for i in range(144):
+        x = (i % 12 - 5.5) * 0.55 + 0.05 * (i * 0.618 % 1)
+        place = x, 0.3 + i // 12 * 0.6
+        many[f"box{i + 1}"] = {**box(place, 0.5, 0.5, friction=0.7), "angle": round(i * 0.1 % 1, 6)}
+    return level(
+        "144 boxes",
+        "Boxes fall on each other, the same way every time.",
+        NEWTON,
+        effects=pile(0.5),
+        bodies={**many, "ground": ground(12, friction=0.7)},
+        stepping={"rate": 60},
+        duration=10,
+        checks=[check("system.center.x", 0, 3, "they stay together, within three metres")],
+        view={"center": [0, 3], "width": 16},
+    )
+
+
+def fingerprint(scene: Level, steps: int = 600) -> str:
+    """Return a hash of all places, angles and velocities after some steps."""
+    world = build(scene)
+    state = world.advance(steps)
+    parts = state.position, state.angle, state.velocity, state.angular_velocity
+    return sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
+
+
+def differing(scene: Level, _duration: float) -> float:
+    """Return how many of three runs here and one in a new process differ from the first."""
+    here = [fingerprint(scene) for _ in range(3)]
+    code = (
+        "from sandbox.model.catalog import find; from sandbox.model.loading import load; "
+        "from validation.stability.families.exact import fingerprint; "
+        "print(fingerprint(load(find('hard/144-boxes'))))"
+    )
+    there = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return float(sum(other != here[0] for other in (*here[1:], there.stdout.strip())))
+
+
+LEVELS = {"rollers": rolling, "free-pair": pair, "144-boxes": boxes}
+
+
+def cases() -> Iterator[HardCase]:
+    """Yield what should be exact."""
+    yield HardCase(
+        name="free fall, 2 s at 60 Hz", family=FAMILY, group="A", level="kinematics/free-fall",
+        criterion="h - g t²/2, to rounding", figure=fall, bound=1e-12, duration=2,
+        every_step=True,
+    )  # fmt: skip
+    yield HardCase(
+        name="the same naively: late by half a step", family=FAMILY, group="A",
+        level="kinematics/free-fall", duration=2,
+        criterion="the error is g t dt / 2 and nothing else: proof that the check can fail",
+        special=late, bound=1e-9,
+    )  # fmt: skip
+    for level_name, ratio in (("atwood", 1.5), ("atwood-thousand-to-one", 1e6)):
+        yield HardCase(
+            name=f"Atwood 1 : {ratio:,.10g}", family=FAMILY, group="A",
+            level=f"newton/{level_name}",
+            criterion="(m2 - m1) g / (m1 + m2), whatever the masses", figure=atwood, bound=1e-9,
+            parameters={} if ratio == 1.5 else {"m1": 1, "m2": ratio}, every_step=True,
+        )  # fmt: skip
+    yield HardCase(
+        name="from sliding to rolling", family=FAMILY, group="A", level="rotation/slide-to-roll",
+        criterion="a disc ends at 2/3 of its speed: its angular momentum about the floor is kept",
+        figure=rolls, bound=1e-9,
+    )  # fmt: skip
+    yield HardCase(
+        name="SimBenchmark: rolling", family=FAMILY, group="A", level="hard/rollers",
+        criterion="a = F / (M + 3 n m / 8), as long as all rollers are pressed: for 0.9 s",
+        figure=rollers, bound=1e-12, duration=0.8, every_step=True,
+    )  # fmt: skip
+    yield HardCase(
+        name="two boxes on a pivot: momentum", family=FAMILY, group="A", level="hard/free-pair",
+        criterion="nothing outside acts", figure=linear, bound=1e-12, duration=20, quick=5,
+    )  # fmt: skip
+    yield HardCase(
+        name="two boxes on a pivot: angular momentum", family=FAMILY, group="A",
+        level="hard/free-pair", criterion="nothing outside acts", figure=angular, bound=1e-5,
+        duration=20, quick=5,
+    )  # fmt: skip
+    yield HardCase(
+        name="144 boxes, 600 steps, four runs", family=FAMILY, group="A", level="hard/144-boxes",
+        criterion="not one bit differs, in this process or another", special=differing, bound=0,
+    )  # fmt: skip

@@ -1,0 +1,323 @@
+"""What should converge: orbits, pendulums, springs, a spinning rod, a block that must not creep."""
+
+from collections.abc import Iterator
+from math import cos, inf, pi, sin
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.world import build
+from validation.formulas.energy import kepler_period, kepler_place
+from validation.formulas.lagrange import damped_oscillation, pendulum_period
+from validation.formulas.runge_kutta import solution
+from validation.stability.case import Frontier, HardCase, make
+from validation.stability.figures import Run, drift, energy, measured
+from validation.stability.scene import (
+    GRAVITY,
+    LAGRANGE,
+    NEWTON,
+    ROTATION,
+    Document,
+    G,
+    box,
+    check,
+    disc,
+    level,
+    pile,
+    rod,
+)
+
+FAMILY = "oscillators"
+
+SECOND = 1.9
+"""The power of the step by which an error of second order is seen to fall, at the least."""
+
+NEAR, ECCENTRICITY, PULL = 1.5, 0.5, 8.0  # m, 1, m³/s²
+YEAR = kepler_period(NEAR / (1 - ECCENTRICITY), PULL)  # s
+
+RATE = 960.0  # Hz
+SPIN = 0.01 * RATE  # rad/s
+
+
+def orbit(rate: float = 480) -> Document:
+    """Return Kepler's ellipse of e = 0.5."""
+    speed = np.sqrt(PULL * (1 + ECCENTRICITY) / NEAR)
+    return level(
+        "An ellipse, twenty times around",
+        "Kepler's ellipse with e = 0.5. Leapfrog keeps its energy, turn after turn.",
+        "5. Work and energy: potential energy and conservative forces",
+        effects={"attraction": [{"mu": PULL}]},
+        bodies={
+            "planet": disc((NEAR, 0), 0.15, velocity=[0, float(speed)]),
+            "sun": {"type": "static", "shape": {"type": "disc", "radius": 0.4}},
+        },
+        stepping={"rate": rate},
+        duration=round(2 * YEAR, 3),
+        checks=[
+            check("planet.energy", -PULL * (1 - ECCENTRICITY) / (2 * NEAR), 1e-3, "energy"),
+            check("system.angular_momentum", float(NEAR * speed), 1e-9, "angular momentum"),
+        ],
+        view={"center": [-1.5, 0], "width": 10},
+    )
+
+
+def strays(run: Run) -> float:
+    """Return how far a planet is from Kepler's ellipse, of its perihelion."""
+    expected = np.stack(kepler_place(NEAR, ECCENTRICITY, PULL, run.states.t), axis=1)
+    apart = run.states.position[:, 0] - expected
+    return float(np.hypot(apart[:, 0], apart[:, 1]).max() / NEAR)
+
+
+def pendulum(degrees: float, rate: float = RATE, far: float = 0.0) -> Document:
+    """Return a pendulum of 1 m that is let go at an angle, somewhere [m]."""
+    angle = np.radians(degrees)
+    return level(
+        f"A pendulum of {degrees:g}°",
+        "A pendulum that swings wide, against its elliptic integral.",
+        LAGRANGE,
+        effects=GRAVITY,
+        bodies={"bob": disc((far + np.sin(angle), -np.cos(angle)), 0.1)},
+        joints={"rod": rod([far, 0], "bob")},
+        stepping={"rate": rate},
+        duration=10,
+        checks=[check("rod.length", 1, 1e-12, "length of the rod")],
+        view={"center": [far, 0], "width": 5},
+    )
+
+
+def swings(run: Run) -> float:
+    """Return how far a pendulum's angle is from the true one, of its amplitude.
+
+    The period is the complete elliptic integral; within one, Runge and Kutta.
+    """
+    x, y = run.states.position[:, 0].T
+    amplitude = float(np.arctan2(x[0], -y[0]))
+    phase = run.states.t % pendulum_period(1.0, G, amplitude)
+    order = np.argsort(phase)
+    true = np.empty_like(phase)
+    true[order] = solution(_falls, np.array([amplitude, 0.0]), phase[order])[0]
+    apart = np.angle(np.exp(1j * (np.arctan2(x, -y) - true)))
+    return float(np.abs(apart).max() / amplitude)
+
+
+def _falls(y: Array) -> Array:
+    return np.array([y[1], -G * np.sin(y[0])])
+
+
+def double(run: Run) -> float:
+    """Return how far a double pendulum's bobs are from the Euler-Lagrange equations [m]."""
+    start = np.radians(run.level.defaults["angle"])
+    a, b = solution(_double, np.array([start, start, 0.0, 0.0]), run.states.t)[:2]
+    upper = np.stack((np.sin(a), -np.cos(a)), axis=1)
+    lower = upper + 0.8 * np.stack((np.sin(b), -np.cos(b)), axis=1)
+    apart = run.states.position - np.stack((upper, lower), axis=1)
+    return float(np.hypot(apart[..., 0], apart[..., 1]).max())
+
+
+def _double(y: Array) -> Array:
+    """Equal masses on rods of 1 m and 0.8 m.
+
+    2 a'' + l b'' cos(a - b) = -l b'² sin(a - b) - 2 g sin a;
+    l b'' + a'' cos(a - b) = a'² sin(a - b) - g sin b.
+    """
+    a, b, u, w = y
+    c, s, ln = np.cos(a - b), np.sin(a - b), 0.8
+    matrix = np.array([[2.0, ln * c], [c, ln]])
+    right = np.array([-ln * w * w * s - 2 * G * np.sin(a), u * u * s - G * np.sin(b)])
+    return np.concatenate(([u, w], np.linalg.solve(matrix, right)))
+
+
+def damped(run: Run) -> float:
+    """Return how far a damped spring is from its closed form, of its amplitude."""
+    p = run.level.defaults
+    true = 1 + damped_oscillation(run.states.t, 2.0, 50.0, p["c"], p["A"])
+    return float(np.abs(measured(run, "block.position.x") - true).max() / p["A"])
+
+
+def stiff(share: float = 1.99, rate: float = RATE) -> Document:
+    """Return a spring of which ω dt is a given number."""
+    stiffness = (share * rate) ** 2
+    return level(
+        f"A spring at ω dt = {share:g}",
+        "At ω dt = 2 leapfrog's spring would explode; just below it must not.",
+        LAGRANGE,
+        effects={},
+        bodies={"block": disc((1.01, 0), 0.1)},
+        joints={
+            "spring": {
+                "type": "spring",
+                "ends": [[0, 0], "block"],
+                "stiffness": stiffness,
+                "length": 1,
+            }
+        },
+        stepping={"rate": rate},
+        duration=2,
+        checks=[check("block.position.y", 0, 1e-9, "it stays on its line")],
+        view={"center": [0.6, 0], "width": 3},
+    )
+
+
+def swells(run: Run) -> float:
+    """Return how far a spring swings, of its amplitude at the start."""
+    return float(np.abs(measured(run, "block.position.x") - 1).max() / 0.01)
+
+
+def is_told(_scene: Level, duration: float) -> float:
+    """Return how far a spring beyond ω dt = 2 swings, of its start, until it is refused."""
+    far = 0.0
+    try:
+        world = build(make(stiff(2.01)))
+        for _ in range(round(duration * RATE)):
+            far = max(far, abs(float(world.advance().position[0, 0]) - 1) / 0.01)
+    except SimulationError:
+        return far
+    return inf
+
+
+def spinning() -> Document:
+    """Return a rod that spins about a pin at its end, a hundredth of a radian a step."""
+    stick = box((0.5, 0), 1, 0.05, velocity=[0, SPIN / 2], angular_velocity=SPIN)
+    return level(
+        "A spinning rod",
+        "A rod on a pin at its end, with nothing to slow it down.",
+        ROTATION,
+        effects={"rotation": {}},
+        bodies={"rod": stick},
+        joints={"pin": {"type": "pivot", "ends": [{"body": "rod", "at": [-0.5, 0]}, [0, 0]]}},
+        stepping={"rate": RATE},
+        duration=5,
+        checks=[check("rod.angular_velocity", SPIN, 1e-3, "angular velocity")],
+        view={"center": [0, 0], "width": 4},
+    )
+
+
+def loses_spin(run: Run) -> float:
+    """Return what is lost of the spin, of it."""
+    spin = measured(run, "rod.angular_velocity")
+    return float(np.abs(spin / SPIN - 1)[1:].max())
+
+
+def slope() -> Document:
+    """Return a block on an incline of 30° that friction should hold, at 0.6."""
+    angle = pi / 6
+    block = box(_on_slope(0, 0.25), 0.5, 0.5, friction=0.6)
+    corners = [list(_on_slope(x, y)) for x, y in ((-5, 0), (5, 0), (5, -1), (-5, -1))]
+    incline = {"type": "polygon", "vertices": corners}
+    return level(
+        "A block that must not creep",
+        "On 30° friction of 0.6 holds a block: tan 30° = 0.577. It must not creep.",
+        NEWTON,
+        effects=pile(1e-4),
+        bodies={
+            "block": {**block, "angle": angle},
+            "slope": {"type": "static", "shape": incline, "friction": 1},
+        },
+        stepping={"rate": 60},
+        duration=10,
+        checks=[check("block.speed", 0, 1e-9, "it creeps at")],
+        view={"center": [0, 0], "width": 8},
+    )
+
+
+def _on_slope(along: float, out: float) -> tuple[float, float]:
+    """Return a place along an incline of 30° and out of it [m]."""
+    c, s = cos(pi / 6), sin(pi / 6)
+    return along * c - out * s, along * s + out * c
+
+
+LEVELS = {
+    "orbit-of-20-turns": orbit,
+    "pendulum-of-90": lambda: pendulum(90),
+    "pendulum-of-170": lambda: pendulum(170),
+    "spring-at-its-limit": stiff,
+    "spinning-rod": spinning,
+    "no-creep": slope,
+}
+
+
+def cases() -> Iterator[HardCase]:
+    """Yield what should converge."""
+    yield HardCase(
+        name="Kepler's orbit, e = 0.5, 20 turns: energy", family=FAMILY, group="B",
+        level="hard/orbit-of-20-turns", duration=20 * YEAR, quick=3 * YEAR, every_step=True,
+        criterion="leapfrog's energy swings with (ω dt)² and does not drift", figure=energy,
+        bound=1e-4, order=SECOND,
+    )  # fmt: skip
+    for degrees, bound in ((90, 1e-3), (170, 5e-2)):
+        yield HardCase(
+            name=f"a pendulum of {degrees}° for 60 s", family=FAMILY, group="B",
+            level=f"hard/pendulum-of-{degrees}", duration=60, quick=10,
+            criterion="the angle from that of the elliptic integral, of the amplitude; its error "
+            "grows with time and with dt²", figure=swings, bound=bound, order=SECOND,
+        )  # fmt: skip
+    yield HardCase(
+        name="a double pendulum, 3 s", family=FAMILY, group="B", level="lagrange/double-pendulum",
+        criterion="places [m] from those of the Euler-Lagrange equations, by Runge and Kutta",
+        figure=double, bound=1e-2, order=SECOND,
+    )  # fmt: skip
+    for c, about in ((3.0, "damped"), (20.0, "critically damped"), (60.0, "overdamped")):
+        yield HardCase(
+            name=f"a {about} spring", family=FAMILY, group="B", level="energy/damped-spring",
+            parameters={"c": c}, criterion="the closed form, of the amplitude", figure=damped,
+            bound=1e-3, order=SECOND,
+        )  # fmt: skip
+    yield HardCase(
+        name="a spring at ω dt = 1.99", family=FAMILY, group="B", level="hard/spring-at-its-limit",
+        criterion="leapfrog's ellipse: at most 1/√(1 - (ω dt/2)²) times the amplitude",
+        figure=swells, bound=1.01 / np.sqrt(1 - (1.99 / 2) ** 2), duration=60, quick=10,
+        every_step=True,
+    )  # fmt: skip
+    yield HardCase(
+        name="a spring at ω dt = 2.01 is told", family=FAMILY, group="B",
+        level="hard/spring-at-its-limit",
+        criterion="the run must be refused, or stop before the spring swings ten times as far",
+        special=is_told,
+        bound=10,
+        duration=10,
+    )  # fmt: skip
+    yield HardCase(
+        name="a spinning rod: loss of spin", family=FAMILY, group="B", level="hard/spinning-rod",
+        criterion="nothing slows it: off by (ω dt)²/8 at the most, the mean of two chords",
+        figure=loses_spin, bound=1.01 * 0.01**2 / 8, duration=60, quick=10,
+    )  # fmt: skip
+    yield HardCase(
+        name="a block on 30° at 0.6: creep", family=FAMILY, group="B", level="hard/no-creep",
+        criterion="friction holds it: not a micrometre in 10 s", figure=drift, bound=1e-6,
+        duration=10,
+    )  # fmt: skip
+    yield HardCase(
+        name="a double pendulum, a million steps", family=FAMILY, group="C",
+        level="lagrange/double-pendulum", figure=energy, bound=1e-3, duration=1e6 / 3000,
+        quick=10, criterion="chaotic, yet its energy stays, to 1e-3 of the largest kinetic",
+    )  # fmt: skip
+
+
+def frontiers() -> Iterator[Frontier]:
+    """Yield how long a step, and how stiff a spring, may be."""
+    yield Frontier(
+        name="the step of an orbit", family=FAMILY, axis="step", unit="s",
+        scene=lambda dt: orbit(1 / dt), figure=strays, bound=0.01,
+        criterion="a hundredth of the perihelion from Kepler's ellipse after two turns",
+        start=1e-3, end=0.1, duration=2 * YEAR,
+    )  # fmt: skip
+    yield Frontier(
+        name="the step of a pendulum", family=FAMILY, axis="step", unit="s",
+        scene=lambda dt: pendulum(90, 1 / dt), figure=energy, bound=1e-3,
+        criterion="energy to 1e-3 over 10 s", start=1e-3, end=0.2, duration=10,
+    )  # fmt: skip
+    yield Frontier(
+        name="a pendulum far away", family=FAMILY, axis="distance", unit="m",
+        scene=lambda x: pendulum(90, 480, x), figure=energy, bound=1e-3,
+        criterion="energy to 1e-3 over 5 s, wherever the origin is", start=1, end=1e15, duration=5,
+        beyond="exact joints hold to 1e-8 m, which is less than a float resolves at 1e8 m",
+    )  # fmt: skip
+    yield Frontier(
+        name="the stiffness of a spring", family=FAMILY, axis="stiffness", unit="N/m",
+        scene=lambda k: stiff(float(np.sqrt(k)) / RATE), figure=swells, bound=2.0,
+        criterion="it never swings twice as far as at its start", start=1e3, end=1e12, duration=1,
+        beyond="a force law in Python costs a step a hundred times what pymunk's spring in C does, "
+        "so that pymunk may take a hundred steps for one",
+    )  # fmt: skip

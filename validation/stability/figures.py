@@ -1,0 +1,81 @@
+"""What is read off a run: one number, which physics bounds."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.joints import End, Held, points
+from sandbox.model.level import Level, Stepping
+from sandbox.model.shapes import evaluate
+from sandbox.physics.measure import Meter
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.world import World, build
+
+
+class Run(NamedTuple):
+    """What was seen of a run; T instants, the first that of the start."""
+
+    level: Level
+    """with its joints, which pymunk used naively has made its own"""
+    world: World
+    states: Snapshot
+    seconds: float
+    """of the processor, that a second of simulated time took [s]"""
+
+
+def measured(run: Run, quantity: str) -> Array:
+    """Return a quantity at every instant: (T,)."""
+    return Meter(run.world, [quantity])(run.states)[quantity]
+
+
+def dynamic(run: Run) -> Array:
+    """Return which bodies are dynamic: (n,)."""
+    return np.array([body.type == "dynamic" for body in run.level.bodies.values()])
+
+
+def drift(run: Run) -> float:
+    """Return how far any body went from where it started, at the most [m]."""
+    gone = run.states.position - run.states.position[0]
+    return float(np.hypot(gone[..., 0], gone[..., 1])[:, dynamic(run)].max())
+
+
+def energy(run: Run) -> float:
+    """Return how far the energy strayed, of the largest kinetic energy."""
+    total = measured(run, "system.energy")
+    scale = np.abs(measured(run, "system.kinetic_energy")).max()
+    return float(np.abs(total - total[0]).max() / scale)
+
+
+def separation(run: Run) -> float:
+    """Return by how much a rod is too long or short, or a pivot open, at the most [m]."""
+    worst = 0.0
+    for joint in run.level.joints.values():
+        path = points(joint)
+        first, second = _way(path[0], run), _way(path[-1], run)
+        apart = np.abs(second - first)
+        worst = max(worst, float(np.abs(apart - apart[0]).max()))
+    return worst
+
+
+def _way(end: End, run: Run) -> Array:
+    """Return where an end of a joint was at every instant, as x + iy: (T,)."""
+    values = run.level.defaults
+    if not isinstance(end, str | Held):
+        return np.full(run.states.t.shape, complex(*evaluate(end, values)))
+    row = list(run.level.bodies).index(end.body if isinstance(end, Held) else end)
+    x, y = run.states.position[:, row].T
+    if not isinstance(end, Held):
+        return np.asarray(x + 1j * y)
+    turned = complex(*evaluate(end.at, values)) * np.exp(1j * run.states.angle[:, row])
+    return np.asarray(x + 1j * y + turned)
+
+
+def speed(run: Run) -> float:
+    """Return how fast the quickest body ever was [m/s]."""
+    return float(np.hypot(run.states.velocity[..., 0], run.states.velocity[..., 1]).max())
+
+
+def naive_of(level: Level) -> World:
+    """Return the world of a level in which pymunk is used as it comes, at the level's rate."""
+    return build(level, stepping=Stepping(rate=level.stepping.rate, scheme="symplectic-euler"))

@@ -1,0 +1,172 @@
+"""How hard a scene can be made until its bound breaks: for the sandbox, and for pymunk alone.
+
+pymunk gets what the sandbox's step costs at the same difficulty, and takes as many steps for it as
+it can. Both are timed on the same machine, one after the other.
+"""
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from math import inf, isnan, nan, sqrt
+from time import process_time
+
+import numpy as np
+
+from sandbox.model.level import Level
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.world import World, build
+from validation.stability.case import Frontier, figure_of, make, watch
+from validation.stability.figures import Run
+from validation.stability.naive import naive
+
+MOST = 100_000.0
+"""Hz, the highest rate of a level."""
+
+GALLOPS = 7
+"""In how many leaps the search goes from the least difficulty to the greatest."""
+
+CLOSE = 1.08
+"""The ratio of a difficulty that breaks to one that holds at which the search ends."""
+
+BLOCKS = 16
+"""Of ten steps each, that are timed."""
+
+QUICK_TIME = 20.0
+"""s, of a run that lasts as long as it holds, in a quick run."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """Where a frontier lies.
+
+    Attributes
+    ----------
+    difficulty
+        The greatest that holds; 0 if not even the least does.
+    figure
+        That of the run there.
+    cost
+        What a second of simulated time costs there [s].
+    rate
+        Of the steps there [Hz].
+    """
+
+    difficulty: float
+    figure: float
+    cost: float
+    rate: float
+
+
+def reach(frontier: Frontier, *, alone: bool = False) -> Reach:
+    """Search for a frontier.
+
+    Parameters
+    ----------
+    frontier
+        What is made harder.
+    alone
+        Whether pymunk does everything by itself, at the sandbox's cost.
+    """
+    if frontier.over_time:
+        return _lasts(frontier, alone=alone)
+    found: dict[float, Reach] = {}
+
+    def holds(difficulty: float) -> bool:
+        found[difficulty] = trial(frontier, difficulty, alone=alone)
+        return found[difficulty].figure <= frontier.bound
+
+    best = furthest(holds, frontier.start, frontier.end, whole=frontier.whole)
+    return found[best] if best else replace(found[frontier.start], difficulty=0.0)
+
+
+def furthest(
+    holds: Callable[[float], bool], start: float, end: float, *, whole: bool = False
+) -> float:
+    """Return the greatest difficulty that holds, before the first that was seen not to; 0 if none.
+
+    Leaps of equal ratios lead outwards until one fails; the gap before it is then halved, again as
+    a ratio, until it is below `CLOSE`, or 1 if difficulties are whole numbers.
+    """
+    if not holds(start):
+        return 0.0
+    good, bad = start, inf
+    for ahead in _leaps(start, end, whole=whole):
+        if not holds(ahead):
+            bad = ahead
+            break
+        good = ahead
+    while bad < inf and ((bad - good > 1) if whole else (bad / good > CLOSE)):
+        middle = float((good + bad) // 2) if whole else sqrt(good * bad)
+        good, bad = (middle, bad) if holds(middle) else (good, middle)
+    return good
+
+
+def _leaps(start: float, end: float, *, whole: bool) -> list[float]:
+    """Return difficulties beyond the least, in equal ratios, up to the greatest."""
+    ways = [start * (end / start) ** (i / GALLOPS) for i in range(1, GALLOPS)]
+    ahead = {float(round(way)) for way in ways} - {start} if whole else set(ways)
+    return sorted({*ahead, end})
+
+
+def trial(frontier: Frontier, difficulty: float, *, alone: bool = False) -> Reach:
+    """Run a scene at a difficulty."""
+    level = make(frontier.scene(difficulty))
+    world, rate, cost = _entrant(frontier, level, alone=alone)
+    figure, _, _ = figure_of(frontier.figure, lambda: watch(level, world(), frontier.duration))
+    return Reach(difficulty, figure, cost, rate)
+
+
+def _entrant(
+    frontier: Frontier, level: Level, *, alone: bool
+) -> tuple[Callable[[], World], float, float]:
+    """Return what makes the world, its rate [Hz], and what a simulated second costs [s]."""
+    rate = level.stepping.rate
+    price = step_cost(lambda: build(level))
+    if isnan(price):  # refused at once: the easiest scene sets the budget
+        price = step_cost(lambda: build(make(frontier.scene(frontier.start))))
+    if not alone:
+        return lambda: build(level), rate, price * rate
+    at_same_rate = step_cost(lambda: naive(level, rate))
+    steps = min(rate * price / at_same_rate, MOST)
+    return lambda: naive(level, steps), steps, at_same_rate * steps
+
+
+def step_cost(start: Callable[[], World]) -> float:
+    """Return what a step costs [s]: of blocks of ten steps the lower quartile.
+
+    A run that has to stop is timed as far as it goes; it costs NaN if that is not far.
+    """
+    blocks = []
+    with suppress(SimulationError):
+        world = start()
+        for _ in range(BLOCKS):
+            begin = process_time()
+            for _ in range(10):
+                world.step()
+            blocks.append(process_time() - begin)
+    return float(np.quantile(blocks, 0.25) / 10) if blocks else nan
+
+
+def _lasts(frontier: Frontier, *, alone: bool) -> Reach:
+    """Return until when the bound holds."""
+    level = make(frontier.scene(frontier.end))
+    world, rate, cost = _entrant(frontier, level, alone=alone)
+    _, run, _ = figure_of(frontier.figure, lambda: watch(level, world(), frontier.end))
+    if run is None:
+        return Reach(0.0, inf, cost, rate)
+    low, high = 1, len(run.states.t)
+    while high - low > 1:
+        middle = (low + high) // 2
+        good = frontier.figure(_until(run, middle)) <= frontier.bound
+        low, high = (middle, high) if good else (low, middle)
+    whole = frontier.figure(run) <= frontier.bound
+    last = len(run.states.t) if whole else low
+    figure = frontier.figure(_until(run, last))
+    return Reach(frontier.end if whole else float(run.states.t[last - 1]), figure, cost, rate)
+
+
+def _until(run: Run, count: int) -> Run:
+    """Return the first instants of a run."""
+    states = {name: getattr(run.states, name)[:count] for name in Snapshot.__dataclass_fields__}
+    return run._replace(states=Snapshot(**states))

@@ -1,0 +1,22 @@
+"""The hard cases as levels: `python -m validation.stability.levels` writes `levels/hard` anew."""
+
+from sandbox.model.catalog import root
+from sandbox.model.files import write_atomically
+from sandbox.model.loading import parse
+from validation.stability.families import all_levels
+from validation.stability.scene import text
+
+FOLDER = root() / "hard"
+
+
+def write() -> None:
+    """Write every level, once it was seen to be well formed."""
+    FOLDER.mkdir(exist_ok=True)
+    for name, make in all_levels().items():
+        said = text(make())
+        parse(said, name)
+        write_atomically(FOLDER / f"{name}.json", said)
+
+
+if __name__ == "__main__":
+    write()

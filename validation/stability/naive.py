@@ -1,0 +1,60 @@
+"""pymunk as it comes, on the scene of a level: its own stepping, settings and joints."""
+
+import pymunk
+
+from sandbox.model.expressions import Values
+from sandbox.model.joints import End, Held, Joint, Pivot, Rod, Rope, Spring, points
+from sandbox.model.level import Level, Stepping, span
+from sandbox.model.shapes import evaluate
+from sandbox.physics.world import World, build
+
+Ends = tuple[pymunk.Body, pymunk.Body, tuple[float, float], tuple[float, float]]
+
+
+def naive(level: Level, rate: float, iterations: int = 10) -> World:
+    """Return a world in which pymunk does everything by itself.
+
+    Parameters
+    ----------
+    level
+        The scene, of which every joint must be one that pymunk has.
+    rate
+        Hz.
+    iterations
+        Of pymunk's solver; 10 is its default.
+    """
+    stepping = Stepping(rate=rate, iterations=iterations, scheme="symplectic-euler")
+    world = build(level.model_copy(update={"joints": {}}), stepping=stepping)
+    for joint in level.joints.values():
+        world.scene.space.add(_joint(joint, level, world))
+    return world
+
+
+def _joint(joint: Joint, level: Level, world: World) -> pymunk.Constraint:
+    values = level.defaults
+    first, *_, second = points(joint)
+    a, b = _body(first, world), _body(second, world)
+    at_a, at_b = _anchor(first, values), _anchor(second, values)
+    match joint:
+        case Rod():
+            return pymunk.PinJoint(a, b, at_a, at_b)
+        case Pivot():
+            return pymunk.PivotJoint(a, b, at_a, at_b)
+        case Rope(length=length):
+            most = length(values) if length else span(joint, level.bodies, values)
+            return pymunk.SlideJoint(a, b, at_a, at_b, 0, most)
+        case Spring(length=length, stiffness=stiffness, damping=damping):
+            slack = length(values) if length else span(joint, level.bodies, values)
+            return pymunk.DampedSpring(a, b, at_a, at_b, slack, stiffness(values), damping(values))
+    raise TypeError(f"pymunk has no {joint.type}")
+
+
+def _body(end: End, world: World) -> pymunk.Body:
+    name = end.body if isinstance(end, Held) else end
+    return world.scene.bodies[name] if isinstance(name, str) else world.scene.space.static_body
+
+
+def _anchor(end: End, values: Values) -> tuple[float, float]:
+    if isinstance(end, Held):
+        return evaluate(end.at, values)
+    return (0.0, 0.0) if isinstance(end, str) else evaluate(end, values)

@@ -1,0 +1,181 @@
+"""Cases and frontiers, run in as many processes as there are cores."""
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass, replace
+from math import inf, log2, nan
+from multiprocessing import get_context
+from time import perf_counter
+
+import numpy as np
+
+from sandbox.model.catalog import find
+from sandbox.model.level import Level
+from sandbox.model.loading import choose, load
+from sandbox.physics.world import build
+from validation.stability.case import Frontier, HardCase, figure_of, make, watch
+from validation.stability.families import all_cases, all_frontiers
+from validation.stability.figures import Run
+from validation.stability.frontier import QUICK_TIME, reach, trial
+from validation.stability.history import last, moved_inward, read
+
+HALVINGS = 2
+"""How often the step is halved, down to the level's own, to see by which power the error falls."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a case or a frontier came out.
+
+    Attributes
+    ----------
+    name, family, group, criterion, bound, beyond
+        As in the case; a frontier has no group.
+    passed
+        Whether the figure is within its bound; of a frontier, whether it has not moved inward.
+    figure
+        What was read off the run; of a frontier that of the hardest run that held.
+    cost
+        What a second of simulated time took of a processor [s].
+    order
+        The power of the step by which the figure falls, if the case claims one.
+    axis, unit
+        What makes a frontier harder.
+    frontier, naive_frontier
+        The greatest difficulty that holds, here and for pymunk alone at the same cost.
+    previous
+        Where the frontier lay when it was last written down.
+    rate, naive_rate
+        Of the steps at the two frontiers [Hz].
+    naive_cost
+        As `cost`, of pymunk alone [s].
+    seconds
+        How long all of this took [s].
+    failure
+        Why a run stopped, if it did.
+    """
+
+    name: str
+    family: str
+    group: str
+    criterion: str
+    bound: float
+    beyond: str | None
+    passed: bool
+    figure: float
+    cost: float = nan
+    order: float | None = None
+    axis: str | None = None
+    unit: str | None = None
+    frontier: float | None = None
+    naive_frontier: float | None = None
+    previous: float | None = None
+    rate: float | None = None
+    naive_rate: float | None = None
+    naive_cost: float | None = None
+    seconds: float = 0.0
+    failure: str = ""
+
+
+def outcomes(*, quick: bool) -> Iterator[Outcome]:
+    """Yield the outcomes of all cases and frontiers as they come in."""
+    cases = [case.name for case in all_cases()]
+    frontiers = [frontier.name for frontier in all_frontiers()]
+    workers = os.cpu_count() or 1
+    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        work = [pool.submit(run_frontier, name, quick=quick) for name in frontiers]
+        work += [pool.submit(run_case, name, quick=quick) for name in cases]
+        for done in as_completed(work):
+            yield done.result()
+
+
+def run_case(name: str, *, quick: bool) -> Outcome:
+    """Run a case."""
+    case = next(case for case in all_cases() if case.name == name)
+    begin = perf_counter()
+    level = scene(case)
+    duration = (case.quick if quick else None) or case.duration or level.duration(level.defaults)
+    order = None
+    if case.special:
+        figure, run, failure = case.special(level, duration), None, ""
+    else:
+        figure, run, failure = _figure(case, level, duration)
+        if case.order is not None and np.isfinite(figure):
+            order = _order(case, level, duration, figure)
+    passed = figure <= case.bound and (case.order is None or (order or 0) >= case.order)
+    return Outcome(
+        case.name, case.family, case.group, case.criterion, case.bound, case.beyond, passed, figure,
+        cost=run.seconds if run else nan, order=order, seconds=perf_counter() - begin,
+        failure=failure,
+    )  # fmt: skip
+
+
+def scene(case: HardCase) -> Level:
+    """Return the level of a case, its parameters chosen."""
+    level = make(case.scene) if case.scene else load(find(case.level))
+    values = choose(level, case.parameters)
+    parameters = {
+        name: parameter.model_copy(update={"value": values[name]})
+        for name, parameter in level.parameters.items()
+    }
+    return level.model_copy(update={"parameters": parameters})
+
+
+def _figure(
+    case: HardCase, level: Level, duration: float, coarser: float = 1.0
+) -> tuple[float, Run | None, str]:
+    """Return the figure of a run whose step is so many times as long, the run, and a failure."""
+    assert case.figure
+    rate = (case.rate or level.stepping.rate) / coarser
+    stepping = level.stepping.model_copy(update={"rate": rate})
+
+    def run() -> Run:
+        world = build(level, stepping=stepping)
+        return watch(level, world, duration, every_step=case.every_step)
+
+    return figure_of(case.figure, run)
+
+
+def _order(case: HardCase, level: Level, duration: float, figure: float) -> float:
+    """Return the slope of the figure over the step, both logarithmic."""
+    coarser = [_figure(case, level, duration, 2**i)[0] for i in range(1, HALVINGS + 1)]
+    figures = [figure, *coarser]
+    if not all(0 < f < inf for f in figures):
+        return 0.0
+    return float(np.polyfit(range(len(figures)), [log2(f) for f in figures], 1)[0])
+
+
+def run_frontier(name: str, *, quick: bool) -> Outcome:
+    """Search for a frontier; in a quick run, see whether it still lies where it did."""
+    frontier = next(frontier for frontier in all_frontiers() if frontier.name == name)
+    before = last(read(), name)
+    begin = perf_counter()
+    if quick and before:
+        return _still_there(frontier, before["figure"], before["naive"], begin)
+    here, alone = reach(frontier), reach(frontier, alone=True)
+    passed = here.difficulty > 0 and not moved_inward(here.difficulty, before, frontier.tolerance)
+    return Outcome(
+        frontier.name, frontier.family, "", frontier.criterion, frontier.bound, frontier.beyond,
+        passed, here.figure, cost=here.cost, axis=frontier.axis, unit=frontier.unit,
+        frontier=here.difficulty, naive_frontier=alone.difficulty,
+        previous=before["figure"] if before else None, rate=here.rate, naive_rate=alone.rate,
+        naive_cost=alone.cost, seconds=perf_counter() - begin,
+    )  # fmt: skip
+
+
+def _still_there(frontier: Frontier, before: float, naive: float, begin: float) -> Outcome:
+    """Try a frontier once, further in by its tolerance than where it was."""
+    inside = before / frontier.tolerance
+    if frontier.whole:
+        inside = max(float(int(inside)), frontier.start)
+    if frontier.over_time:
+        inside = min(inside, QUICK_TIME)
+        frontier = replace(frontier, duration=inside)
+    tried = trial(frontier, inside)
+    return Outcome(
+        frontier.name, frontier.family, "", frontier.criterion, frontier.bound, frontier.beyond,
+        tried.figure <= frontier.bound, tried.figure, cost=tried.cost, axis=frontier.axis,
+        unit=frontier.unit, frontier=before, naive_frontier=naive, previous=before,
+        rate=tried.rate, seconds=perf_counter() - begin,
+    )  # fmt: skip

@@ -1,0 +1,105 @@
+"""Parts of which the hard cases' levels are made, as they stand in a file."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+Document = dict[str, Any]
+"""A level, or a part of one, as it stands in its file."""
+
+Place = Sequence[float]
+"""[x, y] in m."""
+
+G = 9.81  # m/s²
+GRAVITY: Document = {"gravity": {"acceleration": [0, -G]}}
+
+SLOP = 0.01
+"""The overlap that is left alone in a pile, of the size of its bodies: what is taken back pushes,
+and what pushes rocks the pile. pymunk's own, 0.1, was made for pixels."""
+
+WATCHED = 4000
+"""Steps that a level of a high rate lasts: seconds of computing, in the app and in the tour."""
+
+NEWTON = "4. Newton's laws: gravity, friction and the normal force"
+MOMENTUM = "7. Momentum, impulse, and collisions: elastic vs inelastic collisions"
+ROTATION = "8. Rotational dynamics: torque and moment of inertia"
+LAGRANGE = "9. Lagrangian mechanics: constraints and pendulums"
+
+
+def pile(size: float) -> Document:
+    """Return the effects of bodies of a size [m] that lie on each other."""
+    return {**GRAVITY, "contact": {"slop": SLOP * size}, "friction": {}, "rotation": {}}
+
+
+def text_of(number: float) -> str:
+    """Return a large number as people write it."""
+    return f"{number:,.0f}"
+
+
+def box(place: Place, width: float, height: float, mass: float = 1.0, **rest: object) -> Document:
+    """Return a dynamic box; m and kg."""
+    shape = {"type": "box", "width": width, "height": height}
+    return {"shape": shape, "mass": mass, "position": rounded(place), **rest}
+
+
+def disc(place: Place, radius: float, mass: float = 1.0, **rest: object) -> Document:
+    """Return a dynamic disc; m and kg."""
+    shape = {"type": "disc", "radius": radius}
+    return {"shape": shape, "mass": mass, "position": rounded(place), **rest}
+
+
+def line(*points: Place, **rest: object) -> Document:
+    """Return static, straight lines through points [m]."""
+    shape = {"type": "polyline", "points": [rounded(point) for point in points]}
+    return {"type": "static", "shape": shape, **rest}
+
+
+def block(place: Place, width: float, height: float, **rest: object) -> Document:
+    """Return a static box; m."""
+    shape = {"type": "box", "width": width, "height": height}
+    return {"type": "static", "shape": shape, "position": rounded(place), **rest}
+
+
+def ground(half: float, friction: float = 0.6, **rest: object) -> Document:
+    """Return a static floor, its surface at y = 0, that reaches so far to either side [m]."""
+    return block((0, -0.5), 2 * half, 1, friction=friction, **rest)
+
+
+def rod(first: object, second: object) -> Document:
+    """Return a rod between two ends."""
+    return {"type": "rod", "ends": [first, second]}
+
+
+def rounded(place: Place) -> list[float]:
+    """Return coordinates in as many digits as a reader can use [m]."""
+    return [round(float(x), 12) for x in place]
+
+
+def check(
+    quantity: str, value: float | str, tolerance: float, label: str, **rest: object
+) -> Document:
+    """Return a check of a level."""
+    return {
+        "label": label, "quantity": quantity, "formula": value, "tolerance": tolerance, **rest
+    }  # fmt: skip
+
+
+def level(title: str, summary: str, reference: str, **parts: object) -> Document:
+    """Return a level of the format's first version."""
+    head = {"format": 1, "title": title, "summary": summary, "reference": reference}
+    return {"$schema": "../level.schema.json", **head, **parts}
+
+
+def text(document: Mapping[str, Any]) -> str:
+    """Return a level as JSON, with a line for each body, joint and check."""
+    parts = []
+    for key, value in document.items():
+        said = json.dumps(value, ensure_ascii=False)
+        if key in ("bodies", "joints"):
+            lines = [f"    {json.dumps(name)}: {json.dumps(part)}" for name, part in value.items()]
+            said = "{\n" + ",\n".join(lines) + "\n  }"
+        elif key == "checks":
+            lines = [f"    {json.dumps(part, ensure_ascii=False)}" for part in value]
+            said = "[\n" + ",\n".join(lines) + "\n  ]"
+        parts.append(f"  {json.dumps(key)}: {said}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
