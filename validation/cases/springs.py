@@ -78,7 +78,7 @@ def _alone() -> Iterator[Case]:
         ("energy/damped-spring", {"c": 3.0}, 3.0, 2e-4, 1e-3),
         ("energy/damped-spring", {"c": 20.0}, 20.0, 2e-4, 4e-4),
         ("energy/damped-spring", {"c": 58.0}, 58.0, 1e-4, 1e-4),
-        ("energy/critical-damping", {}, 2 * 20**0.5, 2e-4, 4e-4),
+        ("energy/critical-damping", {}, 2 * 20**0.5, 5e-5, 2e-4),
     )
     for level, parameters, damping, tolerance, naive in levels:
         yield Case(
