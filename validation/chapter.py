@@ -146,7 +146,7 @@ PARTS = (
     Part(
         MOMENTUM,
         "Newton's cradle",
-        ("momentum/cradle-on-a-line", "momentum/billiard-break"),
+        ("momentum/cradle", "momentum/cradle-on-a-line", "momentum/billiard-break"),
     ),
     Part(MOMENTUM, "between elastic and not", ("momentum/restitution", "momentum/bouncing-ball")),
     Part(MOMENTUM, "perfectly inelastic", ("momentum/inelastic", "momentum/sticking")),

@@ -154,3 +154,16 @@ def test_a_bead_on_a_hoop_swings_about_its_rest(rate: float, expected: float) ->
     found = lagrange.hoop_frequency(1.0, rate, 9.81, 1e-4)
 
     assert found**2 == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_double_pendulum_swings_in_its_modes_if_it_swings_little() -> None:
+    """Equal masses and rods: ω² = (2 ∓ √2) g / l, with the lower angle ±√2 times the upper one."""
+    t = np.linspace(0, 2, 21)
+    for sign in (1, -1):
+        start = 1e-4, sign * 2**0.5 * 1e-4
+        swing = np.cos(np.sqrt((2 - sign * 2**0.5) * 9.81) * t)
+
+        theta, phi = lagrange.double_pendulum(t, (1.0, 1.0), (1.0, 1.0), 9.81, start)
+
+        assert theta == pytest.approx(start[0] * swing, abs=1e-10)
+        assert phi == pytest.approx(start[1] * swing, abs=1e-10)

@@ -1,14 +1,22 @@
-"""Balls that touch: a cradle and a break at billiards."""
+"""Balls that touch: cradles and a break at billiards."""
 
 from collections.abc import Iterator
 
-from sandbox.model.expressions import Expression
+import numpy as np
+
+from sandbox.model.expressions import Expression, Values
 from validation.case import Case, Choices, Parameters
 from validation.formulas import energy, momentum
 
 COUNT = 5
 BALL = 0.17  # kg, of billiards
 LINE: Choices = ({}, {"n": 1.0}, {"n": 3.0, "v": 3.0, "m": 10.0}, {"n": 4.0, "v": 0.5, "m": 0.1})
+HUNG: Choices = (
+    {},
+    {"n": 2.0, "angle": 10.0},
+    {"n": 3.0, "angle": 45.0, "L": 0.8},
+    {"n": 4.0, "g": 5.0},
+)
 BREAKS: Choices = ({}, {"v": 5.0, "offset": -2.0}, {"v": 1.0, "offset": 0.0})
 SWAPPED = "the fastest pair collides first, and equal masses swap velocities: to rounding"
 
@@ -17,6 +25,8 @@ def cases() -> Iterator[Case]:
     """Yield the cases of balls that touch."""
     for parameters in LINE:
         yield from _on_a_line(parameters)
+    for parameters in HUNG:
+        yield from _hung(parameters)
     for parameters in BREAKS:
         yield from _break(parameters)
 
@@ -47,6 +57,36 @@ def _on_a_line(parameters: Parameters) -> Iterator[Case]:
         tolerance=1e-14,
         because=SWAPPED,
     )
+
+
+def _hung(parameters: Parameters) -> Iterator[Case]:
+    level = "momentum/cradle"
+    yield Case(
+        name="cradle: energy at every step",
+        level=level,
+        parameters=parameters,
+        quantity="system.energy",
+        expected=lambda p, _: int(p["n"]) * _lifted(p),
+        tolerance=1e-4,
+        because="leapfrog's swing, and each impact on rods cuts a step in two: second order",
+        naive_misses=1e-3,
+    )
+    yield Case(
+        name="cradle: all the energy of a ball is in the last",
+        level=level,
+        parameters=parameters,
+        quantity="ball5.energy",
+        at=Expression("pi*sqrt(L/g)"),
+        expected=lambda p, _: _lifted(p),
+        tolerance=1e-4,
+        because="the impacts come at their own time, the fastest pair first",
+        naive_misses=1e-4 if parameters else 1e-2,
+    )
+
+
+def _lifted(p: Values) -> float:
+    """Return the energy of a ball that was drawn aside [J]."""
+    return p["g"] * p["L"] * float(1 - np.cos(np.radians(p["angle"])))
 
 
 def _break(parameters: Parameters) -> Iterator[Case]:

@@ -31,6 +31,7 @@ def cases() -> Iterator[Case]:
         because="leapfrog's energy swings by (ω dt)² of its scale, and does not drift",
         naive_misses=5e-4,
     )
+    yield from _double()
     yield Case(
         name="spring pendulum: energy at every step",
         level="energy/spring-pendulum",
@@ -41,6 +42,27 @@ def cases() -> Iterator[Case]:
         naive_misses=5e-4,
         because="as for the double pendulum",
     )
+
+
+def _double() -> Iterator[Case]:
+    """Yield the place of the lower bob: the level ends before a small error grows large."""
+    starts: tuple[Parameters, ...] = (
+        {},
+        {"m": 0.5, "angle": 100.0},
+        {"m": 2.0, "angle": 150.0},
+    )
+    for parameters in starts:
+        yield Case(
+            name="double pendulum: place of the lower bob before chaos",
+            level="lagrange/double-pendulum",
+            parameters=parameters,
+            quantity="lower.position.x",
+            expected=_lower,
+            tolerance=1e-4,
+            order=SECOND_ORDER,
+            because=SECOND,
+            naive_misses=1e-4,
+        )
 
 
 def _simple() -> Iterator[Case]:
@@ -155,6 +177,13 @@ def _cart(p: Values, t: Array) -> Array:
 
 def _amplitude(p: Values) -> float:
     return float(np.radians(p["angle"]))
+
+
+def _lower(p: Values, t: Array) -> Array:
+    """Return where the lower bob of the double pendulum is, across [m]."""
+    start = _amplitude(p), _amplitude(p)
+    theta, phi = lagrange.double_pendulum(t, (1.0, p["m"]), (1.0, 0.8), 9.81, start)
+    return np.asarray(np.sin(theta) + 0.8 * np.sin(phi))
 
 
 def _double_energy(p: Values) -> float:

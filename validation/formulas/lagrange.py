@@ -56,6 +56,38 @@ def cart_pendulum(
     return bob * length / (cart + bob) * (np.sin(angle) - np.sin(theta)), theta
 
 
+def double_pendulum(
+    t: ArrayLike,
+    masses: tuple[float, float],
+    lengths: tuple[float, float],
+    g: float,
+    angles: tuple[float, float],
+) -> Array:
+    """Return the angles of two rods from straight down, let go at rest [rad]: (2, ...).
+
+    L = (m + M) l² θ'² / 2 + M h² φ'² / 2 + M l h θ' φ' cos(θ − φ) + (m + M) g l cos θ
+    + M g h cos φ, with M and h the lower mass and rod. Lagrange's two equations are linear in the
+    accelerations: A (θ'', φ'') = b. Solved by Runge and Kutta.
+    """
+    (upper, lower), (first, second) = masses, lengths
+    both = upper + lower
+
+    def slope(y: Array) -> Array:
+        theta, phi, omega, spin = y
+        cross = lower * first * second
+        s, c = np.sin(theta - phi), np.cos(theta - phi)
+        matrix = np.array([[both * first**2, cross * c], [cross * c, lower * second**2]])
+        pulls = np.array(
+            [
+                -cross * s * spin**2 - both * g * first * np.sin(theta),
+                cross * s * omega**2 - lower * g * second * np.sin(phi),
+            ]
+        )
+        return np.concatenate(([omega, spin], np.linalg.solve(matrix, pulls)))
+
+    return solution(slope, np.array([*angles, 0.0, 0.0]), t)[:2]
+
+
 def cart_pendulum_frequency(cart: float, bob: float, length: float, g: float) -> float:
     """Return how fast a pendulum on a free cart swings if it swings little [rad/s].
 
