@@ -6,7 +6,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import CrossingEvent
-from validation.case import SECOND_ORDER, Case, Parameters
+from validation.case import SECOND_ORDER, Case, Choices, Parameters
 from validation.formulas import lagrange
 
 LOWEST = CrossingEvent(event="crossing", quantity="bob.position.x", direction="down")
@@ -14,6 +14,8 @@ UPRIGHT = CrossingEvent(
     event="crossing", quantity="stick.angle", value=Expression("-pi/2"), direction="down"
 )
 SECOND = "second order: (ω dt)² / 24 for small swings, some tenfold for large ones"
+
+SPRUNG: Choices = ({}, {"k": 20.0, "angle": 60.0}, {"k": 100.0, "angle": 60.0})
 
 
 def cases() -> Iterator[Case]:
@@ -42,6 +44,18 @@ def cases() -> Iterator[Case]:
         naive_misses=5e-4,
         because="as for the double pendulum",
     )
+    for parameters in SPRUNG:
+        yield Case(
+            name="spring pendulum: place of the bob at every step",
+            level="energy/spring-pendulum",
+            parameters=parameters,
+            quantity="bob.position.x",
+            expected=_sprung,
+            tolerance=1e-4,
+            order=SECOND_ORDER,
+            because=SECOND,
+            naive_misses=2e-4,
+        )
 
 
 def _double() -> Iterator[Case]:
@@ -184,6 +198,12 @@ def _lower(p: Values, t: Array) -> Array:
     start = _amplitude(p), _amplitude(p)
     theta, phi = lagrange.double_pendulum(t, (1.0, p["m"]), (1.0, 0.8), 9.81, start)
     return np.asarray(np.sin(theta) + 0.8 * np.sin(phi))
+
+
+def _sprung(p: Values, t: Array) -> Array:
+    """Return where the bob of the spring pendulum is, across [m]."""
+    r, theta = lagrange.spring_pendulum(t, 1.0, p["k"], 1.0, 9.81, _amplitude(p))
+    return np.asarray(r * np.sin(theta))
 
 
 def _double_energy(p: Values) -> float:

@@ -88,6 +88,22 @@ def double_pendulum(
     return solution(slope, np.array([*angles, 0.0, 0.0]), t)[:2]
 
 
+def spring_pendulum(
+    t: ArrayLike, mass: float, stiffness: float, slack: float, g: float, angle: float
+) -> Array:
+    """Return length [m] and angle [rad] of a spring that swings, from rest and slack: (2, ...).
+
+    L = m (r'² + r² θ'²) / 2 − k (r − l)² / 2 + m g r cos θ. Solved by Runge and Kutta.
+    """
+
+    def slope(y: Array) -> Array:
+        r, theta, speed, omega = y
+        out = r * omega**2 + g * np.cos(theta) - stiffness / mass * (r - slack)
+        return np.array([speed, omega, out, -(g * np.sin(theta) + 2 * speed * omega) / r])
+
+    return solution(slope, np.array([slack, angle, 0.0, 0.0]), t)[:2]
+
+
 def cart_pendulum_frequency(cart: float, bob: float, length: float, g: float) -> float:
     """Return how fast a pendulum on a free cart swings if it swings little [rad/s].
 
