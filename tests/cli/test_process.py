@@ -94,7 +94,14 @@ def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Pa
     """With an attraction, most of the time passes in callbacks, where an exception is lost."""
     path = write(
         effects={"attraction": [{"mu": "g"}]},
-        bodies={"ball": {"shape": {"type": "disc", "radius": 1}, "mass": 1, "position": [5, 0]}},
+        bodies={
+            "ball": {
+                "shape": {"type": "disc", "radius": 1},
+                "mass": 1,
+                "position": [5, 0],
+                "velocity": [0, "sqrt(g/5)"],
+            }
+        },
         checks=[],
     )
     endless = ["simulate", path, "--duration", "1e6", "--output", tmp_path / "out.csv"]

@@ -11,6 +11,7 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 """
 
 from collections.abc import Sequence
+from copy import copy
 
 import numpy as np
 from numpy.typing import NDArray
@@ -327,7 +328,10 @@ class ExactJoints:
     def parting(self) -> tuple[str, float]:
         """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
         place, _ = self._coordinates()
-        off = self._look(place).total - self._length
+        total = self._reaches.look(place).total
+        for row, equation in self._others:
+            total[row], _ = copy(equation).look(place)  # who only looks leaves no trace
+        off = total - self._length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
         off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more
         if not len(off):
