@@ -50,8 +50,26 @@ def cases() -> Iterator[Case]:
                 because="second order, as the speed",
                 naive_misses=1.5e-4,
             )
+    yield from _side_by_side()
     yield from _cycloids()
     yield from _hoops()
+
+
+def _side_by_side() -> Iterator[Case]:
+    for parameters in FALLS:
+        for ball in ("straight", "curved", "zigzag", "wave"):
+            bowl = CrossingEvent(event="crossing", quantity="curved.position.x", direction="up")
+            yield Case(
+                name=f"four slides: speed at the bottom, {ball}",
+                level="energy/four-slides",
+                parameters=parameters,
+                quantity=f"{ball}.speed",
+                expected=lambda p, _: energy.landing_speed(0, p["g"], p["height"]),
+                at=bowl if ball == "curved" else LandingEvent(event="landing", body=ball),
+                tolerance=1e-5,
+                because="as each slide by itself",
+                naive_misses=None if ball == "curved" else 1e-4,
+            )
 
 
 def _descent(level: str, p: Values, _: Array) -> float:
@@ -75,7 +93,7 @@ def _cycloids() -> Iterator[Case]:
     for parameters in CYCLOIDS:
         for bead, share in (("high", 1.0), ("middle", 0.6), ("low", 0.3)):
             yield Case(
-                name="bead on a cycloid: its height at every step",
+                name=f"bead on a cycloid: height of the {bead} one at every step",
                 level="lagrange/bead-on-a-wire",
                 parameters=parameters,
                 quantity=f"{bead}.position.y",
