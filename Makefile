@@ -21,7 +21,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test lint check-levels pytest validate report format docs clean
+.PHONY: help run test lint check-levels pytest validate quick report format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -41,10 +41,14 @@ check-levels: $(FOR_TEST) ## is every level well formed
 	$(HEADLESS) $(PY) -m sandbox check levels/*/*.json
 
 pytest: $(FOR_TEST) ## the tests
-	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist loadgroup
+	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal
 
 validate: $(FOR_TEST) ## every case against its closed form
 	$(HEADLESS) $(PY) -m validation run
+
+quick: $(FOR_TEST) ## hard cases and costs in short: do frontiers lie where they did, do levels run
+	$(HEADLESS) $(PY) -m validation stability --quick
+	$(HEADLESS) $(PY) -m validation cost --quick
 
 report: $(FOR_TEST) ## all of the validation as one page, out/report/report.html: some minutes
 	$(HEADLESS) $(PY) -m validation report --output out/report

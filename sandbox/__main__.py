@@ -1,11 +1,12 @@
 """The command line: `python -m sandbox`, and the console script `mechanics-sandbox`."""
 
-from sandbox import interrupts
+from sandbox import interrupts, threads
 
 
 def main() -> None:
     """Run the command line, and leave the process with its exit status."""
     interrupts.install()
+    threads.spare()
     from sandbox.cli.main import main as run  # that takes a while, and may be interrupted, too
 
     run()

@@ -1,11 +1,12 @@
 """`python -m validation`."""
 
-from sandbox import interrupts
+from sandbox import interrupts, threads
 
 
 def main() -> None:
     """Run the command line, and leave the process with its exit status."""
     interrupts.install()
+    threads.spare()
     from validation.cli import app  # that takes a while, and may be interrupted, too
 
     app()

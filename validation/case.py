@@ -1,21 +1,25 @@
 """What a validation case is, and how one is run."""
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cache, cached_property, partial
+from math import inf, nan
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from sandbox.model.catalog import find
 from sandbox.model.expressions import Array, Values
+from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
+from sandbox.model.parts import names_in
 from sandbox.model.quantities import quantity
 from sandbox.physics.checks import relative_error, samples
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.timing import STEPS, Step, step_seconds
-from sandbox.physics.trace import Trace, count_steps, needed_at, simulate
+from sandbox.physics.timing import step_costs
+from sandbox.physics.trace import Trace, needed_at, simulate
 from sandbox.physics.world import build
 
 Expected = Callable[[Values, Array], ArrayLike]
@@ -29,8 +33,29 @@ Choices = tuple[Parameters, ...]
 SECOND_ORDER = 1.9
 """The power of the step by which an error of second order is seen to fall, at the least."""
 
+FOURTH_ORDER = 3.8
+"""The same of fourth order."""
+
 HALVINGS = 3
 """How often the step is halved, down to the level's own, to see by which power the error falls."""
+
+
+@cache
+def textbook(name: str) -> Level:
+    """Return a level of the catalog: it never changes."""
+    return load(find(name))
+
+
+def ends(level: str, *turned: str) -> Choices:
+    """Return two corners of a level's ranges that have all ends of all ranges between them.
+
+    At one all parameters are lowest but those turned round, which are highest; the other is
+    opposite.
+    """
+    ranges = textbook(level).parameters.items()
+    low = {name: range_.max if name in turned else range_.min for name, range_ in ranges}
+    high = {name: range_.min if name in turned else range_.max for name, range_ in ranges}
+    return low, high
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,7 +122,7 @@ class Outcome:
     passed
         Whether the error is within its bound, the naive one beyond its own, and the order reached.
     step_seconds, naive_step_seconds
-        What one step costs [s].
+        What one step of the level costs [s], with its defaults.
     order
         The power of the step by which the error falls; None if the case does not claim any.
     """
@@ -119,40 +144,40 @@ class Outcome:
     order: float | None
 
 
-def run(cases: Iterable[Case]) -> Iterator[Outcome]:
+def run(cases: Sequence[Case]) -> Iterator[Outcome]:
     """Run cases one after the other; those of one level and parameters share their runs."""
-    cases = list(cases)
-    shared: dict[Hashable, _Runs] = {}
-    for case in cases:
-        runs = shared.setdefault(_key(case), _Runs(case))
-        runs.record.update(dict.fromkeys(needed_at(case.quantity, case.at)))
-    for case in cases:
-        try:
-            yield _outcome(case, shared[_key(case)])
-        except SimulationError:
-            yield _stopped(case, shared[_key(case)])
+    shared: dict[int, _Runs] = {}
+    for rows in together(cases):
+        shared.update(dict.fromkeys(rows, _Runs([cases[row] for row in rows])))
+    for row, case in enumerate(cases):
+        yield _outcome(case, shared[row])
 
 
-def _key(case: Case) -> Hashable:
-    return case.level, tuple(sorted(case.parameters.items())), case.duration
+def together(cases: Sequence[Case]) -> list[list[int]]:
+    """Return which cases share their runs, by their numbers."""
+    groups: dict[Hashable, list[int]] = {}
+    for row, case in enumerate(cases):
+        key = case.level, tuple(sorted(case.parameters.items())), case.duration
+        groups.setdefault(key, []).append(row)
+    return list(groups.values())
 
 
 class _Runs:
-    """What cases of one level and parameters have in common: two runs, and two timings.
+    """What cases of one level and parameters have in common: their runs.
 
     Attributes
     ----------
     level, values
         What is run.
-    record
-        The quantities that the cases need, as keys.
     """
 
-    def __init__(self, case: Case) -> None:
-        self.level = load(find(case.level))
-        self.values = choose(self.level, case.parameters)
-        self.record: dict[str, None] = {}
-        self._duration = case.duration
+    def __init__(self, cases: Sequence[Case]) -> None:
+        first = cases[0]
+        self.level = textbook(first.level)
+        self.values = choose(self.level, first.parameters)
+        self._duration = first.duration
+        needed = (name for case in cases for name in needed_at(case.quantity, case.at))
+        self._record = tuple(dict.fromkeys(needed))
 
     @cached_property
     def ours(self) -> Trace:
@@ -160,18 +185,7 @@ class _Runs:
 
     @cached_property
     def theirs(self) -> Trace:
-        return self._simulate(naive(self.level))
-
-    @cached_property
-    def seconds(self) -> tuple[float, float]:
-        """What a step of each costs [s]; they are timed in turn."""
-        steppings = self.level.stepping, naive(self.level)
-        steps = min(count_steps(build(self.level, self.values)), STEPS)
-        ours, theirs = step_seconds([self._start(s) for s in steppings], max(steps, 1))
-        return ours, theirs
-
-    def _start(self, stepping: Stepping) -> Callable[[], Step]:
-        return lambda: build(self.level, self.values, stepping).step
+        return simulate(naive(self.level), self.values, self._duration, self._record)
 
     @cached_property
     def coarser(self) -> tuple[Trace, ...]:
@@ -181,66 +195,83 @@ class _Runs:
         return tuple(self._simulate(stepping.model_copy(update={"rate": rate})) for rate in rates)
 
     def _simulate(self, stepping: Stepping) -> Trace:
-        return simulate(self.level, self.values, self._duration, self.record, stepping)
+        return simulate(self.level, self.values, self._duration, self._record, stepping)
 
 
-def naive(level: Level) -> Stepping:
-    """Return how time advances when pymunk is used as it comes, at the level's own rate."""
-    return Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
+def naive(level: Level) -> Level:
+    """Return a level with pymunk as it comes: its scheme, at the level's own rate, and its joints.
+
+    What pymunk lacks (strings over pegs, wires, rails, lengths that change with time) stays exact,
+    and with it the other joints of that level: the two ways cannot hold one body.
+    """
+    stepping = Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
+    exact = [joint for joint in level.joints.values() if is_exact(joint)]
+    own = all(isinstance(joint, Own) and "t" not in names_in(joint) for joint in exact)
+    joints = level.joints
+    if own and not level.effects.sticking:
+        joints = {
+            name: joint.model_copy(update={"exact": False}) if isinstance(joint, Own) else joint
+            for name, joint in joints.items()
+        }
+    return level.model_copy(update={"stepping": stepping, "joints": joints})
+
+
+@cache
+def _seconds(name: str) -> tuple[float, float]:
+    """Return what a step of a level costs [s], and of pymunk as it comes; they are timed in turn.
+
+    With the level's defaults: what its parameters are matters little.
+    """
+    level = textbook(name)
+    ours, theirs = step_costs(*(partial(build, each) for each in (level, naive(level))))
+    return ours, theirs
+
+
+class _Found(NamedTuple):
+    """What was found about a case; as it stands, that its run had to stop."""
+
+    measured: float = nan
+    expected: float = nan
+    error: float = inf
+    passed: bool = False
+    naive_error: float = nan
+    step_seconds: float = nan
+    naive_step_seconds: float = nan
+    order: float | None = None
 
 
 def _outcome(case: Case, runs: _Runs) -> Outcome:
+    try:
+        found = _judged(case, runs)
+    except SimulationError:
+        found = _Found()
+    return Outcome(
+        name=case.name,
+        level=case.level,
+        parameters=runs.values,
+        quantity=case.quantity,
+        unit=quantity(case.quantity, runs.level).unit,
+        tolerance=case.tolerance,
+        because=case.because,
+        **found._asdict(),
+    )
+
+
+def _judged(case: Case, runs: _Runs) -> _Found:
     measured, expected, error = _compare(case, runs.ours)
     _, _, naive_error = _compare(case, runs.theirs)
     proven = case.naive_misses is None or naive_error > case.naive_misses
     order = None if case.order is None else _order(case, runs, error)
     converges = order is None or case.order is None or order >= case.order
-    return Outcome(
-        name=case.name,
-        level=case.level,
-        parameters=runs.values,
-        quantity=case.quantity,
-        unit=quantity(case.quantity, runs.level).unit,
-        measured=measured,
-        expected=expected,
-        error=error,
-        tolerance=case.tolerance,
-        because=case.because,
-        passed=error <= case.tolerance and proven and converges,
-        naive_error=naive_error,
-        step_seconds=runs.seconds[0],
-        naive_step_seconds=runs.seconds[1],
-        order=order,
-    )
-
-
-def _stopped(case: Case, runs: _Runs) -> Outcome:
-    """Return how a case comes out whose run had to stop."""
-    nan = float("nan")
-    return Outcome(
-        name=case.name,
-        level=case.level,
-        parameters=runs.values,
-        quantity=case.quantity,
-        unit=quantity(case.quantity, runs.level).unit,
-        measured=nan,
-        expected=nan,
-        error=float("inf"),
-        tolerance=case.tolerance,
-        because=case.because,
-        passed=False,
-        naive_error=nan,
-        step_seconds=nan,
-        naive_step_seconds=nan,
-        order=None,
-    )
+    passed = error <= case.tolerance and proven and converges
+    return _Found(measured, expected, error, passed, naive_error, *_seconds(case.level), order)
 
 
 def _order(case: Case, runs: _Runs, error: float) -> float:
     """Return the slope of the error over the step, both logarithmic; NaN if there is none."""
     errors = np.array([error, *(_compare(case, trace)[2] for trace in runs.coarser)])
     if not (np.isfinite(errors) & (errors > 0)).all():
-        return float("nan")
+        return nan
     return float(np.polyfit(np.arange(len(errors)), np.log2(errors), 1)[0])
 
 
@@ -248,7 +279,7 @@ def _compare(case: Case, trace: Trace) -> tuple[float, float, float]:
     """Return measured, expected and the error."""
     found = samples(trace, case.quantity, case.at)
     if found is None:
-        return float("nan"), float("nan"), float("inf")
+        return nan, nan, inf
     t, measured = found
     expected = np.broadcast_to(np.asarray(case.expected(trace.values, t), dtype=float), t.shape)
     error, worst = relative_error(measured, expected)

@@ -53,6 +53,7 @@ PARTS = (
             "newton/atwood-thousand-to-one",
             "newton/atwood-with-a-push",
             "newton/compound-pulley",
+            "newton/double-atwood",
         ),
     ),
     Part(NEWTON, "an Atwood machine with a massive pulley", ("newton/atwood-massive-pulley",)),
@@ -123,7 +124,13 @@ PARTS = (
     Part(
         ENERGY,
         "ball down a curved ramp, a zigzag and a helix",
-        ("energy/curved-ramp", "energy/zigzag", "energy/helix", "energy/four-slides"),
+        (
+            "energy/curved-ramp",
+            "energy/zigzag",
+            "energy/helix",
+            "energy/four-slides",
+            "energy/brachistochrone",
+        ),
     ),
     Part(PROJECTILE, "speed and angle, apex and landing", ("kinematics/projectile",)),
     Part(PROJECTILE, "30° and 60° reach equally far", ("kinematics/complementary-angles",)),

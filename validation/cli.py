@@ -1,16 +1,16 @@
 """The commands of `python -m validation`."""
 
-import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.console import Console
 
-from sandbox.model.errors import SandboxError
-from sandbox.model.files import check_writable, write_atomically
-from validation import suite
+from sandbox.model.errors import LevelError, SandboxError
+from sandbox.model.files import check_writable
+from sandbox.physics.errors import SimulationError
+from validation import output, suite
 from validation.cases import all_cases
 
 app = typer.Typer(
@@ -27,36 +27,55 @@ JsonFile = Annotated[
 ]
 
 
+FAILED, MISUSED = 1, 2
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    """Tell an error, and leave: with 1 if a level failed, with 2 for wrong usage."""
+    try:
+        yield
+    except SandboxError as error:
+        typer.echo(error, err=True)
+        failed = isinstance(error, LevelError | SimulationError)
+        raise typer.Exit(FAILED if failed else MISUSED) from None
+
+
 @app.callback()
 def validation() -> None:
     """Hold the sandbox against the textbook: every case beside pymunk used as it comes."""
 
 
 @app.command(name="run")
-def run_cases(json_file: JsonFile = None) -> None:
+def run_cases(
+    json_file: JsonFile = None,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            "--jobs",
+            min=1,
+            metavar="N",
+            help="How many processes share them; all cores if left out.",
+        ),
+    ] = None,
+) -> None:
     """Run every case against its closed form, beside pymunk used naively.
 
     Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
     """
-    try:
+    with _told():
         if json_file:
             check_writable(json_file)
         cases = list(all_cases())
-        outcomes = suite.outcomes(cases)
-        Console(width=_width()).print(suite.table(cases, outcomes))
+        outcomes = suite.outcomes(cases, jobs)
+        output.show(suite.table(cases, outcomes))
         if json_file:
-            text = json.dumps(suite.content(outcomes), indent=2, ensure_ascii=False)
-            write_atomically(json_file, text + "\n")
-            typer.echo(f"Written to {json_file}.")
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(2) from None
+            output.write(suite.content(outcomes), json_file)
     failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
-    for name in failed:
-        typer.echo(f"failed: {name}", err=True)
+    output.complain(failed)
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
     if failed:
-        raise typer.Exit(1)
+        raise typer.Exit(FAILED)
 
 
 @app.command()
@@ -76,30 +95,24 @@ def cost(
     """
     from validation.cost.command import measure  # what one command needs need not slow all
 
-    try:
+    with _told():
         failed = measure(levels or [], json_file, output, quick=quick)
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(2) from None
     if failed:
-        raise typer.Exit(1)
+        raise typer.Exit(FAILED)
 
 
 @app.command()
 def effects(
     json_file: JsonFile = None,
     quick: Annotated[
-        bool, typer.Option("--quick", help="Fewer repetitions, and no more than 100 bodies.")
+        bool, typer.Option("--quick", help="Fewer repetitions, and fewer bodies.")
     ] = False,
 ) -> None:
     """Measure what each level pays beside the bare engine, and each effect over many bodies."""
     from validation.effects.command import measure  # what one command needs need not slow all
 
-    try:
+    with _told():
         measure(json_file, quick=quick)
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(2) from None
 
 
 @app.command()
@@ -120,13 +133,10 @@ def report(
 
     Exit status 1 if a part could not be measured or a case does not hold.
     """
-    try:
+    with _told():
         passed = _writer()(output, source, quick=quick, figures=figures)
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(2) from None
     if not passed:
-        raise typer.Exit(1)
+        raise typer.Exit(FAILED)
 
 
 def _writer() -> Callable[..., bool]:
@@ -157,15 +167,7 @@ def stability(
     """
     from validation.stability.command import measure  # what one command needs need not slow all
 
-    try:
+    with _told():
         failed = measure(json_file, quick=quick, update=update and not quick)
-    except SandboxError as error:
-        typer.echo(error, err=True)
-        raise typer.Exit(2) from None
     if failed:
-        raise typer.Exit(1)
-
-
-def _width() -> int | None:
-    """Return the width of a terminal; a pipe or a log has room for whole names."""
-    return None if Console().is_terminal else 160
+        raise typer.Exit(FAILED)

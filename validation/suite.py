@@ -1,37 +1,65 @@
 """All cases together: run with progress, as a table, and as JSON."""
 
-import math
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
+from functools import cache
 
-from rich.console import Console
-from rich.progress import track
 from rich.table import Table
 
-from validation.case import Case, Outcome, run
+from validation.case import Case, Outcome, run, together
+from validation.cases import all_cases
 from validation.environment import environment
+from validation.output import finite, progress
+from validation.processes import spread
 
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 
+WORTH = 8
+"""How many runs are worth the start of another process."""
 
-def outcomes(cases: Sequence[Case]) -> list[Outcome]:
-    """Run cases, with progress on a terminal.
+
+def outcomes(cases: Sequence[Case], jobs: int | None = None) -> list[Outcome]:
+    """Run cases, with progress on a terminal, and return their outcomes in the same order.
+
+    Parameters
+    ----------
+    cases
+        Of `all_cases`, where another process finds them by their names; a few may be others.
+    jobs
+        How many processes share them at the most; as many as there are cores if left out.
 
     Raises
     ------
     SandboxError
         If a level cannot be run.
     """
-    console = Console(stderr=True)
-    progress = track(
-        run(cases),
-        "Running cases",
-        total=len(cases),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    return list(progress)
+    found = dict(progress(_found(cases, jobs or os.cpu_count() or 1), "Running cases", len(cases)))
+    return [found[row] for row in range(len(cases))]
+
+
+def _found(cases: Sequence[Case], jobs: int) -> Iterator[tuple[int, Outcome]]:
+    """Yield outcomes as they come in, with the numbers of their cases."""
+    groups = together(cases)
+    batches: Iterator[tuple[int, list[Outcome]]]
+    if (jobs := min(jobs, len(groups) // WORTH)) > 1:
+        names = [[(cases[row].level, named(cases[row])) for row in rows] for rows in groups]
+        batches = spread(_run_by_name, names, jobs)
+    else:
+        batches = enumerate(list(run([cases[row] for row in rows])) for rows in groups)
+    for group, batch in batches:
+        yield from zip(groups[group], batch, strict=True)
+
+
+def _run_by_name(names: Sequence[tuple[str, str]]) -> list[Outcome]:
+    """Run cases in another process: formulas cannot be sent there."""
+    known = _by_name()
+    return list(run([known[name] for name in names]))
+
+
+@cache
+def _by_name() -> dict[tuple[str, str], Case]:
+    return {(case.level, named(case)): case for case in all_cases()}
 
 
 def named(case: Case) -> str:
@@ -65,11 +93,4 @@ def table(cases: Sequence[Case], found: Sequence[Outcome]) -> Table:
 
 def content(found: Sequence[Outcome]) -> dict[str, object]:
     """Return the outcomes as JSON takes them, without infinities and NaN: such figures are null."""
-    cases = [
-        {
-            name: None if isinstance(value, float) and not math.isfinite(value) else value
-            for name, value in asdict(outcome).items()
-        }
-        for outcome in found
-    ]
-    return {"environment": environment(), "cases": cases}
+    return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}

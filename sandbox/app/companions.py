@@ -4,8 +4,8 @@ What differs is the level, by its effects, or how time advances. Nothing is shar
 worlds but the time to which they have come.
 """
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 
 from sandbox.app.clock import Clock
 from sandbox.app.grading import Grading, Reading
@@ -25,6 +25,8 @@ class Changes:
     off: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
     told: str = ""
+    strength: Mapping[str, float] = field(default_factory=dict)
+    """of those that are on, how many times the usual"""
 
     def __bool__(self) -> bool:
         return bool(self.told)

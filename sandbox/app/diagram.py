@@ -18,7 +18,7 @@ LEAST = 1e-16
 """Of an error: what is less is drawn there."""
 
 COLORS: Mapping[str, Color] = {
-    "leapfrog": theme.ACCENT, "yoshida": theme.PASSED,
+    "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
     "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
 }  # fmt: skip
 
@@ -101,7 +101,7 @@ def _mark(surface: pygame.Surface, scheme: str, color: Color, pixel: XY) -> None
     match scheme:
         case "leapfrog":
             pygame.draw.aacircle(surface, color, pixel, 4)
-        case "yoshida":
+        case "fourth-order":
             lines.fill(surface, color, [(x, y - 5), (x + 5, y), (x, y + 5), (x - 5, y)])
         case "symplectic-euler":
             surface.fill(color, (round(x) - 3, round(y) - 3, 7, 7))

@@ -67,7 +67,7 @@ class Grading:
 
     def __init__(self, recorder: Recorder) -> None:
         self._recorder = recorder
-        self._milestones: tuple[Milestone, ...] = ()
+        self._milestones: tuple[Milestone, ...] | None = ()  # None: to be found when asked for
         self._ration: Ration[tuple[Reading, ...]] = Ration(self._grade, ())
 
     def readings(self, hurried: bool) -> tuple[Reading, ...]:
@@ -77,12 +77,15 @@ class Grading:
     def _grade(self) -> tuple[Reading, ...]:
         trace = self._recorder.trace
         results = grade(trace)
-        self._milestones = milestones(results, trace)
+        self._milestones = None
         return tuple(_reading(result, trace) for result in results)
 
     @property
     def milestones(self) -> tuple[Milestone, ...]:
-        """What had happened when the readings were last taken."""
+        """What had happened when the readings were last taken; where, must be recorded too."""
+        if self._milestones is None:
+            results = (reading.result for reading in self._ration.found)
+            self._milestones = milestones(results, self._recorder.trace)
         return self._milestones
 
 

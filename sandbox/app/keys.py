@@ -9,7 +9,7 @@ Command = Literal[
     "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
     "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
     "levels", "panel", "energy", "level page", "effects page", "race page",
-    "accuracy page", "next field", "page down", "page up", "help", "leave",
+    "accuracy page", "next field", "find", "page down", "page up", "help", "leave",
 ]  # fmt: skip
 
 
@@ -32,6 +32,7 @@ BINDINGS = (
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
     Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
+    Binding("find", "/", "find a level", (), "/"),
     Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
     Binding("arrows", "V", "arrows of velocities and given forces", (), "vV"),
     Binding("trail", "T", "trail", (), "tT"),

@@ -135,8 +135,8 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     ):
         picture.blit(part, (left, y))
         y += part.height + 8
-    drawn = graph.energies((width, GRAPH), session.history, session.duration)
-    foot = cards.energy(pen, width, session.start_energies, session.energies(), drawn)
+    drawn = graph.energies((width, GRAPH), session.books.history, session.duration)
+    foot = cards.energy(pen, width, session.books.start, session.books.energies, drawn)
     end = picture.height - foot.height - MARGIN
     picture.blit(_judged(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))

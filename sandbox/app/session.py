@@ -5,12 +5,10 @@ be paid for within its budget is dropped and shown as a lower pace, never stretc
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from time import perf_counter
 
-import numpy as np
-
 from sandbox.app import milestones
+from sandbox.app.books import Books
 from sandbox.app.clock import Clock
 from sandbox.app.companions import NONE, Changes, Companion, Variant
 from sandbox.app.grading import Grading, Reading
@@ -18,30 +16,16 @@ from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
+from sandbox.physics.accuracy import Setting, calibrated, keep, recalled
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.ledger import Balance, Ledger
-from sandbox.physics.measure import Meter
 from sandbox.physics.trace import Recorder, Trace, count_steps, needed
 from sandbox.physics.world import World, build
 
-INSTANTS = 500
-"""At about how many instants of a level's duration the energies are kept."""
-
 BUDGET = 0.009  # s, of a frame for steps
-_ENERGIES = ("system.kinetic_energy", "system.potential_energy", "system.energy")
-
-
-@dataclass(frozen=True, slots=True)
-class Energies:
-    """Of the whole system [J]."""
-
-    kinetic: float
-    potential: float
-    total: float
 
 
 class Session:
@@ -69,8 +53,21 @@ class Session:
         Why the run had to stop, or could not be built; None if all is well.
     trail
         Where the bodies have been.
+    books
+        What energies there were, and where they came from.
+    setting
+        What is known to reach the accuracy that its level asks for; None if it asks for none, or
+        nobody knows yet.
     pace
         Whether the machine keeps up.
+
+    Parameters
+    ----------
+    level, values, rate
+        What is played, and how; as the level says what is left out.
+    patient
+        Whether an accuracy that the level asks for is waited for; else somebody has to `settle` it,
+        and no time passes before.
 
     Raises
     ------
@@ -79,31 +76,35 @@ class Session:
     """
 
     def __init__(
-        self, level: Level, values: Values | None = None, rate: float | None = None
+        self,
+        level: Level,
+        values: Values | None = None,
+        rate: float | None = None,
+        *,
+        patient: bool = True,
     ) -> None:
         self.original = level
+        self._patient = patient
         self.level = _at(level, rate)
         self.changes = NONE
         self.playing = False
         self.speed = 1.0
-        self._begin(build(self.level, values), ())
+        self._begin(*self._built(self.level, (), level.defaults if values is None else values))
 
-    def _begin(self, world: World, companions: Sequence[Companion]) -> None:
-        self.world = world
+    def _begin(
+        self, world: World, companions: Sequence[Companion], setting: Setting | None
+    ) -> None:
+        self.world, self.setting = world, setting
         self.companions = tuple(companions)
         self.clock = Clock()
         self.failure: SandboxError | None = None
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
-        self._ledger = Ledger(world)
+        self.books = Books(world, self.end)
         self._recorder = Recorder(world, [*needed(self.original), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
         self._owed = 0.0  # steps
-        self._meter = Meter(world, _ENERGIES)
-        self._start = self.energies()
-        self._every = max(self.end // INSTANTS, 1)
-        self._history = Trail(self._energies_at())
         self._held: tuple[str, XY] | None = None
         self._pulling = False
 
@@ -176,12 +177,37 @@ class Session:
         self.level, self.changes = level, changes
         self._begin(*begun)
 
-    @staticmethod
     def _built(
-        level: Level, beside: Sequence[Variant], values: Values
-    ) -> tuple[World, list[Companion]]:
-        world = build(level, values)
-        return world, [Companion(variant, values) for variant in beside]
+        self, level: Level, beside: Sequence[Variant], values: Values
+    ) -> tuple[World, list[Companion], Setting | None]:
+        setting = self._known(level, values)
+        if setting is not None:
+            offer = setting.chosen if self._patient else setting.playable
+            world = build(level, values, offer.stepping)
+        elif level.stepping.accuracy is None:
+            world = build(level, values)
+        else:
+            world = _for_now(level, values)
+        return world, [Companion(variant, values) for variant in beside], setting
+
+    def _known(self, level: Level, values: Values) -> Setting | None:
+        target = level.stepping.accuracy
+        find = calibrated if self._patient else recalled
+        return None if target is None else find(level, values, target)
+
+    @property
+    def waiting(self) -> bool:
+        """Whether no time passes before it is known which setting the level asks for."""
+        return self.setting is None and self.world.level.stepping.accuracy is not None
+
+    def settle(self, setting: Setting) -> None:
+        """Begin with the setting that its level asks for, now that it is known."""
+        keep(self.level, self.values, setting)
+        self.restart()
+
+    def give_up(self, why: str) -> None:
+        """Take note that nobody knows the setting that its level asks for."""
+        self._stop(SandboxError(why))
 
     def toggle(self) -> None:
         """Play, or pause."""
@@ -202,7 +228,7 @@ class Session:
 
     def update(self, seconds: float, budget: float = BUDGET) -> None:
         """Take the steps that are due after some real time, as far as the budget goes [s]."""
-        if not self.playing:
+        if not self.playing or self.waiting:
             return
         self._owed += seconds * self.speed * self.world.stepping.rate
         due = int(self._owed)
@@ -220,24 +246,27 @@ class Session:
         return due
 
     def _advance(self) -> None:
-        if self.failure is not None:
+        if self.failure is not None or self.waiting:
             return
+        if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
+            self._follow(self.t + self.world.dt)
         try:
             with self.clock.running():
                 snapshot = self.world.advance()
         except SandboxError as error:
             self._stop(error)
             return
-        self._ledger.note()
-        for companion in self.companions:
-            companion.follow(self.t)
+        self.books.note()
+        self._follow(self.t)
         self.trail.add(snapshot.position)
-        if self.world.steps % self._every == 0:
-            self._history.add(self._energies_at())
         if self.world.steps <= self.end and not self.world.disturbed:
             self._recorder.note()
         if self.at_end:
             self.playing = False
+
+    def _follow(self, t: float) -> None:
+        for companion in self.companions:
+            companion.follow(t)
 
     def _stop(self, error: SandboxError) -> None:
         self.failure = error
@@ -259,29 +288,6 @@ class Session:
         """What was recorded of the run so far."""
         return self._recorder.trace
 
-    def energies(self) -> Energies:
-        """Return the energies of now."""
-        return Energies(*(float(value) for value in self._meter(self.world.snapshot).values()))
-
-    @property
-    def balance(self) -> Balance:
-        """The books of the run, from its start or from where a hand last put a body."""
-        return self._ledger.balance
-
-    @property
-    def start_energies(self) -> Energies:
-        """The energies with which the run began."""
-        return self._start
-
-    @property
-    def history(self) -> Array:
-        """Energies over time: (k, 4), [s], then kinetic, potential and total [J], up to now."""
-        return np.vstack((self._history.points, self._energies_at()))
-
-    def _energies_at(self) -> Array:
-        now = self.energies()
-        return np.array([self.t, now.kinetic, now.potential, now.total])
-
     def grab(self, body: str, point: XY) -> None:
         """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
         x, y = self._position(body)
@@ -298,7 +304,11 @@ class Session:
             return
         if not self._pulling:
             x, y = self._position(body)
-            self.world.grab(body, (x + dx, y + dy))
+            try:
+                self.world.grab(body, (x + dx, y + dy))
+            except SandboxError as error:
+                self._stop(error)
+                return
             self._pulling = True
         self.world.drag(point)
 
@@ -323,9 +333,18 @@ class Session:
         except SandboxError as error:
             self._stop(error)
             return
-        self._ledger = Ledger(self.world)
+        self.books.restart()
         self.trail.restart(snapshot.position)
-        self._history.restart(self._energies_at())
+
+
+def _for_now(level: Level, values: Values) -> World:
+    """Build a level that asks for an accuracy with a setting of which nothing is known."""
+    try:
+        return build(level, values, Stepping())
+    except SimulationError as error:
+        if error.rate is None:
+            raise
+        return build(level, values, Stepping(rate=error.rate))
 
 
 def _at(level: Level, rate: float | None) -> Level:

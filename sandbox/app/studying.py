@@ -7,6 +7,7 @@ from sandbox.app.session import Session
 from sandbox.model.level import Level
 from sandbox.physics import study
 from sandbox.physics.accuracy import Offer, Setting
+from sandbox.physics.accuracy.calibration import BUDGET
 from sandbox.physics.study import Failed, Here, Point, Progress, Split
 
 PATIENCE = 0.5  # s without a change, before the work begins
@@ -36,6 +37,7 @@ class Studying:
         self._scene: tuple[object, ...] = ()
         self._level: object = None
         self.target: float | None = None
+        self._sought: object = None  # the world for which a setting was looked for
         self._offer: Offer | None = None
         self._forget()
 
@@ -66,7 +68,7 @@ class Studying:
         if self._scene_of(session) != self._scene:
             self._work.cancel()
             self._scene, self._level = self._scene_of(session), session.level
-            self.target = None
+            self.target = session.level.stepping.accuracy
             self._forget()
         elif session.level is not self._level:
             self._work.cancel()
@@ -76,8 +78,20 @@ class Studying:
             if offer and offer.stepping == stepping:
                 self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.price)
         self._waited += seconds
-        if watched and self._waited >= PATIENCE and not (self._measured or self.running):
+        if self._waited < PATIENCE or self.running:
+            return
+        if session.waiting and not session.failure:
+            self._settle(session)
+        elif watched and not (session.waiting or self._measured):
             self.measure(session)
+
+    def _settle(self, session: Session) -> None:
+        """Find out the setting that a session waits for; once, if it cannot be found."""
+        if self._sought is session.world:
+            session.give_up(self.failure or "the search for a setting has been cancelled")
+        else:
+            self._sought = session.world
+            self.seek(session, session.level.stepping.accuracy or 0.0, BUDGET)
 
     @staticmethod
     def _scene_of(session: Session) -> tuple[object, ...]:
@@ -89,10 +103,10 @@ class Studying:
         work = study.split if self.points else study.study
         self._start(work, _resolved(session), session.values)
 
-    def seek(self, session: Session, target: float) -> None:
-        """Begin to look for the cheapest setting that reaches an accuracy."""
+    def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
+        """Begin to look for the cheapest setting that reaches an accuracy, for that long [s]."""
         self.target = target
-        self._start(study.seek, _resolved(session), session.values, target)
+        self._start(study.seek, _resolved(session), session.values, target, seconds)
 
     def _start(self, work: Work, *arguments: object) -> None:
         self.failure, self.progress = "", Progress(0.0, "starting")
@@ -112,7 +126,7 @@ class Studying:
             self.news = object()
             if isinstance(finding, Setting):
                 found = finding
-                self._offer = finding.in_real_time or finding.chosen
+                self._offer = finding.playable
             else:
                 self._take(finding)
         if was_running and not self._work.running:

@@ -23,10 +23,17 @@ def toggle(session: Session, effect: str) -> None:
     """
     changes = session.changes
     if effect in session.original.effects.declared:
-        changes = Changes(_without(changes.off, effect), changes.on)
+        changes = replace(changes, off=_without(changes.off, effect))
     else:
-        changes = Changes(changes.off, _without(changes.on, effect))
+        changes = replace(changes, on=_without(changes.on, effect))
     change(session, changes)
+
+
+def strengthen(session: Session, effect: str, times: float) -> None:
+    """Make an effect that was switched on so many times as strong, and start anew; see `toggle`."""
+    before = session.changes.strength
+    strength = {**before, effect: before.get(effect, 1.0) * times}
+    change(session, replace(session.changes, strength=strength))
 
 
 def _without(names: tuple[str, ...], name: str) -> tuple[str, ...]:
@@ -69,7 +76,20 @@ def at_its_pace(session: Session) -> Level:
 
 
 def _settings(changes: Changes) -> dict[str, Settings]:
-    return {name: DEFAULTS[name] for name in changes.on}
+    return {
+        name: {
+            said: _times(value, changes.strength.get(name, 1.0))
+            for said, value in DEFAULTS[name].items()
+        }
+        for name in changes.on
+    }
+
+
+def _times(value: object, factor: float) -> object:
+    """Return a number, or a list of some, times a factor, in as many digits as people read."""
+    if isinstance(value, list):
+        return [_times(part, factor) for part in value]
+    return float(f"{value * factor:.4g}") if isinstance(value, int | float) else value
 
 
 def addable(level: Level) -> list[str]:

@@ -1,5 +1,6 @@
 """The window: events in, frames out."""
 
+import gc
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from time import perf_counter
@@ -7,6 +8,7 @@ from time import perf_counter
 import pygame
 
 from sandbox.app import race, theme, whatif, wording
+from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
 from sandbox.app.load import Load
@@ -29,7 +31,6 @@ RATE = 60  # frames a second
 QUIET_RATE = 20  # frames a second while nothing happens
 QUIET = 1.0  # s without an event, after which nothing happens
 LONGEST_FRAME = 0.1  # s; what is missed beyond is not made up for
-NOTE = 5.0  # s, how long a passing note is shown
 
 
 class Window:
@@ -66,10 +67,10 @@ class Window:
         self._entries = levels.entries()
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
+        self._accuracy: float | None = None  # that was asked for when it was opened
         self._refused = ""
         self._advised: float | None = None  # the rate for a level that cannot be opened [Hz]
-        self._note = ("", 0.0)
-        self._ended: tuple[object, str] = None, ""
+        self._banner = Banner()
         self._help = False
         self._quiet = 0.0  # s since the last event
         self._commands = self._make_commands()
@@ -104,6 +105,7 @@ class Window:
             "race page": lambda: self._turn_to("race page"),
             "accuracy page": lambda: self._turn_to("accuracy page"),
             "next field": self._next_field,
+            "find": self._find,
             "help": self._toggle_help,
             "leave": self._leave,
         }
@@ -140,12 +142,12 @@ class Window:
     ) -> None:
         if path not in [entry.path for entry in self._entries]:
             self._entries.insert(0, levels.entry(path, "opened"))
-        self._path, self._settings = path, settings
+        self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
             level = load(path)
             if accuracy is not None:
                 level = level.model_copy(update={"stepping": Stepping(accuracy=accuracy)})
-            session = Session(level, choose(level, settings), rate)
+            session = Session(level, choose(level, settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, str(error))
             self._advised = error.rate if isinstance(error, SimulationError) else None
@@ -153,7 +155,7 @@ class Window:
         if self.session is not None:
             session.speed = self.session.speed
         self.session, self._refused = session, ""
-        self._tell("")
+        self._banner.tell("")
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
@@ -174,6 +176,8 @@ class Window:
 
     def run(self) -> None:
         """Show frames until the window is closed."""
+        gc.collect()
+        gc.freeze()  # to look through all that is there by now, for what is lost, takes two frames
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
             clock.tick(RATE if self._busy else QUIET_RATE)
@@ -195,7 +199,7 @@ class Window:
             self._handle(event)
         self.panels.advise(self.session.advised if self.session else self._advised)
         self.panels.manager.update(seconds)
-        self._note = self._note[0], self._note[1] - seconds
+        self._banner.update(seconds)
         if self.session is not None:
             self._leave_fields()
             self._play(self.session, seconds)
@@ -222,10 +226,13 @@ class Window:
         setting = self.studying.look()
         if setting is not None:
             try:
-                whatif.repace(session, (setting.in_real_time or setting.chosen).stepping)
-                self._tell(wording.offer(setting))
+                if session.waiting:
+                    session.settle(setting)
+                else:
+                    whatif.repace(session, setting.playable.stepping)
+                self._banner.tell(wording.offer(setting))
             except SandboxError as error:
-                self._tell(str(error))
+                self._banner.tell(str(error))
 
     def close(self) -> None:
         """End what works for the window."""
@@ -280,11 +287,11 @@ class Window:
         """Run again at the rate that was offered."""
         rate = self.session.advised if self.session else self._advised
         if self.session is None and self._path is not None:
-            self._open(self._path, self._settings, rate=rate)
+            self._open(self._path, self._settings, self._accuracy, rate)
         elif self.session is not None and rate is not None:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
-            self._tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            self._banner.tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
 
     def _click_side(self, event: pygame.event.Event) -> bool:
         """Give an event to the side panel, and return whether it was for that."""
@@ -296,7 +303,7 @@ class Window:
             return True
         told = side.act(event)
         if told is not None:
-            self._tell(told)
+            self._banner.tell(told)
         return told is not None
 
     def _change(self, event: pygame.event.Event) -> bool:
@@ -317,18 +324,15 @@ class Window:
         assert self.session is not None
         assert self.panels.side is not None
         if change.value is None:
-            self._tell(f"'{change.typed}' is not a number")
+            self._banner.tell(f"'{change.typed}' is not a number")
         elif change.value != self.session.values[change.name]:
             try:
                 self.session.restart({change.name: change.value})
-                self._tell("")
+                self._banner.tell("")
             except SandboxError as error:
-                self._tell(str(error))
+                self._banner.tell(str(error))
         self.panels.side.parameters.show(self.session.values)
         self.panels.side.parameters.revert()
-
-    def _tell(self, text: str) -> None:
-        self._note = text, NOTE
 
     def _with_session(self, act: Callable[[Session], None]) -> None:
         if self.session is not None:
@@ -342,7 +346,7 @@ class Window:
 
     def _reload(self) -> None:
         if self._path is not None:
-            self._open(self._path, self._settings)
+            self._open(self._path, self._settings, self._accuracy)
 
     def _neighbour(self, direction: int) -> None:
         paths = [entry.path for entry in self._entries]
@@ -364,6 +368,12 @@ class Window:
         self.panels.show(page)
         self._lay_out()
 
+    def _find(self) -> None:
+        """Look for a level, also where the list of them was hidden."""
+        if self.panels.list is None:
+            self._toggle_column("levels")
+        self.panels.seek()
+
     def _next_field(self) -> None:
         if self.panels.side is not None:
             backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
@@ -380,9 +390,8 @@ class Window:
         """Close the help, let go of a field, put the tape away; else quit."""
         if self._help:
             self._help = False
-        elif self.panels.side is not None and self.panels.typing:
-            self.panels.side.parameters.revert()
-            self.panels.manager.set_focus_set(None)
+        elif self.panels.typing:
+            self.panels.let_go()
         elif self.hand.tape is not None:
             self.hand.tape = None
         else:
@@ -395,10 +404,10 @@ class Window:
             view = surface.subsurface(area)
             session = self.session
             self.stage.draw(view, session.trail, session.milestones(), session.companions)
-            legend.draw(view, self._pen, legend.rows(session))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
-            self._draw_banner(self.session)
+            told = self._banner.draw(surface, self._pen, layout.stage, session)
+            legend.draw(view, self._pen, legend.rows(session), told)
         else:
             surface.fill(theme.STAGE, layout.stage)
         for column in (layout.levels, layout.side):
@@ -409,26 +418,6 @@ class Window:
             surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
         if self._help:
             messages.draw_help(surface, self._pen, layout.stage)
-
-    def _draw_banner(self, session: Session) -> None:
-        text, color = "", theme.NOTICE
-        if session.failure is not None:
-            text, color = f"{session.failure} – R restarts", theme.FAILED
-        elif self._note[0] and self._note[1] > 0:
-            text = self._note[0]
-        elif session.at_end and not session.playing:
-            when = wording.seconds(session.duration)
-            text, color = f"Run complete at {when} – R restarts, Space goes on", theme.ACCENT
-            if session.changes:
-                text = self._compared(session)
-        if text:
-            messages.draw_banner(self.surface, self._pen, self.panels.layout.stage, text, color)
-
-    def _compared(self, session: Session) -> str:
-        """Tell once for each run what the changed effects make of it."""
-        if self._ended[0] is not session.world:
-            self._ended = session.world, whatif.told(session, whatif.compared(session))
-        return self._ended[1]
 
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)

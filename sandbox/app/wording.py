@@ -1,7 +1,7 @@
 """How numbers and moments are put for a person to read."""
 
 from collections.abc import Iterator, Sequence
-from math import degrees, floor, isclose, isfinite, log10
+from math import ceil, degrees, floor, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
 from sandbox.physics.accuracy import Offer, Setting
@@ -22,8 +22,8 @@ def number(value: float, digits: int = 5) -> str:
     if 1e-3 <= abs(value) < 1e5:
         text = f"{value:#.{digits}g}".rstrip(".")
     else:
-        text = _power(f"{value:.{max(digits - 3, 0)}e}")
-    return text.replace("-", MINUS)
+        text = f"{value:.{max(digits - 3, 0)}e}"
+    return (_power(text) if "e" in text else text).replace("-", MINUS)
 
 
 def error(value: float) -> str:
@@ -146,12 +146,24 @@ def _offer(found: Offer) -> str:
 def surviving(value: float, off: float) -> int:
     """Return how many significant digits of a value survive if it may be off by so much.
 
-    >>> surviving(3.14159, 2e-4)
-    4
+    Half a unit of the last of them is no less than that; none survives in a value that is no
+    larger.
+
+    >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
+    (4, 3, 0)
     """
     if not value or off <= 0 or not isfinite(value) or not isfinite(off):
         return 5
-    return min(max(floor(log10(abs(value))) - floor(log10(off)), 1), MOST_DIGITS)
+    if off >= abs(value):
+        return 0
+    return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
+
+
+def certain(value: float, off: float, unit: str) -> str:
+    """Write a number that may be off by so much, with the digits that survive that."""
+    scale = degrees(1) if unit.startswith("rad") else 1.0
+    digits = surviving(scale * value, scale * off)
+    return quantity(value if digits else 0.0, unit, digits or 1)
 
 
 def _power(text: str) -> str:

@@ -1,4 +1,7 @@
-"""`--accuracy`: a setting that is asked for, found out and told."""
+"""`--accuracy`: a setting that is asked for, found out and told; or one that is chosen."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
 
 import typer
 from pydantic import ValidationError
@@ -10,18 +13,51 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 
 
-def asking(level: Level, accuracy: float | None, rate: float | None = None) -> Level:
+class Choice(NamedTuple):
+    """What of a setting is chosen; None is what the level says."""
+
+    rate: float | None = None
+    """Hz"""
+    scheme: str | None = None
+    iterations: int | None = None
+
+    @property
+    def given(self) -> dict[str, float | str]:
+        """What is chosen, by the names of its options."""
+        return {name: value for name, value in self._asdict().items() if value is not None}
+
+
+NOTHING = Choice()
+
+
+def asking(level: Level, accuracy: float | None, choice: Choice = NOTHING) -> Level:
     """Return a level that asks for an accuracy, if one is given."""
     if accuracy is None:
         return level
-    if rate is not None:
-        raise UsageError("--accuracy and --rate: a setting is chosen or asked for, not both")
+    if choice.given:
+        options = "".join(f" and --{name}" for name in choice.given)
+        raise UsageError(f"--accuracy{options}: a setting is chosen or asked for, not both")
+    return level.model_copy(update={"stepping": _stepping({"accuracy": accuracy})})
+
+
+def settled(level: Level, values: Values, choice: Choice) -> Stepping:
+    """Return how a level is run: as it says, but for what is chosen."""
+    if not choice.given:
+        return find_out(level, values)
+    own = level.stepping
+    _stepping(choice.given)  # a mistake is that of what was chosen
+    return _stepping({**own.at(own.rate).model_dump(), **choice.given})
+
+
+def _stepping(given: Mapping[str, float | str]) -> Stepping:
     try:
-        stepping = Stepping(accuracy=accuracy)
+        return Stepping.model_validate(given)
     except ValidationError as error:
-        rule = wording.rule(error.errors()[0], ("accuracy",))
-        raise UsageError(f"--accuracy {accuracy:g}: {rule}") from error
-    return level.model_copy(update={"stepping": stepping})
+        [name] = error.errors()[0]["loc"]
+        value = given[str(name)]
+        said = value if isinstance(value, str) else f"{value:g}"
+        rule = wording.rule(error.errors()[0], (name,))
+        raise UsageError(f"--{name} {said}: {rule}") from error
 
 
 def find_out(level: Level, values: Values) -> Stepping:

@@ -1,25 +1,42 @@
-"""`check`: whether levels are well formed."""
+"""`check`: whether levels are well formed, and can run at their rate."""
 
 from collections.abc import Sequence
 
 import typer
 
 from sandbox.cli.usage import levels, open_level
-from sandbox.model.errors import LevelError
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.remarks import remarks
+from sandbox.model.schemes import bounds_the_rate
 
 
 def check(arguments: Sequence[str]) -> int:
-    """Say every mistake of every level, and return the exit status."""
+    """Say every mistake, and what is declared for nothing, and return the exit status."""
     bad = 0
     for argument in arguments:
         try:
-            open_level(argument)
-        except LevelError as error:
+            _, level = open_level(argument)
+            _check_rate(level)
+        except SandboxError as error:
             bad += 1
             typer.echo(error, err=True)
+        else:
+            for remark in remarks(level):
+                place = ".".join(map(str, remark.path))
+                typer.echo(f"{argument}: {place}: {remark.rule}", err=True)
     count = len(arguments)
     if bad:
         typer.echo(f"{bad} of {levels(count)} cannot be used", err=True)
         return 1
     typer.echo(f"{levels(count)} well formed")
     return 0
+
+
+def _check_rate(level: Level) -> None:
+    """Refuse a level whose rate is too low for it; only then the engine is needed."""
+    if bounds_the_rate(level):
+        from sandbox.physics.refusal import refusal
+
+        if error := refusal(level):
+            raise error

@@ -120,7 +120,8 @@ def check(
     """Check whether levels are well formed.
 
     Every mistake is shown with its file, line and column, the path inside the level, the rule that
-    it breaks, and where possible what was probably meant. Nothing is run.
+    it breaks, and where possible what was probably meant; springs and drags that are too strong
+    for the level's rate among them. Nothing is run.
     """
     from sandbox.cli.checking import check
 
@@ -142,6 +143,21 @@ def simulate(
     rate: Annotated[
         float | None,
         typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
+    ] = None,
+    scheme: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="How a step is taken, as leapfrog or fourth-order; as the level says if left out.",
+        ),
+    ] = None,
+    iterations: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="Sweeps of the solver over contacts and joints, a step; as the level says if left"
+            " out.",
+        ),
     ] = None,
     accuracy: AccuracyOption = None,
     record: Annotated[
@@ -165,6 +181,7 @@ def simulate(
     With --without or --with the changed run is written, and what is printed is how it differs from
     the level as it is, in the quantities of its checks and in time.
     """
+    from sandbox.cli.accuracy import Choice
     from sandbox.cli.simulating import simulate
 
     raise typer.Exit(
@@ -173,7 +190,7 @@ def simulate(
             output,
             set_ or [],
             duration,
-            rate,
+            Choice(rate, scheme, iterations),
             record or [],
             without or [],
             with_ or [],

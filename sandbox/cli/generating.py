@@ -5,9 +5,10 @@ from pathlib import Path
 import typer
 
 from sandbox.cli import usage
-from sandbox.model.crowds import crowd, text
+from sandbox.model.crowds import crowd
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import parse
+from sandbox.model.writing import text
 
 
 def generate(kind: str, bodies: int, output: Path) -> None:

@@ -43,7 +43,9 @@ def render(
     source, level = usage.open_level(argument)
     values = choose(level, settings)
     level = asking(level, accuracy)
-    find_out(level, values)
+    stepping = find_out(level, values)
+    if at is not None:
+        usage.payable(at, stepping, "--at")
     varied = vary(level, off, on)
     go_headless()
     from sandbox.app.picture import Beside, save_picture

@@ -4,16 +4,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import typer
-from pydantic import ValidationError
 from rich.console import Console
 
 from sandbox.app import wording as telling
 from sandbox.cli import usage, varying, verdicts
-from sandbox.cli.accuracy import asking, find_out
+from sandbox.cli.accuracy import Choice, asking, settled
 from sandbox.cli.varying import Varied, vary
-from sandbox.model import wording
-from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import trace as traces
@@ -28,7 +25,7 @@ def simulate(
     output: Path,
     pairs: Sequence[str],
     duration: float | None,
-    rate: float | None,
+    choice: Choice,
     record: Sequence[str],
     off: Sequence[str] = (),
     on: Sequence[str] = (),
@@ -45,9 +42,10 @@ def simulate(
     source, level = usage.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    level = asking(level, accuracy, rate)
-    varied = vary(level, off, on)
-    stepping = settled(level, values, rate)
+    stepping = settled(asking(level, accuracy, choice), values, choice)
+    varied = vary(level, off, on, stepping)
+    if duration is not None:
+        usage.payable(duration, stepping, "--duration")
     with Console(stderr=True).status(f"Simulating {source} ..."):
         recorded = dict.fromkeys([*names, *needed(level)])
         trace = traces.simulate(level, values, duration, recorded, stepping)
@@ -100,18 +98,6 @@ def _motion(level: Level) -> list[str]:
     dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     vectors = [f"{name}.{vector}" for name in dynamic for vector in ("position", "velocity")]
     return [f"{vector}.{component}" for vector in vectors for component in ("x", "y")]
-
-
-def settled(level: Level, values: Values, rate: float | None) -> Stepping:
-    """Return the level's stepping, with another rate [Hz] if one is given."""
-    if rate is None:
-        return find_out(level, values)
-    usage.positive(rate, "--rate")
-    try:
-        return level.stepping.at(rate)
-    except ValidationError as error:
-        rule = wording.rule(error.errors()[0], ("rate",))
-        raise usage.UsageError(f"--rate {rate:g}: {rule} steps a second") from error
 
 
 def report(trace: Trace) -> int:

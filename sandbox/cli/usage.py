@@ -5,10 +5,11 @@ from math import isfinite
 from pathlib import Path
 
 from sandbox.model import catalog
+from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.crowds import CrowdError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.files import check_writable
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
 from sandbox.model.variants import EffectError
@@ -63,6 +64,13 @@ def positive(value: float, option: str) -> None:
     """Refuse the value of an option unless it is finite and greater than 0."""
     if not (isfinite(value) and value > 0):
         raise UsageError(f"{option} {value:g}: must be a finite number greater than 0")
+
+
+def payable(seconds: float, stepping: Stepping, option: str) -> None:
+    """Refuse the value of an option for which a run would take all but for ever."""
+    if (steps := seconds * stepping.rate) > MAX_STEPS:
+        rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
+        raise UsageError(f"{option} {seconds:g}: {rule}")
 
 
 def output_file(path: Path) -> None:

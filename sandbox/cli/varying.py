@@ -9,7 +9,7 @@ from sandbox.cli.columns import aligned
 from sandbox.cli.usage import UsageError
 from sandbox.model import variants
 from sandbox.model.errors import brief
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.physics.comparison import Difference
 from sandbox.physics.export import Change
 
@@ -23,8 +23,12 @@ class Varied(NamedTuple):
     change: Change
 
 
-def vary(level: Level, off: Sequence[str], on: Sequence[str]) -> Varied | None:
+def vary(
+    level: Level, off: Sequence[str], on: Sequence[str], stepping: Stepping | None = None
+) -> Varied | None:
     """Return a level with some effects switched off, then others on; None if nothing is asked for.
+
+    It is run with the stepping, if one is given: with another scheme, other effects are possible.
 
     Raises
     ------
@@ -39,7 +43,8 @@ def vary(level: Level, off: Sequence[str], on: Sequence[str]) -> Varied | None:
     both = next((name for name in off if name in settings), None)
     if both is not None:
         raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
-    changed, told = variants.vary(level, off, settings)
+    run = level if stepping is None else level.model_copy(update={"stepping": stepping})
+    changed, told = variants.vary(run, off, settings)
     options = [*(word for name in off for word in ("--without", name))]
     options += [word for text in on for word in ("--with", text)]
     return Varied(changed, Change(level, told, tuple(options)))

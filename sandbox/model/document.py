@@ -4,13 +4,13 @@ import json
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from functools import cached_property
 from itertools import islice
 from typing import Any, NoReturn
 
 from sandbox.model import locating, wording
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
 from sandbox.model.locating import Path, Position, Value
+from sandbox.model.origin import Origin
 from sandbox.model.parts import Fault
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
@@ -22,25 +22,8 @@ def refuse(source: str, rule: str, place: Position | None = None) -> NoReturn:
     raise LevelError((Mistake(source, line, column, "", rule),))
 
 
-class Document:
-    """A JSON text, and where everything in it stands.
-
-    Parameters
-    ----------
-    text
-        The JSON.
-    source
-        Where it came from, for the messages.
-    """
-
-    def __init__(self, text: str, source: str) -> None:
-        self.text = text
-        self.source = source
-
-    @cached_property
-    def values(self) -> dict[Path, Value]:
-        """Every value of the text, by its path."""
-        return {value.path: value for value in locating.values(self.text)}
+class Document(Origin):
+    """The text of a level that is being read."""
 
     def read(self) -> Any:  # noqa: ANN401 (whatever JSON holds)
         """Return what the text holds; refuse repeated keys and numbers that are not finite."""
@@ -73,12 +56,7 @@ class Document:
 
     def start(self, path: Path) -> int:
         """Return where in the text something stands, or what is around it if it is missing."""
-        return self._nearest(path).start
-
-    def _nearest(self, path: Path) -> Value:
-        while path not in self.values:
-            path = path[:-1]
-        return self.values[path]
+        return self.nearest(path).start
 
     def _raise(self, mistakes: Iterable[Mistake]) -> NoReturn:
         found = list(islice(mistakes, MAX_MISTAKES + 1))
@@ -97,7 +75,7 @@ class Document:
 
     def _mistake(self, fault: Fault) -> Mistake:
         """Place a fault; where the text has nothing there, at what is around it."""
-        value = self._nearest(fault.path)
+        value = self.nearest(fault.path)
         mistake = self._at(value, fault.path, fault.rule)
         tells = value.path == fault.path and value.text not in "{[" and not _says(fault, value)
         return replace(mistake, value=brief(value.text)) if tells else mistake

@@ -52,6 +52,9 @@ class Friction(Model):
     """Coulomb friction between bodies in contact; the coefficient of a pair is the product."""
 
     pairs: tuple[FrictionPair, ...] = ()
+    located: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+    """the dynamic bodies whose slipping ends at its own time, located within the step; that of the
+    others ends with the next kick"""
 
 
 class RestitutionPair(Pair):

@@ -256,7 +256,8 @@ class Formula(Expression):
             Times [s], any shape; the result has the same.
         """
         result = self._evaluate({**values, self.variable: t}) if self._code else self._constant
-        return np.broadcast_to(np.asarray(result, dtype=float), np.shape(t))
+        found = np.asarray(result, dtype=float)
+        return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
 
 
 class Curve(Formula):

@@ -71,7 +71,7 @@ class Rope(Model):
 class Pulley(Model):
     """A light, inextensible string over frictionless pegs; it pulls and never pushes.
 
-    A peg that is a body is a pulley that moves; one string may run over several.
+    A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
     """
 
     type: Literal["pulley"]

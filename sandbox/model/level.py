@@ -13,6 +13,7 @@ from pydantic import (
     BeforeValidator,
     Discriminator,
     Field,
+    PrivateAttr,
     SerializerFunctionWrapHandler,
     Tag,
     model_serializer,
@@ -22,8 +23,19 @@ from pydantic_core import PydanticCustomError
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive, Values
-from sandbox.model.joints import End, Held, Joint, body_of, points
+from sandbox.model.joints import (
+    End,
+    Held,
+    Joint,
+    Pulley,
+    bodies_of,
+    body_of,
+    is_exact,
+    points,
+)
 from sandbox.model.landscape import Landscape
+from sandbox.model.locating import Path
+from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, evaluate
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
@@ -42,8 +54,11 @@ MAX_BODIES = 20_000
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
 
+FINEST = 1e-14
+"""The least accuracy that may be asked for: below it is rounding."""
+
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Scheme = Literal["leapfrog", "yoshida", "symplectic-euler", "explicit-euler"]
+Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
 
 
 class Parameter(Model):
@@ -106,7 +121,7 @@ def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
 
 
 class ContactEvent(Model):
-    """Two bodies touch for the first time; measured one step later, when the impact is over.
+    """Two bodies first come to touch; measured one step later, when the impact is over.
 
     Just after the impact itself where it is located in time.
     """
@@ -166,6 +181,9 @@ class Check(Model):
     """over the parameters and the time t"""
     tolerance: Annotated[float, Field(gt=0, allow_inf_nan=False)]
     """relative to the largest expected value, absolute where that is zero"""
+    scale: Positive | None = None
+    """what the error is relative to where that is larger: the acceleration of gravity, say, where
+    but a small difference of two large pulls is expected"""
     valid_if: Formula | None = None
     """a condition over the parameters; where it is false the formula does not apply"""
     at: Instant | None = None
@@ -185,7 +203,7 @@ class Stepping(Model):
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10
     """sweeps of the solver over contacts and joints, a step"""
     scheme: Scheme = "leapfrog"
-    """`yoshida` is of fourth order, for smooth forces that depend on places and time alone;
+    """`fourth-order` is for smooth forces that depend on places and time alone;
     `symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
@@ -257,8 +275,30 @@ class Level(Model):
     """where the closed form says that a body is: [x, y] over the parameters and t"""
     view: View = View()
     """what part of the plane is shown"""
+    _origin: Origin | None = PrivateAttr(default=None)
+
+    def read_from(self, origin: Origin) -> None:
+        """Note the text that it was read from."""
+        self._origin = origin
+
+    def place(self, path: Path) -> str:
+        """Return where a part stands, as messages begin; its path alone without a text."""
+        return self._origin.place(path) if self._origin else ".".join(map(str, path))
 
     @property
     def defaults(self) -> Values:
         """The parameters' default values."""
         return {name: parameter.value for name, parameter in self.parameters.items()}
+
+
+def is_alone(name: str, level: Level) -> bool:
+    """Whether a joint is a plain string that shares no body that moves with another exact joint."""
+    if not isinstance(level.joints[name], Pulley):
+        return False
+    joint = level.joints[name]
+    first, *pegs, last = points(joint)
+    if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
+        return False
+    moving = {body for body in bodies_of(joint) if level.bodies[body].type == "dynamic"}
+    others = (o for n, o in level.joints.items() if n != name and is_exact(o))
+    return not any(moving & set(bodies_of(other)) for other in others)

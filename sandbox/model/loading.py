@@ -3,7 +3,7 @@
 import codecs
 import hashlib
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import reduce
 from math import isfinite
 from operator import getitem
@@ -19,7 +19,9 @@ from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, ValueRangeError, brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Parameter
+from sandbox.model.locating import Path as Place
 from sandbox.model.locating import position
+from sandbox.model.origin import Origin
 from sandbox.model.parts import Fault
 from sandbox.model.suggest import meant
 
@@ -80,6 +82,7 @@ def parse(text: str, source: str = "<text>") -> Level:
         document.refuse(_faults(document, data, details))
     if found := rules.faults(level):
         document.refuse(found)
+    level.read_from(Origin(text, source))
     return level
 
 
@@ -139,13 +142,22 @@ def _content(path: Path, source: str) -> bytes:
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
     paths = [wording.path_of(detail, document.values) for detail in details]
-    placed = zip(paths, details, strict=True)
+    placed = [
+        (path, detail)
+        for path, detail in zip(paths, details, strict=True)
+        if detail["type"] != "too_short" or not _holds_another(path, paths)
+    ]
     ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
     for path, detail in ordered[: MAX_MISTAKES + 1]:
         yield Fault(path, wording.rule(detail, path))
     mended = _mend(document, data, details)
     if mended is not None:
         yield from dangling(mended)
+
+
+def _holds_another(path: Place, paths: Sequence[Place]) -> bool:
+    """Whether one of the places lies within a list, which pydantic counts without what is wrong."""
+    return any(len(other) > len(path) and other[: len(path)] == path for other in paths)
 
 
 def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level | None:  # noqa: ANN401 (whatever JSON holds)

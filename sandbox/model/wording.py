@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Container, Mapping
+from math import isnan
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
 
@@ -36,6 +37,7 @@ _TYPES: Mapping[str, str] = {
     "greater_than_equal": "must be at least {ge:g}",
     "int_from_float": "must be a whole number",
     "int_type": "must be a whole number",
+    "less_than": "must be less than {lt:g}",
     "less_than_equal": "must be at most {le:g}",
     "literal_error": "must be {expected}",
     "mapping_type": "must be an object, {{...}}",
@@ -82,6 +84,16 @@ def path_of(detail: ErrorDetails, known: Container[Path]) -> Path:
     return (*path, step) if detail["type"] == "missing" and isinstance(step, str) else path
 
 
+def _typical(kind: str, detail: ErrorDetails) -> str:
+    """Say an error that needs but a few words."""
+    context = detail.get("ctx", {})
+    if isinstance(given := detail["input"], float) and isnan(given):
+        return "must be a number"
+    if kind == "too_long" and context["actual_length"] is None:  # pydantic stopped counting
+        return f"has more than {context['max_length']:,} entries; that is the most"
+    return _TYPES[kind].format(**context)
+
+
 def rule(detail: ErrorDetails, path: Path) -> str:
     """Say an error of pydantic."""
     last = detail["loc"][-1] if detail["loc"] else ""
@@ -97,7 +109,7 @@ def rule(detail: ErrorDetails, path: Path) -> str:
         case "union_tag_invalid" | "union_tag_not_found" | "literal_error":
             return _choice(detail)
         case kind if kind in _TYPES:
-            return _TYPES[kind].format(**detail.get("ctx", {}))
+            return _typical(kind, detail)
     message = detail["msg"]
     return message[0].lower() + message[1:]
 

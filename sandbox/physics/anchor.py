@@ -13,6 +13,8 @@ from sandbox.physics.motion import Motion
 Plane = NDArray[np.complex128]
 """Points or vectors of the plane, as x + iy."""
 
+_NOTHING: Plane = np.zeros((), dtype=complex)
+
 
 @dataclass(frozen=True, slots=True)
 class Anchor:
@@ -26,17 +28,31 @@ class Anchor:
 
     def look(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
         """Return where it is [m], how it moves [m/s], and its arm from the centre of mass [m]."""
+        place, arm = self.find(motion)
         if self.body is None:
-            here = np.asarray(self.point)
-            return here, np.zeros_like(here), np.zeros_like(here)
-        x, y = np.moveaxis(motion.position[..., self.body, :], -1, 0)
-        u, v = np.moveaxis(motion.velocity[..., self.body, :], -1, 0)
+            return place, _NOTHING, arm
+        moves = _plane(motion.velocity[..., self.body, :])
+        if self.point:
+            moves = moves + 1j * motion.angular_velocity[..., self.body] * arm
+        return place, moves, arm
+
+    def find(self, motion: Motion) -> tuple[Plane, Plane]:
+        """Return where it is [m], and its arm from the centre of mass [m]."""
+        if self.body is None:
+            return np.asarray(self.point), _NOTHING
+        place = _plane(motion.position[..., self.body, :])
+        if not self.point:  # the angle does not matter
+            return place, _NOTHING
         arm = self.point * np.exp(1j * motion.angle[..., self.body])
-        turning = 1j * motion.angular_velocity[..., self.body] * arm
-        return x + 1j * y + arm, u + 1j * v + turning, arm
+        return place + arm, arm
+
+
+def _plane(vectors: Array) -> Plane:
+    """Return vectors as x + iy: (...) of (..., 2)."""
+    return np.ascontiguousarray(vectors).view(complex)[..., 0][()]
 
 
 def length(path: Sequence[Anchor], motion: Motion) -> Array:
     """Return how long it is from the first of some points to the last, through all others [m]."""
-    places = [anchor.look(motion)[0] for anchor in path]
+    places = [anchor.find(motion)[0] for anchor in path]
     return np.asarray(sum(np.abs(b - a) for a, b in pairwise(places)))

@@ -17,10 +17,10 @@ from pymunk.batch import (
     Buffer,
     get_space_arbiters,
     get_space_bodies,
-    set_space_bodies,
 )
 
 from sandbox.model.expressions import Array
+from sandbox.physics.raw import Table
 
 _VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
 _FORCE = BodyFields.FORCE | BodyFields.TORQUE
@@ -84,6 +84,32 @@ class Contacts(NamedTuple):
             return others
         return Contacts._make(map(np.concatenate, zip(self, others, strict=True)))
 
+    def on_surfaces(self, points: Array) -> Array:
+        """Return where points, (k, 2), lie on the surfaces of the two bodies: (k, 2, 2) [m].
+
+        They overlap: each is rubbed on its own surface.
+        """
+        overlap = self.direction * (self.depth / 2)[:, None]
+        return points[:, None] + np.stack((overlap, -overlap), axis=1)
+
+    def times(self, factor: float) -> "Contacts":
+        """Return the same contacts with so many times the impulses."""
+        return self._replace(
+            normal=self.normal * factor,
+            friction=self.friction * factor,
+            impulse=self.impulse * factor,
+        )
+
+    def in_order(self) -> "Contacts":
+        """Return these contacts in an order of their own.
+
+        pymunk's order depends on where its objects lie in memory, and sums on the order.
+        """
+        x, y = self.points[:, 0].T
+        keys = (x, y, self.friction, self.normal, self.bodies[:, 1], self.bodies[:, 0])
+        order = np.lexsort(keys)
+        return Contacts._make(field[order] for field in self)
+
     def after(self, count: int) -> "Contacts":
         """Return all but the first."""
         return Contacts._make(field[count:] for field in self) if count else self
@@ -102,6 +128,13 @@ NO_CONTACTS = Contacts(
 )
 
 
+def in_place(rows: Integers) -> slice | Integers:
+    """Return rows as a slice, if they follow each other: those are not copied to be worked on."""
+    first = int(rows[0]) if len(rows) else 0
+    follow = np.array_equal(rows, np.arange(first, first + len(rows)))
+    return slice(first, first + len(rows)) if follow else rows
+
+
 class Batch:
     """Reads and writes the bodies of a space in the order they are given; n bodies."""
 
@@ -116,79 +149,68 @@ class Batch:
         self._order = np.argsort(known)
         self._ids = known[self._order]
         self._rows = np.array([rows[body.id] for body in bodies], dtype=np.intp)
-        self._state, self._state_buffer = _table(len(ids), 6)
-        self._velocity, self._velocity_buffer = _table(len(ids), 3)
-        self._force, self._force_buffer = _table(len(ids), 3)
+        self._places = in_place(self._rows)
+        self._state = Table(space, _STATE, len(ids), 6)
+        self._velocity = Table(space, _VELOCITY, len(ids), 3)
+        self._force = Table(space, _FORCE, len(ids), 3)
         self._contacts = Buffer()
+        self._raw, self._known = (b"", b""), NO_CONTACTS
 
     def state(self) -> Array:
         """Return x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""
-        self._state_buffer.clear()
-        get_space_bodies(self._space, _STATE, self._state_buffer)
-        return self._state[self._rows]
+        return self._state.read().take(self._rows, axis=0)
 
     def velocity(self) -> Array:
         """Return vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
-        self._velocity_buffer.clear()
-        get_space_bodies(self._space, _VELOCITY, self._velocity_buffer)
-        return self._velocity[self._rows]
+        return self._velocity.read().take(self._rows, axis=0)
 
     def set_velocity(self, velocity: Array) -> None:
         """Write vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
-        self._velocity[self._rows] = velocity
-        set_space_bodies(self._space, _VELOCITY, self._velocity_buffer)
+        self._write(self._velocity, velocity)
 
     def set_state(self, state: Array) -> None:
         """Write x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""
-        self._state[self._rows] = state
-        set_space_bodies(self._space, _STATE, self._state_buffer)
+        self._write(self._state, state)
 
     def set_force(self, force: Array) -> None:
         """Write force and torque that act in the next kick: (n, 3) [N, N m]."""
-        self._force[self._rows] = force
-        set_space_bodies(self._space, _FORCE, self._force_buffer)
+        self._write(self._force, force)
+
+    def _write(self, table: Table, values: Array) -> None:
+        table.values[self._places] = values
+        table.write()
 
     def contacts(self) -> Contacts:
-        """Return who is in contact, with the impulses of the last step."""
+        """Return who is in contact, with the impulses of the last step; not to be written to."""
         self._contacts.clear()
         get_space_arbiters(self._space, _CONTACT_FIELDS, self._contacts)
-        integers = np.frombuffer(self._contacts.int_buf(), dtype=np.uintp).reshape(-1, 4)
+        raw = bytes(self._contacts.int_buf()), bytes(self._contacts.float_buf())
+        if raw != self._raw:  # several ask in a step
+            self._raw, self._known = raw, self._read(*raw)
+        return self._known
+
+    def _read(self, integer: bytes, floating: bytes) -> Contacts:
+        """Return the contacts that pymunk has written down."""
+        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
         if not len(integers):
             return NO_CONTACTS
-        floats = np.frombuffer(self._contacts.float_buf()).reshape(-1, 12)
+        floats = np.frombuffer(floating).reshape(-1, 12)
         live = integers[:, 3] > 0  # pymunk remembers pairs for some steps after they part
-        bodies = self._order[np.searchsorted(self._ids, integers[live, :2])]
-        impulse, direction = floats[live, :2], floats[live, 2:4]
-        on_surfaces = floats[live, 4:].reshape(-1, 2, 2, 2)
+        if not live.all():
+            integers, floats = integers[live], floats[live]
+        bodies = self._order[self._ids.searchsorted(integers[:, :2])]
+        impulse, direction = floats[:, :2], floats[:, 2:4]
+        on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
         depth = np.einsum("kpc,kc->kp", overlap, direction)
-        depth = np.where(integers[live, 3] > 1, depth.max(axis=1), depth[:, 0])
+        depth = np.where(integers[:, 3] > 1, np.maximum(depth[:, 0], depth[:, 1]), depth[:, 0])
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        along = np.sum(impulse * direction, axis=1)
+        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
         impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
         normal = np.abs(along)
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
-        # pymunk's order depends on where its objects lie in memory, and sums on the order
-        keys = (*points[:, 0].T, friction, normal, bodies[:, 1], bodies[:, 0])
-        o = np.lexsort(keys)
-        first, touches = integers[live, 2] > 0, integers[live, 3].astype(np.intp)
-        return Contacts(
-            bodies[o],
-            first[o],
-            direction[o],
-            normal[o],
-            friction[o],
-            touches[o],
-            points[o],
-            impulse[o],
-            depth[o],
+        first, touches = integers[:, 2] > 0, integers[:, 3].astype(np.intp)
+        found = Contacts(
+            bodies, first, direction, normal, friction, touches, points, impulse, depth
         )
-
-
-def _table(rows: int, columns: int) -> tuple[Array, Buffer]:
-    """Return an array and the buffer through which pymunk reads and writes it."""
-    # pymunk reallocates an array that it has filled, and this one is not its own: leave room
-    memory = np.zeros(rows * columns + 1)
-    buffer = Buffer()
-    buffer.set_float_buf(memory)
-    return memory[:-1].reshape(rows, columns), buffer
+        return found.in_order() if len(bodies) > 1 else found

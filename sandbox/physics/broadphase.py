@@ -1,24 +1,27 @@
 """How pairs of shapes that may touch are found, chosen to suit the scene.
 
 pymunk's tree of bounding boxes serves any scene. In a crowd of like shapes a grid of cells is
-quicker, for a tree grows with the logarithm of their number and is scattered through memory: with
-10,000 discs in a gas a step takes 2.9 ms instead of 4.8, with 1,000 it takes about the same.
+quicker, for a tree grows with the logarithm of their number: in a gas a disc takes 1090
+instructions a step among 100 in a tree, 3600 among 10,000 in a tree, and 1170 in a grid.
 """
 
 import numpy as np
 import pymunk
 
-CROWD = 2000
-"""From how many shapes on a grid is considered."""
+CROWD = 1000
+"""From how many shapes on a grid is considered: with half of that the tree is as quick."""
 
-CELL = 1.5
-"""How wide a cell is, in widths of a shape of median size."""
+CELL = 3.0
+"""How wide a cell is, in widths of a small shape: then most shapes lie in one or two."""
+
+SMALL = 0.1
+"""The quantile of the widths that is a small one. Smaller ones are too few to crowd a cell."""
 
 SPREAD = 8
 """How many cells there may be to a shape: a large shape in a fine grid would fill it."""
 
-BUCKETS = 10
-"""How many places of the hash table there are to a shape."""
+BUCKETS = 2
+"""How many places of the hash table there are to a shape; each is visited in each step."""
 
 
 def choose_broad_phase(space: pymunk.Space) -> bool:
@@ -31,7 +34,7 @@ def choose_broad_phase(space: pymunk.Space) -> bool:
         return False
     boxes = np.array([shape.cache_bb() for shape in shapes])
     size = boxes[:, 2:] - boxes[:, :2]
-    cell = CELL * float(np.median(size.max(axis=1)))
+    cell = CELL * float(np.quantile(size.max(axis=1), SMALL))
     cells = np.prod(np.floor(size / cell) + 2, axis=1).sum()
     if not (cell > 0 and cells <= SPREAD * len(shapes)):
         return False

@@ -63,17 +63,18 @@ def grade(trace: Trace) -> tuple[Result, ...]:
     return tuple(_grade(check, trace) for check in trace.level.checks)
 
 
-def relative_error(measured: Array, expected: Array) -> tuple[float, int]:
+def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
     """Return the largest difference, relative if it can be, and where it is.
 
-    Where nothing is expected but zeros, the error is absolute. A difference that is not a number
-    is an infinite error.
+    It is relative to the largest expected value, or to a least scale if that is larger. Where
+    nothing is expected but zeros, and there is none, the error is absolute. A difference that is
+    not a number is an infinite error.
     """
     with np.errstate(invalid="ignore"):
         difference = np.abs(measured - expected)
     difference = np.where(np.isnan(difference), np.inf, difference)
     worst = int(np.argmax(difference))
-    scale = float(np.abs(expected).max())
+    scale = max(float(np.abs(expected).max()), least)
     return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
 
 
@@ -89,7 +90,7 @@ def _grade(check: Check, trace: Trace) -> Result:
         expected = check.formula.over(trace.values, t)
     except ExpressionError:
         expected = np.full_like(t, np.nan)
-    error, worst = relative_error(measured, expected)
+    error, worst = relative_error(measured, expected, least_scale(check, trace.values))
     return Result(
         check,
         unit,
@@ -99,6 +100,11 @@ def _grade(check: Check, trace: Trace) -> Result:
         error,
         "passed" if error <= check.tolerance else "failed",
     )
+
+
+def least_scale(check: Check, values: Values) -> float:
+    """Return what the errors of a check are relative to at the least; 0 if it does not say."""
+    return check.scale(values) if check.scale else 0.0
 
 
 def applies(check: Check, values: Values) -> bool:
@@ -131,7 +137,10 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     if isinstance(at, ContactEvent):
         return _after_contact(trace, column, frozenset(at.bodies))
     time = _time(trace, at)
-    return None if time is None else (np.array([time]), np.array([value_at(trace.t, column, time)]))
+    if time is None:
+        return None
+    value = value_at(trace.t, column, time, smooth=trace.smooth)
+    return np.array([time]), np.array([value])
 
 
 def _after_contact(trace: Trace, column: Array, pair: Pair) -> tuple[Array, Array] | None:
@@ -146,14 +155,20 @@ def _after_contact(trace: Trace, column: Array, pair: Pair) -> tuple[Array, Arra
 
 def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:
     """Return when an instant is [s], None if it has not come yet."""
-    t, columns, values = trace.t, trace.columns, trace.values
+    values = trace.values
     match at:
         case ApexEvent(body=body):
-            return crossing(t, columns[f"{body}.velocity.y"], 0.0, "down")
+            return _crossing(trace, f"{body}.velocity.y", 0.0, "down")
         case LandingEvent(body=body, height=height):
-            return crossing(t, columns[f"{body}.position.y"], height(values), "down")
+            return _crossing(trace, f"{body}.position.y", height(values), "down")
         case CrossingEvent(quantity=quantity, value=value, direction=direction):
-            return crossing(t, columns[quantity], value(values), direction)
+            return _crossing(trace, quantity, value(values), direction)
         case Expression():
             time = at(values)
-            return time if time <= t[-1] * (1 + ROUNDING) else None
+            return time if time <= trace.t[-1] * (1 + ROUNDING) else None
+
+
+def _crossing(
+    trace: Trace, quantity: str, value: float, direction: Literal["up", "down", "either"]
+) -> float | None:
+    return crossing(trace.t, trace.columns[quantity], value, direction, smooth=trace.smooth)

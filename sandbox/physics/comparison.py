@@ -2,14 +2,15 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, Instant, Level, Stepping
 from sandbox.physics.checks import ZERO, samples
-from sandbox.physics.timing import STEPS, step_seconds
-from sandbox.physics.trace import Trace, count_steps, needed
+from sandbox.physics.timing import step_costs
+from sandbox.physics.trace import Trace, needed
 from sandbox.physics.world import build
 
 
@@ -134,7 +135,4 @@ def costs(
     SimulationError
         If one of them has to stop.
     """
-    levels = list(levels)
-    steps = min(count_steps(build(levels[0], values, stepping)), STEPS)
-    starts = [lambda level=level: build(level, values, stepping).step for level in levels]
-    return tuple(step_seconds(starts, max(steps, 1)))
+    return step_costs(*(partial(build, level, values, stepping) for level in levels))

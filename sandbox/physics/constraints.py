@@ -1,15 +1,19 @@
-"""Joints as pymunk has them, for levels that do not ask for exact ones.
+"""Joints as pymunk has them: springs, and others for levels that do not ask for exact ones.
 
 pymunk's solver takes turns between its constraints: it holds velocities as well as its iterations
 go, and corrects places later, by a share of what they are off.
+
+A spring without a damper is no constraint to it. It pulls once a step, between drift and kick, as
+far as it is stretched there: leapfrog, to the last digit, at a hundredth of what a force law costs.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Motor, Own, Pivot, Rod, Rope, Weld
+from sandbox.physics.laws.spring import SpringForce
 
 End = tuple[pymunk.Body, tuple[float, float]]
 """A body, and the point of it that is held, along its own axes [m]."""
@@ -85,3 +89,10 @@ class OwnJoint:
     def torque(self) -> float:
         """The size of the torque in the last kick [N m]."""
         return sum(joint.impulse for joint in self._angular) / self._kick
+
+
+def pull_by_pymunk(spring: SpringForce, bodies: Sequence[pymunk.Body], space: pymunk.Space) -> None:
+    """Let pymunk pull at the ends of a spring that neither damps nor lets go."""
+    a, b = (space.static_body if e.body is None else bodies[e.body] for e in spring.ends)
+    at, on = ((end.point.real, end.point.imag) for end in spring.ends)
+    space.add(pymunk.DampedSpring(a, b, at, on, spring.length, spring.stiffness, 0.0))

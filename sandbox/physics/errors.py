@@ -3,7 +3,15 @@
 from math import ceil
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.level import HIGHEST_RATE
+from sandbox.model.level import HIGHEST_RATE, Level
+from sandbox.model.locating import Path
+
+
+def way_out(needed: float, rate: float) -> str:
+    """Return what to do where a higher rate would hold [Hz], if a level may have that."""
+    if needed > HIGHEST_RATE:
+        return "no 'rate' that a level may have is enough"
+    return f"take a higher 'rate': {ceil(needed):,}, not {rate:g}"
 
 
 class SimulationError(SandboxError):
@@ -17,13 +25,44 @@ class SimulationError(SandboxError):
         When it was noticed [s].
     rate
         Steps a second at which it should hold; None if no rate that a level may have does [Hz].
+    reason
+        What is wrong.
+    place
+        Where in the level's file the cause stands, if the world could not even start.
     """
 
-    def __init__(self, subject: str, time: float, reason: str, rate: float | None = None) -> None:
+    def __init__(
+        self, subject: str, time: float, reason: str, rate: float | None = None, path: Path = ()
+    ) -> None:
         self.subject = subject
         self.time = time
+        self.reason = reason
+        self.place = ""
+        self._path = path
         self.rate = ceil(rate) if rate is not None and rate <= HIGHEST_RATE else None
         super().__init__(f"stopped at t = {time:.6g} s: {reason}")
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """Let it be told in another process, too."""
+        told = self.subject, self.time, self.reason, self.rate, self._path
+        return type(self), told, {"place": self.place}
+
+    def __str__(self) -> str:
+        return f"{self.place}: {self.reason}" if self.place else super().__str__()
+
+    def when(self, condition: str) -> "SimulationError":
+        """Return the same, of values of the parameters only."""
+        reason = f"{self.reason} when {condition}"
+        return SimulationError(self.subject, self.time, reason, self.rate, self._path)
+
+    def refuse(self, level: Level) -> None:
+        """Say where in a level that cannot start the cause stands, instead of when it stopped.
+
+        That is the subject, if nothing else is known.
+        """
+        parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
+        path = self._path or next(((part, self.subject) for part in parts), ())
+        self.place = level.place(path) if path else ""
 
 
 class SchemeError(SandboxError):
@@ -31,10 +70,13 @@ class SchemeError(SandboxError):
 
 
 class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the world adds the time)
-    """A joint that cannot be kept, and the rate at which it could, if one is known [Hz]."""
+    """A joint that cannot be kept.
 
-    def __init__(self, joint: str, reason: str, rate: float | None = None) -> None:
-        self.joint, self.rate = joint, rate
+    It could with `finer` times as many steps, if that is known.
+    """
+
+    def __init__(self, joint: str, reason: str, finer: float | None = None) -> None:
+        self.joint, self.finer = joint, finer
         super().__init__(reason)
 
 

@@ -132,13 +132,12 @@ def _again(
     level, stepping = trace.level, trace.stepping
     if disturbed:
         return "not repeatable: a hand has moved the bodies"
-    if level.stepping.at(stepping.rate) != stepping:
-        return "not repeatable by a command: the level says another scheme, or other iterations"
     command = ["python", "-m", "sandbox", "simulate", source, *(change.options if change else ())]
     for name, value in trace.values.items():
         if value != level.defaults[name]:
             command += ["--set", f"{name}={float(value)!r}"]
     command += ["--duration", repr(float(trace.t[-1])), "--rate", repr(stepping.rate)]
+    command += ["--scheme", stepping.scheme, "--iterations", str(stepping.iterations)]
     for name in columns:
         command += ["--record", name]
     text = shlex.join([*command, "--output", "FILE.csv"])

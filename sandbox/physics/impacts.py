@@ -21,6 +21,7 @@ MAX_HEIGHT = 10
 def impacts(
     contacts: Contacts,
     solid: Integers,
+    place: Array,
     before: Array,
     after: Array,
     pull: Array,
@@ -40,6 +41,8 @@ def impacts(
         Of the step.
     solid
         (s, 2), pairs of bodies that are parts of one solid.
+    place
+        (n, 3), where the bodies are [m, rad].
     before, after
         (n, 3), the velocities half a step before and after [m/s, rad/s].
     pull
@@ -49,22 +52,39 @@ def impacts(
     dt
         The time step [s].
     """
-    adds = np.abs(_parting(contacts, pull)) * dt
-    struck = contacts.first & (_parting(contacts, before) < -adds)
+    arms = touching(contacts, place)
+    adds = np.abs(rates_apart(contacts, arms, pull)) * dt
+    parting = rates_apart(contacts, arms, after)
+    hits = rates_apart(contacts, arms, before) < -adds
+    hits &= contacts.first[:, None] | (parting > adds)  # the next corner of what touches already
+    struck = np.asarray(hits.any(axis=1))
     if not struck.any():
         return np.flatnonzero(struck), pull[:0]
     linked = np.concatenate((contacts.bodies, solid))
     hit_first = np.append(struck, np.zeros(len(solid), dtype=bool))
     hit = np.flatnonzero(reached(linked, hit_first, mass > 0))
-    rests = _parting(contacts, after) <= NEGLIGIBLE * adds
+    rests = np.asarray((parting <= NEGLIGIBLE * adds).all(axis=1))
     return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
 
 
-def _parting(contacts: Contacts, rate: Array) -> Array:
-    """Return how fast each pair's velocities, or accelerations, take it apart: (k,)."""
-    a, b = contacts.bodies.T
-    difference: Array = np.sum((rate[b] - rate[a])[:, :2] * contacts.direction, axis=1)
-    return difference
+def touching(contacts: Contacts, place: Array) -> Array:
+    """Return where pairs touch, from the centre of each: (k, 2 points, 2 bodies, 2) [m].
+
+    Where they touch at one point only, that counts twice.
+    """
+    second = np.where(contacts.touches[:, None] > 1, contacts.points[:, 1], contacts.points[:, 0])
+    points = np.stack((contacts.points[:, 0], second), axis=1)
+    arms: Array = points[:, :, None] - place[contacts.bodies][:, None, :, :2]
+    return arms
+
+
+def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
+    """Return how fast velocities, or accelerations, take pairs apart where they touch: (k, 2)."""
+    rates = rate[contacts.bodies][:, None]
+    turning = rates[..., 2:] * np.stack((-arms[..., 1], arms[..., 0]), axis=-1)
+    here, there = np.moveaxis(rates[..., :2] + turning, 2, 0)
+    parting: Array = np.sum((there - here) * contacts.direction[:, None], axis=2)
+    return parting
 
 
 def reached(bodies: Integers, struck: Booleans, moving: Booleans) -> Booleans:

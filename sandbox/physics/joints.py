@@ -28,11 +28,10 @@ from sandbox.model.joints import (
     Winding,
     Wire,
     bodies_of,
-    body_of,
     is_exact,
     points,
 )
-from sandbox.model.level import Level, span
+from sandbox.model.level import Level, is_alone, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.anchor import Anchor, length
@@ -53,6 +52,10 @@ Turning = Pivot | Weld | Motor | Winding
 
 DRAWN = 200
 """How many pieces of a wire are shown."""
+
+FAR = 1e4
+"""m from the plane's origin, beyond which exact joints count places from among their bodies: there,
+a float knows a place worse than joints are kept."""
 
 
 class Pulls(NamedTuple):
@@ -93,6 +96,8 @@ class Joints:
         The points that each runs through, by name; of a wire, points of its curve.
     touches
         Tells which of the pairs that stick have met; None if none do.
+    lines
+        The names of rods, ropes and strings, which swing across when they are taut.
     solids
         Who is welded or stuck to whom.
     radii
@@ -115,6 +120,8 @@ class Joints:
             name: tuple(_anchor(end, index, values) for end in points(spec))
             for name, spec in level.joints.items()
         }
+        reaching = Rod | Rope | Pulley | Winding
+        self.lines = [n for n, spec in level.joints.items() if isinstance(spec, reaching)]
         self.wires: dict[str, WireEquation] = {}
         self.springs: dict[str, SpringForce] = {}
         self.strings: dict[str, PulleyString] = {}
@@ -125,27 +132,31 @@ class Joints:
         self._inverse_moment = inverse(moment)
         rows: list[Row] = []
         others: list[Equation] = []
-        start = _coordinates(bodies)
+        origin = _origin(bodies)
+        start = _coordinates(bodies, origin)
         self.own = self._take_own(level, bodies, lengths, values)
         for name, spec in _ours(level).items():
+            path = _from(origin, self.paths[name])
             if isinstance(spec, Wire):
-                curve = along(spec, values)
+                curve = along(spec, values) - origin
                 self.wires[name] = WireEquation(name, self.paths[name][0], curve)
                 self.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
                 others.append(self.wires[name])
             elif isinstance(spec, Spring):
                 self.springs[name] = _spring(spec, self.paths[name], lengths[name], values)
-            elif isinstance(spec, Pulley) and _is_alone(name, level):
+            elif isinstance(spec, Pulley) and is_alone(name, level):
                 self.strings[name] = _string(name, spec, bodies, lengths[name], values)
             elif isinstance(spec, Lengths):
-                rows += _rows(name, spec, self.paths[name], lengths[name], values)
+                rows += _rows(name, spec, path, lengths[name], values)
             else:
-                new_rows, new_others = self._turning(name, spec, start, values)
+                new_rows, new_others = self._turning(name, spec, path, start, values)
                 rows += new_rows
                 others += new_others
         if rows or others or level.effects.sticking:
             inverses = inverse(mass), self._inverse_moment
-            self.together = ExactJoints(rows, others, batch, *inverses)
+            self.together = ExactJoints(rows, others, batch, *inverses, origin)
+        together = (self.together,) if self.together else ()
+        self._solved = (*self.strings.values(), *self.own.values(), *together)
         self.solids = Solids(bodies)
         for a, b in _welded(level):
             self.solids.join(a, b)
@@ -176,9 +187,14 @@ class Joints:
         return own
 
     def _turning(
-        self, name: str, spec: Turning, start: Coordinates, values: Values
+        self,
+        name: str,
+        spec: Turning,
+        path: tuple[Anchor, ...],
+        start: Coordinates,
+        values: Values,
     ) -> tuple[list[Row], Sequence[Equation]]:
-        a, b = self.paths[name]
+        a, b = path
         match spec:
             case Pivot():
                 return pin(name, a, b), ()
@@ -236,7 +252,7 @@ class Joints:
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
-        for joint in self._solved():
+        for joint in self._solved:
             joint.time(kick, drift)
 
     def refit(self, t: float) -> None:
@@ -295,12 +311,6 @@ class Joints:
                     torque[i] = self.together.torque(name)
         return torque
 
-    def _solved(self) -> Iterator[PulleyString | OwnJoint | ExactJoints]:
-        yield from self.strings.values()
-        yield from self.own.values()
-        if self.together:
-            yield self.together
-
 
 def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
     gradient = np.zeros((1, count, 3))
@@ -321,17 +331,6 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
     if isinstance(end, Held):
         return Anchor(index[end.body], complex(*evaluate(end.at, values)))
     return Anchor(None, complex(*evaluate(end, values)))
-
-
-def _is_alone(name: str, level: Level) -> bool:
-    """Whether a string is plain and shares no body that moves with another exact joint."""
-    joint = level.joints[name]
-    first, *pegs, last = points(joint)
-    if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
-        return False
-    moving = {body for body in bodies_of(joint) if level.bodies[body].type == "dynamic"}
-    others = (o for n, o in level.joints.items() if n != name and is_exact(o))
-    return not any(moving & set(bodies_of(other)) for other in others)
 
 
 def _welded(level: Level) -> Iterator[tuple[str, str]]:
@@ -380,8 +379,8 @@ def _rows(
             return [Row(name, reaches, length(values))]
         case Rope(length=length) | Pulley(length=length):
             whole = span if length is None else length(values)
-            moving = [reach for reach in reaches if any(end.body is not None for end in reach)]
-            still = sum(abs(b.point - a.point) for a, b in reaches if (a, b) not in moving)
+            moving = [(a, b) for a, b in reaches if a.body != b.body]
+            still = sum(abs(b.point - a.point) for a, b in reaches if a.body == b.body)
             return [Row(name, moving, whole - still, pulls_only=True)]
     raise AssertionError(spec)
 
@@ -395,6 +394,9 @@ def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
 
     By the midpoint rule: leapfrog's velocity between two steps is that of the middle.
     """
+    if "t" not in rate.names:
+        steady = rate(values)
+        return lambda t: steady * t
     turned, reached = 0.0, 0.0
 
     def angle(t: float) -> float:
@@ -406,11 +408,22 @@ def _driven(rate: Formula, values: Values) -> Callable[[float], float]:
     return angle
 
 
-def _coordinates(bodies: Mapping[str, pymunk.Body]) -> Coordinates:
+def _origin(bodies: Mapping[str, pymunk.Body]) -> complex:
+    """Return from where places are counted [m]: from among bodies that are far away."""
+    middle = sum(complex(*body.position) for body in bodies.values()) / len(bodies)
+    return middle if abs(middle) > FAR else 0j
+
+
+def _from(origin: complex, path: tuple[Anchor, ...]) -> tuple[Anchor, ...]:
+    """Return points through which a joint runs, those of the plane from another origin."""
+    return tuple(a if a.body is not None else Anchor(None, a.point - origin) for a in path)
+
+
+def _coordinates(bodies: Mapping[str, pymunk.Body], origin: complex) -> Coordinates:
     """Return where bodies are at the start, the plane itself last."""
-    places = [complex(*body.position) for body in bodies.values()]
+    places = [complex(*body.position) - origin for body in bodies.values()]
     angles = [body.angle for body in bodies.values()]
-    return Coordinates(np.array([*places, 0j]), np.array([*angles, 0.0]))
+    return Coordinates.of(np.array([*places, 0j]), np.array([*angles, 0.0]))
 
 
 def inverse(inertia: Array) -> Array:

@@ -10,95 +10,62 @@ A force with a potential is booked by what became of its potential energy, read 
 drift, instead of by its work. The two differ by what a step is too coarse for. That difference, and
 whatever else has no cause, is `unexplained`: the numerical error. Nothing corrects it.
 
+A step of fourth order is several of those, of which the last kick is shared with the next step. It
+is read from step to step instead, each half of that kick booked on its own side.
+
 What cannot give energy is not believed to: surfaces that press on each other, impacts with e = 1, a
 joint that keeps its length. What they do all the same is left unexplained.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sandbox.model import accounts
 from sandbox.model.expressions import Array
 from sandbox.model.joints import Spring, bodies_of, is_exact
-from sandbox.model.quantities import Quantity
-from sandbox.model.shapes import evaluate
+from sandbox.physics.balance import Balance
 from sandbox.physics.batch import Contacts
+from sandbox.physics.kick import Kick, completed, pressed, rubbing
 from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.spring import SpringForce
+from sandbox.physics.located import Located
 from sandbox.physics.massflow import MassFlows
-from sandbox.physics.motion import Instant
-from sandbox.physics.world import World
+from sandbox.physics.motion import Instant, momentum
+from sandbox.physics.outline import surfaces
+from sandbox.physics.slipping import Stop
 
-COMPONENTS = {"x": 0, "y": 1}
-
-
-@dataclass(frozen=True, slots=True)
-class Balance:
-    """The books at a step, as they stand in the middle of the drift that follows it.
-
-    Attributes
-    ----------
-    kinetic
-        Of all bodies [J].
-    potential
-        By what stores it [J].
-    work, loss
-        By what put it in, or took it for good, since the books were opened [J].
-    unexplained
-        What the energy has grown by beyond that [J].
-    impulse
-        By what gave it from outside, since then: x, y and, about the origin, angular momentum, (3,)
-        each [N s, N m s].
-    unexplained_impulse
-        What the momentum has grown by beyond that: (3,).
-    """
-
-    kinetic: float
-    potential: Mapping[str, float]
-    work: Mapping[str, float]
-    loss: Mapping[str, float]
-    unexplained: float
-    impulse: Mapping[str, Array]
-    unexplained_impulse: Array
-
-    @property
-    def energy(self) -> float:
-        """Kinetic and potential [J]."""
-        return self.kinetic + sum(self.potential.values())
-
-    def value(self, quantity: Quantity) -> float:
-        """Return a quantity that the ledger keeps; a vector without a component is its size."""
-        kind, _, name = quantity.attribute.partition(".")
-        match kind:
-            case "work":
-                return self.work[name]
-            case "loss":
-                return self.loss[name]
-            case "unexplained_energy":
-                return self.unexplained
-        given = self.impulse[name] if name else self.unexplained_impulse
-        if kind in ("angular_impulse", "unexplained_angular_momentum"):
-            return float(given[2])
-        if quantity.component:
-            return float(given[COMPONENTS[quantity.component]])
-        return float(np.hypot(given[0], given[1]))
+if TYPE_CHECKING:
+    from sandbox.physics.world import World
 
 
 class Ledger:
     """Keeps the books of a world; n bodies. The world pays nothing for it.
 
     Open it on a world, let it `note` every step, and read its `balance`.
+
+    Parameters
+    ----------
+    world
+        Which.
+    begun
+        To open the books one step back: (n, 3), the velocities that the last kick began with
+        [m/s, rad/s].
+
+    Attributes
+    ----------
+    steps
+        How many of the world's are booked.
     """
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: "World", begun: Array | None = None) -> None:
         scene, level = world.scene, world.level
         self._world, self._scene = world, scene
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
         self._mass = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
-        self._surfaces = _surfaces(world)
+        self._surfaces = surfaces(scene.bodies.values())
         self._elastic = _elastic(world)
         self._potential = dict.fromkeys(accounts.potentials(level), 0.0)
         self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
@@ -107,9 +74,18 @@ class Ledger:
         own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
         self._driven = any(accounts.drives(joint, level) for joint in own)
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
-        self._steps, self._velocity = world.steps, scene.batch.velocity()
+        self._composed = world.composed
+        if self._composed:
+            begun = None
+            if world.trail is None:  # others may keep books, too
+                world.trail = []
+        self._back = begun is not None
+        self.steps = world.steps - self._back
+        self._velocity = scene.batch.velocity() if begun is None else begun
         self._slack = scene.joints.pulls(len(self._mass)).tension <= 0
-        start = self._middle(0.5, self._velocity)
+        start = self._middle(0.5 - self._back, self._velocity)
+        if self._composed:
+            start = Instant.of(self._world.snapshot)
         self._start = self._store(start), self._momentum(start)
         self._end = start
 
@@ -122,15 +98,23 @@ class Ledger:
             If the world has taken more than one step since.
         """
         world = self._world
-        if world.steps == self._steps:
+        if world.steps == self.steps:
             return
-        if world.steps != self._steps + 1:
-            raise ValueError(f"the ledger has seen step {self._steps}, the world {world.steps}")
-        self._steps = world.steps
-        before, after = self._cut(), self._scene.batch.velocity()
-        t = world.t if world.kick is None else float(world.kick.t)
+        if world.steps != self.steps + 1:
+            raise ValueError(f"the ledger has seen step {self.steps}, the world {world.steps}")
+        self.steps = world.steps
+        if self._composed and world.composed:
+            self._follow()
+            return
+        if self._composed:
+            self._change_over()
+        before = self._velocity if self._back else self._drifted()
+        self._back = False
+        after = self._scene.batch.velocity()
+        t = world.t if world.forces.seen is None else float(world.forces.seen.t)
         inertia = self._inertia(t)
-        kick = _Kick(t, world.snapshot.position, (before + after) / 2, inertia)
+        seen = world.forces.seen or self._middle(0.0, before)
+        kick = Kick(t, world.dt, seen, world.snapshot.position, (before + after) / 2, inertia)
         self._carry(t, before, after)
         rest = inertia * (after - before)
         rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
@@ -142,6 +126,41 @@ class Ledger:
         self._touch(kick, rest, kick.work(jump))
         self._velocity, self._end = after, self._middle(0.5, after)
         self._store(self._end)
+
+    def _follow(self) -> None:
+        """Book the kicks of a step, in which nothing acts but smooth forces and joints.
+
+        Of the kicks at its two ends half is its own.
+        """
+        world, end = self._world, self._end
+        parts, begun = world.parts, float(end.t)
+        half = parts[-1].kick / 2
+        self._push(begun, half, end, self._velocity)
+        velocity = self._velocity
+        for part, state in zip(parts, world.trail or (), strict=False):
+            t = begun + part.ahead * world.dt
+            before = Instant.at(t, state, velocity)
+            velocity = state[:, 3:]
+            self._push(t, part.kick, before, velocity)
+        self._end = Instant.of(self._world.snapshot)
+        before = self._end._replace(velocity=velocity[:, :2], angular_velocity=velocity[:, 2])
+        self._push(float(self._end.t), half, before, _velocity(self._end))
+        self._velocity = self._scene.batch.velocity()
+        self._store(self._end)
+
+    def _change_over(self) -> None:
+        """Take up the half kick with which the world has gone over to leapfrog, for a hand."""
+        self._velocity = self._world.begun
+        self._push(float(self._end.t), self._world.dt / 2, self._end, self._velocity)
+        self._composed = False
+
+    def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
+        """Book a kick in which only laws and joints act, from velocities to others: (n, 3)."""
+        before, inertia = _velocity(seen), self._inertia(t)
+        kick = Kick(t, length, seen, seen.position, (before + after) / 2, inertia)
+        laws = sum((self._force(law, kick) for law in self._laws), np.zeros_like(after))
+        if self._scene.joints.together:
+            self._give("supports", inertia * (after - before) - laws, kick.place)
 
     @property
     def balance(self) -> Balance:
@@ -188,35 +207,77 @@ class Ledger:
         return self._kinetic(motion) + sum(self._potential.values())
 
     def _momentum(self, motion: Instant) -> Array:
-        return _total(self._inertia(motion.t) * _velocity(motion), motion.position)
+        return momentum(self._inertia(motion.t) * _velocity(motion), motion.position)
 
     def _give(self, name: str, impulse: Array, place: Array) -> None:
         """Book what gave momentum, unless bodies give it to each other."""
         if name in self._impulses:
-            self._impulses[name] = self._impulses[name] + _total(impulse, place)
+            self._impulses[name] = self._impulses[name] + momentum(impulse, place)
 
-    def _cut(self) -> Array:
-        """Book the impacts that cut the last drift; return the velocities that it ended with.
+    def _drifted(self) -> Array:
+        """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
+        located, stops = self._world.located, self._world.stops
+        if stops and stops.last:
+            return self._stop(stops.last)
+        if located and located.impacts:
+            return self._cut(located)
+        return self._velocity
 
-        Before and after them the books stand as if the drift had not been cut, in its middle.
-        """
-        located = self._world.located
-        if located is None or not located.impacts:
-            return self._velocity
-        had = self._kinetic(self._end) + sum(self._potential.values())
-        self._end = self._middle(-0.5, located.begun)
-        gained = self._store(self._end) - had
-        told = sum(impact.told for impact in located.impacts)
-        rubbed = sum(impact.rubbed for impact in located.impacts)
-        if "bodies" in self._works:
-            self._works["bodies"] += told
-        if "friction" in self._losses:
-            self._losses["friction"] += rubbed
+    def _cut(self, located: Located) -> Array:
+        """Book the impacts that cut the last drift; return the velocities that it ended with."""
+        impacts = located.impacts
+        self._go_on(located.begun, located.lifted)
+        self._put_in(
+            {"bodies": sum(i.told for i in impacts), "belt": sum(i.driven for i in impacts)}
+        )
+        self._rub(sum(impact.rubbed for impact in impacts))
         if not self._elastic:
-            self._lose("impacts", gained - told - rubbed)
+            for impact in impacts:
+                self._lose("impacts", impact.pressed)
         if "supports" in self._impulses:
-            self._impulses["supports"] += sum(i.given for i in located.impacts)
+            self._impulses["supports"] += sum((impact.given for impact in impacts), located.pulled)
         return located.begun
+
+    def _stop(self, stop: Stop) -> Array:
+        """Book slipping that ended in the last drift; return the velocities that it ended with."""
+        before = self._end
+        self._go_on(stop.begun, stop.lifted)
+        for law in self._laws:
+            wrench = np.zeros_like(self._mass)
+            law.add(before, wrench)
+            self._do(law, float(np.sum(wrench * stop.way)))
+        self._put_in(stop.works)
+        self._rub(stop.rubbed)
+        if "supports" in self._impulses:
+            self._impulses["supports"] += stop.given
+        return stop.begun
+
+    def _go_on(self, begun: Array, lifted: float) -> None:
+        """Stand in the middle of the last drift as if it had not been cut.
+
+        What is held there, other than along the way, is taken as if it had been from the start.
+        """
+        self._end = self._middle(-0.5, begun)
+        self._store(self._end)
+        energy, momentum_then = self._start
+        self._start = energy + lifted, momentum_then
+
+    def _rub(self, work: float) -> None:
+        """Book the work of friction."""
+        if "friction" in self._losses:
+            self._losses["friction"] += work
+
+    def _do(self, law: Law, work: float) -> None:
+        """Book the work of a law that is not booked by what it stores."""
+        if law.book == "work":
+            self._works[law.effect] += work
+        elif law.book == "loss":
+            self._losses[law.effect] += work
+
+    def _put_in(self, works: Mapping[str, float]) -> None:
+        """Book works by what did them, where there is an account for it."""
+        for name in works.keys() & self._works.keys():
+            self._works[name] += works[name]
 
     def _carry(self, t: float, before: Array, after: Array) -> None:
         """Book what matter brings, or takes along, that is not a force."""
@@ -244,26 +305,22 @@ class Ledger:
         more = [law.potential_energy(other) - law.potential_energy(motion) for law in stores]
         return sum(more, np.zeros(len(self._mass)))
 
-    def _force(self, law: Law, kick: "_Kick") -> Array:
+    def _force(self, law: Law, kick: Kick) -> Array:
         """Book the impulse of a law, and return it: (n, 3)."""
         impulse = self._impulse(law, kick)
         self._give(law.effect, impulse, kick.place)
-        if law.book == "work":
-            self._works[law.effect] += kick.work(impulse)
-        elif law.book == "loss":
-            self._losses[law.effect] += kick.work(impulse)
-        elif isinstance(law, SpringForce) and law.damping:
+        self._do(law, kick.work(impulse))
+        if isinstance(law, SpringForce) and law.damping:
             elastic = self._impulse(replace(law, damping=0.0), kick)
             self._losses["damping"] += kick.work(impulse - elastic)
         return impulse
 
-    def _impulse(self, law: Law, kick: "_Kick") -> Array:
+    def _impulse(self, law: Law, kick: Kick) -> Array:
         wrench = np.zeros_like(self._mass)
-        seen = self._world.kick or self._middle(0.0, self._velocity)
-        law.add(seen, wrench)
-        return np.where(kick.inertia > 0, wrench * self._world.dt, 0.0)
+        law.add(kick.seen, wrench)
+        return np.where(kick.inertia > 0, wrench * kick.length, 0.0)
 
-    def _joints(self, kick: "_Kick") -> Array:
+    def _joints(self, kick: Kick) -> Array:
         """Book the impulses of the exact joints, and return them: (n, 3)."""
         pulls = self._scene.joints.pulls(len(self._mass))
         told = kick.inertia[:, 0] == 0
@@ -282,7 +339,7 @@ class Ledger:
         self._give("supports", together, kick.place)
         return together
 
-    def _own(self, kick: "_Kick", rest: Array) -> Array:
+    def _own(self, kick: Kick, rest: Array) -> Array:
         """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
         impulse = np.zeros_like(rest)
         if not self._hung:
@@ -290,7 +347,7 @@ class Ledger:
         contacts = self._kicked()
         for row in self._hung:
             impulse[row] = rest[row]
-            impulse[row, :2] -= _pressed(contacts, row)
+            impulse[row, :2] -= pressed(contacts, row)
         impulse[kick.inertia == 0] = 0.0
         self._give("supports", impulse, kick.place)
         if self._driven:
@@ -302,7 +359,7 @@ class Ledger:
         located = self._world.located
         return self._world.contacts.after(len(located.impacts) if located else 0)
 
-    def _jump(self, kick: "_Kick") -> Array:
+    def _jump(self, kick: Kick) -> Array:
         """Return the impulses of impacts that come one after the other: (n, 3)."""
         if self._world.jump is None:
             return np.zeros_like(self._mass)
@@ -314,21 +371,21 @@ class Ledger:
         """Book a loss; what would be a gain stays unexplained."""
         self._losses[name] += min(work, 0.0)
 
-    def _hand(self, kick: "_Kick", rest: Array) -> Array:
+    def _hand(self, kick: Kick, rest: Array) -> Array:
         """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
         impulse = np.zeros_like(rest)
         hold = self._world.hand.hold
         if hold is None:
             return impulse
         row, (x, y) = hold
-        pull = rest[row, :2] - _pressed(self._kicked(), row)
+        pull = rest[row, :2] - pressed(self._kicked(), row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
         self._works["hand"] += kick.work(impulse)
         self._impulses.setdefault("hand", np.zeros(3))
         self._give("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: "_Kick", rest: Array, jumped: float) -> None:
+    def _touch(self, kick: Kick, rest: Array, jumped: float) -> None:
         """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
         contacts = self._kicked()
         if not len(contacts.bodies):
@@ -338,89 +395,18 @@ class Ledger:
         impulse = np.where(touching[:, None], rest, 0.0)
         self._give("supports", impulse, kick.place)
         pressing = kick.work(impulse)
-        across, drives = self._rub(_completed(contacts, impulse), kick)
-        for name, work in drives.items():
-            self._works[name] += work
-        if "friction" in self._losses:
-            self._losses["friction"] += across
+        across, drives = rubbing(
+            completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
+        )
+        drives = {name: work for name, work in drives.items() if name in self._works}
+        self._put_in(drives)
+        self._rub(across)
         if not self._elastic:
             self._lose("impacts", jumped + pressing - across - sum(drives.values()))
-
-    def _rub(self, contacts: Contacts, kick: "_Kick") -> tuple[float, dict[str, float]]:
-        """Return the work of friction, and what belts and bodies that move as told put in."""
-        along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
-        friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
-        second = np.where(contacts.touches == 2, 1, 0)
-        points = (contacts.points[:, 0] + contacts.points[np.arange(len(second)), second]) / 2
-        slip = np.zeros_like(along)
-        work = {"bodies": 0.0, "belt": 0.0}
-        for side, sign in ((0, -1.0), (1, 1.0)):
-            rows = contacts.bodies[:, side]
-            arm, mean = points - kick.place[rows], kick.mean[rows]
-            moves = mean[:, :2] + mean[:, 2:] * np.stack((-arm[:, 1], arm[:, 0]), axis=1)
-            told = (kick.inertia[rows, :1] == 0) * moves
-            runs = self._surfaces[rows]
-            slip += sign * (moves + runs)
-            work["bodies"] -= sign * float(np.sum(contacts.impulse * told))
-            work["belt"] -= sign * float(np.sum(friction * runs))
-        return float(np.sum(friction * slip)), {n: w for n, w in work.items() if n in self._works}
-
-
-class _Kick(NamedTuple):
-    """What a kick is booked with; n bodies.
-
-    Attributes
-    ----------
-    t
-        When it was [s].
-    place
-        (n, 2), where the bodies were [m].
-    mean
-        (n, 3), the mean of their velocities before and after [m/s, rad/s].
-    inertia
-        (n, 3), their masses, masses and moments; 0 for what nothing moves [kg, kg m²].
-    """
-
-    t: float
-    place: Array
-    mean: Array
-    inertia: Array
-
-    def work(self, impulse: Array) -> float:
-        """Return the work of impulses: (n, 3) [J]."""
-        return float(np.sum(impulse * self.mean))
 
 
 def _velocity(motion: Instant) -> Array:
     return np.column_stack((motion.velocity, motion.angular_velocity))
-
-
-def _total(impulse: Array, place: Array) -> Array:
-    """Return the sum of impulses, and that of their moments about the origin: (3,)."""
-    x, y = place.T
-    moment = x * impulse[:, 1] - y * impulse[:, 0] + impulse[:, 2]
-    return np.array([*impulse[:, :2].sum(axis=0), moment.sum()])
-
-
-def _pressed(contacts: Contacts, row: int) -> Array:
-    """Return the impulse of all contacts on a body: (2,)."""
-    given = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
-    taken = contacts.impulse[contacts.bodies[:, 0] == row].sum(axis=0)
-    return np.asarray(given - taken)
-
-
-def _completed(contacts: Contacts, impulse: Array) -> Contacts:
-    """Return contacts with the whole impulse where a body has but one, not pymunk's share of it.
-
-    Friction that breaks loose within a step is taken down after pymunk has solved it.
-    """
-    counts = np.bincount(contacts.bodies.ravel(), minlength=len(impulse))
-    whole = contacts.impulse.copy()
-    for side, sign in ((0, -1.0), (1, 1.0)):
-        rows = contacts.bodies[:, side]
-        alone = (counts[rows] == 1) & impulse[rows].any(axis=1)
-        whole[alone] = sign * impulse[rows[alone], :2]
-    return contacts._replace(impulse=whole)
 
 
 def _carriers(flows: MassFlows) -> dict[str, list[int]]:
@@ -433,19 +419,7 @@ def _carriers(flows: MassFlows) -> dict[str, list[int]]:
     return found
 
 
-def _surfaces(world: World) -> Array:
-    """Return how fast the bodies' surfaces run: (n, 2) [m/s]."""
-    surfaces = np.zeros((len(world.scene.bodies), 2))
-    for row, (name, body) in enumerate(world.scene.bodies.items()):
-        for belt in world.level.effects.belt or ():
-            if belt.body == name:
-                x, y = evaluate(belt.velocity, world.values)
-                c, s = np.cos(body.angle), np.sin(body.angle)
-                surfaces[row] = c * x - s * y, s * x + c * y
-    return surfaces
-
-
-def _elastic(world: World) -> bool:
+def _elastic(world: "World") -> bool:
     """Whether all impacts have e = 1, so that none may take energy."""
     effect, values = world.level.effects.restitution, world.values
     if effect is None:

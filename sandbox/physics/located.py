@@ -3,12 +3,9 @@
 pymunk looks for contacts once a step. A bullet is then already behind the wall, and a ball bounces
 up to a step late. Here the drift of a step is cut at every impact of the bodies that a level names:
 between two kicks leapfrog stands for a motion with the acceleration of the last kick, so bodies
-move along parabolas until two outlines touch, an impulse along the normal turns their approach into
-e times as fast a parting (Newton's law of restitution; friction takes what Coulomb's law allows),
-and they go on along new parabolas for the rest of the step. pymunk is handed what comes of it: the
-places at the end of the drift, and the velocities half a kick before.
-
-Bounces that would be over within half a step are none: the bodies rest on each other, and are
+move along parabolas until two outlines touch, bounce off each other (see `collision`), and go on
+along new parabolas for the rest of the step. pymunk is handed what comes of it: the places at the
+end of the drift, and the velocities half a kick before. What rests on each other after an impact is
 pymunk's from the next kick on.
 """
 
@@ -22,62 +19,39 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
 from sandbox.physics.batch import NO_CONTACTS, Booleans, Contacts
-from sandbox.physics.build import Scene, pair_coefficients
+from sandbox.physics.build import Scene
+from sandbox.physics.collision import Coefficients, Collision, Impact
 from sandbox.physics.errors import EndlessImpacts
+from sandbox.physics.exact.grip import Grip
 from sandbox.physics.impacts import impacts
+from sandbox.physics.motion import momentum
 from sandbox.physics.outline import Outline, outlines
-from sandbox.physics.sequence import answers
+from sandbox.physics.pairs import pair_coefficients
 from sandbox.physics.sweep import Hit, Path, meet
-
-SWEEPS = 200
-"""How often the impulses at the points of an impact are gone through."""
-
-STILL = 1e-15
-"""The share of the impulses by which they may still change."""
 
 MOST = 10_000
 """How many impacts a step may have."""
 
 
-class Impact(NamedTuple):
-    """One impact of two bodies.
+class Cut(NamedTuple):
+    """What the impacts within a drift did; n bodies.
 
     Attributes
     ----------
-    bodies
-        Their indices.
-    time
-        Since the step before [s].
-    normal
-        The unit vector from the first to the second.
-    points
-        Where they touched [m].
-    impulse
-        What the second got; the first got the opposite [N s].
-    told
-        The work of a body that nothing moves, but that moves as told [J].
-    rubbed
-        The work of friction [J].
-    given
-        The momentum, and the angular momentum, that bodies which nothing moves have given
-        [kg m/s, kg m²/s].
+    struck
+        (n,), which bodies they reached.
+    place
+        (n, 3), where all are at the end of the drift [m, rad].
+    jump
+        (n, 3), how the velocities jumped that the next kick begins with [m/s, rad/s].
+    change
+        (n, 3), how accelerations changed [m/s², rad/s²].
     """
 
-    bodies: tuple[int, int]
-    time: float
-    normal: complex
-    points: tuple[complex, ...]
-    impulse: complex
-    told: float
-    rubbed: float
-    given: Array
-
-
-class Coefficients(NamedTuple):
-    """Of the pairs of n bodies: (n, n) each."""
-
-    restitution: Array
-    friction: Array
+    struck: Booleans
+    place: Array
+    jump: Array
+    change: Array
 
 
 class Located:
@@ -104,6 +78,13 @@ class Located:
         Those of the last drift.
     begun
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    lifted
+        How much more energy bodies have in the middle of their last drift for nothing but being
+        pulled less than before their impacts [J]: along a parabola there is m a² dt²/8 more of it
+        than in the middle of the chord.
+    pulled
+        The momentum, and the angular momentum, that what pulls them gave along their way, beyond
+        what the kicks before and after give: (3,) [kg m/s, kg m²/s].
     """
 
     def __init__(
@@ -116,8 +97,9 @@ class Located:
         dt: float,
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
-        self._coefficients, self._held = coefficients, held
+        self._collision, self._held = Collision(coefficients, scene, dt), held
         self._mass, self._agility = scene.mass, scene.agility
+        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
         self._joints, self._solids = scene.joints.together, scene.joints.solids
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
@@ -130,47 +112,79 @@ class Located:
         self._first: Array | None = None
         self.begun = state[:, 3:]
         self.impacts: list[Impact] = []
+        self.lifted, self.pulled = 0.0, np.zeros(3)
 
-    def begin(self, acceleration: Array) -> None:
-        """Take up a motion whose first kick had these accelerations: (n, 3)."""
-        self._first, self.impacts = acceleration, []
+    def begin(self, velocity: Array, acceleration: Array) -> None:
+        """Take up a motion whose first kick had these velocities before it, and accelerations."""
+        self.begun, self._first, self.impacts = velocity, acceleration, []
 
-    def cut(self, smooth: Array, struck: Array | float) -> Array | None:
-        """Let what would touch in the coming drift collide; return how stored velocities jump.
+    def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
+        """Let what would touch in the coming drift collide; return what came of it, if it did.
 
         Parameters
         ----------
         smooth
             (n, 3), the accelerations by gravity and force laws in the last kick.
         struck
-            (n, 3), how velocities jumped in the last kick by impacts in sequence.
+            (n, 3), how velocities jumped in the last kick by impacts in sequence; None if impacts
+            are pymunk's there.
 
         Raises
         ------
         EndlessImpacts
             If bodies collide more often than can be followed.
+        JointFailure
+            If joints cannot be kept after an impact.
         """
         state = self._batch.state()
         place, drifts = state[:, :3], state[:, 3:].copy()
-        total = (drifts - self.begun - struck) / self._dt if self._first is None else self._first
+        total = (drifts - self.begun) / self._dt if self._first is None else self._first
+        if struck is not None and self._first is None:
+            total = total - struck / self._dt
         self._first, self.impacts = None, []
         bend = np.maximum(np.abs(smooth), np.abs(total))
         near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
         begun, self.begun = self.begun, drifts
         if not len(near):
             return None
-        pull = self._pull(smooth, total, begun, drifts)
-        path = Path(place, drifts - pull * (self._dt / 2), pull)
+        pull = self._pull(smooth, total)
+        if struck is None:
+            self._without_impacts(pull, smooth, place, (begun, drifts))
+        grip = Grip(self._joints, self._agility, place) if self._joints else None
+        path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
+        self.pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
         if not self.impacts:
             return None
-        place, velocity = path.at(self._dt)
+        start, (place, velocity) = place, path.at(self._dt)
         hit = path.struck
-        self.begun = np.where(hit[:, None], velocity - path.pull * (self._dt / 2), drifts)
+        onwards = path.pull_at(self._dt)
+        self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
+        self._compare(path, (pull, onwards), (start, place))
         state[hit, :3] = (place - self.begun * self._dt)[hit]
         state[:, 3:] = self.begun
         self._batch.set_state(state)
-        return self.begun - drifts
+        change = np.where(hit[:, None], onwards - pull, 0.0)
+        return Cut(hit, place, self.begun - drifts, change)
+
+    def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
+        """Note what books that are kept in the middle of a drift must know of its impacts.
+
+        The accelerations, and the places, are those at the kicks before and after it.
+        """
+        half, struck = self._dt / 2, path.struck[:, None]
+        before, after = (np.where(struck, pull, 0.0) for pull in pulls)
+        less = before * before - after * after
+        self.lifted = float(np.sum(self._inertia * less)) * half * half / 2
+        self.pulled += self._pulled(path, self._dt, path.struck)
+        for pull, place in zip((before, after), places, strict=True):
+            self.pulled -= momentum(self._inertia * pull * half, place)
+
+    def _pulled(self, path: Path, t: float, bodies: Booleans) -> Array:
+        """Return what pulls gave some bodies since each one's last impact: see `momentum`."""
+        lasted = np.where(bodies, t - path.since, 0.0)[:, None]
+        mean = (path.pull + path.pull_at(t)) / 2
+        return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
 
     def contacts(self) -> Contacts:
         """Return the impacts of the last drift as contacts."""
@@ -213,17 +227,19 @@ class Located:
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
         return [(int(i), int(j)) for i, j in self._pairs[meet]]
 
-    def _pull(self, smooth: Array, total: Array, before: Array, after: Array) -> Array:
-        """Return the accelerations of the last kick, without what an impact in it did."""
-        contacts = self._batch.contacts()
+    def _pull(self, smooth: Array, total: Array) -> Array:
+        """Return the accelerations of the last kick; of what nothing holds, without rounding."""
         tied = self._held.copy()
-        tied[contacts.bodies] = True
-        pull = np.where(tied[:, None], total, smooth)
-        hit, onwards = impacts(
-            contacts, self._solids.pairs, before, after, smooth, self._mass, self._dt
-        )
+        tied[self._batch.contacts().bodies] = True
+        return np.where(tied[:, None], total, smooth)
+
+    def _without_impacts(
+        self, pull: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
+    ) -> None:
+        """Take what pymunk's impacts did in the last kick out of its accelerations."""
+        contacts, solid = self._batch.contacts(), self._solids.pairs
+        hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
         pull[hit] = onwards
-        return pull
 
     def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Let one impact come after the other until the drift is over."""
@@ -233,8 +249,7 @@ class Located:
                 raise EndlessImpacts(max(hits[0].bodies))
             hit = min(hits, key=lambda h: h.time)
             struck = self._collide(path, hit)
-            place, _ = path.at(hit.time)
-            end, _ = path.at(self._dt)
+            place, end = path.place_at(hit.time), path.place_at(self._dt)
             bend = np.abs(path.pull) * (self._dt - hit.time) ** 2
             again = [p for p in self._near(place, end, bend) if struck[self._row[[*p]]].any()]
             hits = [h for h in hits if not struck[[*h.bodies]].any()]
@@ -244,100 +259,18 @@ class Located:
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
     ) -> list[Hit]:
         shapes = self._outlines
-        found = (meet(path, shapes[a], shapes[b], since, self._dt, adds) for a, b in near)
+        gives = np.stack((adds, path.pull_at(since) * (self._dt - since)))
+        found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
         return [hit for hit in found if hit]
 
     def _collide(self, path: Path, hit: Hit) -> Booleans:
-        """Let two bodies bounce off each other, and return which bodies an impulse reached: (n,).
-
-        What would part for less than half a step does not part: it rests from there on.
-        """
-        place, velocity = path.at(hit.time)
-        e, mu = (float(table[hit.bodies]) for table in self._coefficients)
-        gradient = _gradient(hit, place, rubs=mu > 0)
-        count, left = len(hit.points), self._dt - hit.time
-        answer = answers(gradient, self._agility, self._joints)
-        matrix = np.einsum("knc,lnc->kl", answer, gradient)
-        rates = np.einsum("knc,nc->k", gradient, velocity)
-        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull)
-        leaves = -e * np.minimum(rates[:count], 0.0)
-        rests = bool((leaves <= np.maximum(-pulls, 0.0) * (self._dt / 2)).all())
-        if rests:
-            leaves[:] = 0.0
-        impulse = _impulses(matrix, rates, leaves, mu)
-        struck = np.asarray(answer.any(axis=(0, 2)))
-        path.turn(hit.time, np.tensordot(impulse, answer, 1), struck)
-        given = np.tensordot(impulse, gradient, 1)
-        told = -float(np.sum((given * velocity)[self._mass == 0]))
-        rubbed = float(impulse[count:] @ (rates + matrix @ impulse / 2)[count:])
-        if rests:
-            holds = _impulses(matrix[:count, :count], pulls, np.zeros(count), 0.0)
-            path.pull += np.tensordot(holds, answer[:count], 1)
-            given += np.tensordot(holds, gradient[:count], 1) * (left - self._dt / 2)
-        given[self._mass == 0] = 0.0
-        x, y = place[:, :2].T
-        turning = x * given[:, 1] - y * given[:, 0] + given[:, 2]
-        self.impacts.append(
-            Impact(
-                hit.bodies,
-                hit.time,
-                hit.normal,
-                hit.points,
-                hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
-                told,
-                rubbed,
-                np.array([*given[:, :2].sum(axis=0), turning.sum()]),
-            )
-        )
-        return struck
-
-
-def _gradient(hit: Hit, place: Array, *, rubs: bool) -> Array:
-    """Return how fast velocities take the points of an impact apart, and along: (k, n, 3)."""
-    directions = [hit.normal] * len(hit.points)
-    points = list(hit.points)
-    if rubs:
-        directions += [1j * d for d in directions]
-        points *= 2
-    gradient = np.zeros((len(points), *place.shape))
-    for row, (point, way) in enumerate(zip(points, directions, strict=True)):
-        for body, sign in zip(hit.bodies, (-1, 1), strict=True):
-            arm = point - complex(*place[body, :2].tolist())
-            turning = arm.real * way.imag - arm.imag * way.real
-            gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
-    return gradient
-
-
-def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:
-    """Return the impulses at the points of an impact: pushes, and then friction: (k,) [N s].
-
-    Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
-    times the push goes. One after the other, until nothing changes (E. Catto: Sequential Impulses,
-    GDC 2006).
-
-    Parameters
-    ----------
-    matrix
-        (k, k), how fast each point parts, or slips, by a unit impulse at each.
-    rates
-        (k,), how fast they do so.
-    leaves
-        How fast each point shall part.
-    mu
-        The coefficient of friction.
-    """
-    impulse, count = np.zeros(len(rates)), len(leaves)
-    wanted = np.concatenate((leaves, np.zeros(len(rates) - count)))
-    for _ in range(SWEEPS):
-        before = impulse.copy()
-        for row in range(len(rates)):
-            lacks = wanted[row] - rates[row] - matrix[row] @ impulse
-            push = impulse[row] + lacks / matrix[row, row]
-            most = mu * impulse[row - count] if row >= count else np.inf
-            impulse[row] = min(max(push, -most if row >= count else 0.0), most)
-        if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
-            break
-    return impulse
+        """Let two bodies bounce off each other, and return which bodies it reached: (n,)."""
+        bounce = self._collision.bounce(path, hit)
+        self.pulled += self._pulled(path, hit.time, bounce.struck)
+        path.turn(hit.time, bounce.jump, bounce.struck)
+        path.pull += bounce.held
+        self.impacts.append(bounce.impact)
+        return bounce.struck
 
 
 def locate(level: Level, values: Values, scene: Scene, dt: float) -> Located | None:

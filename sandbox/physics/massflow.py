@@ -1,7 +1,7 @@
 """Bodies whose mass changes as they lose or gain matter."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from math import inf
 
 import numpy as np
@@ -46,6 +46,11 @@ class MassFlows:
 
     flows: Sequence[Flow]
     mass: Array  # (n,) kg, at the start
+    bodies: Integers = field(init=False)  # those whose mass changes
+
+    def __post_init__(self) -> None:
+        """See whose mass changes."""
+        object.__setattr__(self, "bodies", np.unique([flow.body for flow in self.flows]))
 
     def __call__(self, t: Array) -> Array:
         """Return the masses over those at the start: (..., n)."""
@@ -53,11 +58,6 @@ class MassFlows:
         for flow in self.flows:
             share[..., flow.body] += flow.gained(t) / self.mass[flow.body]
         return share
-
-    @property
-    def bodies(self) -> Integers:
-        """Those whose mass changes."""
-        return np.unique([flow.body for flow in self.flows])
 
 
 def thrust_flows(effects: Effects, values: Values, names: Sequence[str]) -> list[Flow]:

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple, Protocol
 
+import numpy as np
+
 from sandbox.model.expressions import Array
 
 
@@ -45,3 +47,65 @@ class Instant(NamedTuple):
     angle: Array
     velocity: Array
     angular_velocity: Array
+
+    @classmethod
+    def of(cls, motion: Motion) -> "Instant":
+        """Return a motion, or as much of it, as one that can be changed in parts."""
+        return cls(*(getattr(motion, field) for field in cls._fields))
+
+    @classmethod
+    def at(cls, t: float, place: Array, velocity: Array) -> "Instant":
+        """Return the motion at a time [s], of two arrays (n, 3) [m, rad, m/s, rad/s]."""
+        return cls(np.asarray(t), place[:, :2], place[:, 2], velocity[:, :2], velocity[:, 2])
+
+
+class Reading:
+    """The motion of n bodies as one array, of which a law takes what it looks at; see `Motion`.
+
+    Attributes
+    ----------
+    t
+        The time [s].
+    state
+        (n, 6), x, y, angle, and how fast they change [m, rad, m/s, rad/s].
+    """
+
+    __slots__ = ("state", "t")
+
+    def __init__(self, t: Array, state: Array) -> None:
+        self.t, self.state = t, state
+
+    @property
+    def position(self) -> Array:
+        """(n, 2) [m]."""
+        return self.state[:, :2]
+
+    @property
+    def angle(self) -> Array:
+        """(n,) [rad]."""
+        return self.state[:, 2]
+
+    @property
+    def velocity(self) -> Array:
+        """(n, 2) [m/s]."""
+        return self.state[:, 3:5]
+
+    @property
+    def angular_velocity(self) -> Array:
+        """(n,) [rad/s]."""
+        return self.state[:, 5]
+
+
+def momentum(share: Array, place: Array) -> Array:
+    """Return x, y and, about the origin, the angular momentum of n bodies: (3,).
+
+    Parameters
+    ----------
+    share
+        (n, 3), each one's momentum, and its angular momentum about its own centre; or impulses.
+    place
+        (n, 2) or, with the angles, (n, 3), where they are [m].
+    """
+    x, y = place.T[:2]
+    moment = x * share[:, 1] - y * share[:, 0] + share[:, 2]
+    return np.array([*share[:, :2].sum(axis=0), moment.sum()])

@@ -5,13 +5,15 @@ with a very small one. So the distance of two shapes is that of two cores, point
 complex numbers) joined by straight edges, less two radii.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 from typing import NamedTuple
 
 import numpy as np
 import pymunk
+
+from sandbox.model.expressions import Array
 
 FLUSH = 1e-10
 """m, by which the two ends of a side may differ in distance and both touch."""
@@ -67,6 +69,12 @@ def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
     """Return the outlines of all shapes, in an order that does not depend on memory addresses."""
     found = [_outline(shape, row, body) for row, body in enumerate(bodies) for shape in body.shapes]
     return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners]))
+
+
+def surfaces(bodies: Iterable[pymunk.Body]) -> Array:
+    """Return how fast the surfaces of bodies run, as those of belts do: (n, 2) [m/s]."""
+    velocities = [[shape.surface_velocity for shape in body.shapes] for body in bodies]
+    return np.array([shapes[0] if shapes else (0.0, 0.0) for shapes in velocities])
 
 
 def _outline(shape: pymunk.Shape, row: int, body: pymunk.Body) -> Outline:
@@ -137,13 +145,13 @@ def _nearest(one: Sequence[complex], other: Sequence[complex]) -> Iterator[_Near
 
     Beside an edge the normal is the edge's own, which stays right however near they are.
     """
+    edges = [(a, b, b - a, dot(b - a, b - a)) for a, b in _edges(other)]
     for p in one:
         if len(other) == 1:
             yield _to_point(p, other[0])
-        for a, b in _edges(other):
-            along = b - a
+        for a, b, along, square in edges:
             share = dot(p - a, along)
-            if 0 < share < dot(along, along):
+            if 0 < share < square:
                 out = -1j * along / abs(along)
                 high = dot(p - a, out)
                 yield _Near(abs(high), -out if high > 0 else out, p)
@@ -159,17 +167,20 @@ def _to_point(p: complex, q: complex) -> _Near:
 def _overlap(one: Sequence[complex], other: Sequence[complex]) -> _Near | None:
     """Return the least overlap of two cores along the normal of an edge; None if they are apart.
 
-    Lines and points overlap with polygons only.
+    Points overlap with polygons only. Two lines overlap where they cross, but not where they only
+    touch, or lie in one line: there every distance is rounding.
     """
-    if len(one) < 3 > len(other):
+    thin = len(one) < 3 > len(other)
+    if thin and 1 in (len(one), len(other)):
         return None
+    apart = -FLUSH if thin else 0.0
     least: _Near | None = None
     for core, against, sign in ((one, other, 1), (other, one, -1)):
         for a, b in _edges(core):
             out = -1j * (b - a) / abs(b - a)
             deepest = min(against, key=lambda p, out=out: dot(p, out))  # type: ignore[misc]
             distance = dot(deepest - a, out)
-            if distance > 0:
+            if distance > apart:
                 return None
             if least is None or distance > least.distance:
                 least = _Near(distance, sign * out, deepest)

@@ -8,36 +8,23 @@ are bodies that part or rest.
 
 The velocities that collide are those *at* the step, half a kick after pymunk's: the speed of an
 impact is of second order, whatever pulls.
-
-Bodies with e < 1 that stay together would collide for ever, ever more gently. From some point on
-they no longer bounce, and what is left is solved at once: no pair may approach, and only pushes are
-allowed.
 """
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch, Booleans, Contacts, Integers
-from sandbox.physics.errors import EndlessImpacts
+from sandbox.physics.exact.grip import Grip
 from sandbox.physics.exact.solver import ExactJoints
 from sandbox.physics.impacts import reached
+from sandbox.physics.pileup import ROUNDING, Pile, answers
 
-ROUNDING = 1e-12
-"""An approach slower than this share of the speeds that it is the difference of is none."""
-
-MANY = 100
-"""How many impacts each contact of a pile-up may have before what is left stops bouncing. Twice as
-many as 50 equal balls in a row with e = 0.9 need; those with less stay together by then."""
-
-MOST = 300_000
-"""The same for all contacts together where one is elastic: there, nothing may be left."""
-
-TINY = 1e-300
-
-PARALLEL = 1e-9
-"""The determinant, of two points' answers to impulses, below which they are one point."""
+FAINTEST = 1e-290
+"""m/s: an approach slower than this is none. Numbers near the smallest have few digits left, and
+no share of them is rounding."""
 
 
 class Impacts(NamedTuple):
@@ -88,10 +75,10 @@ class Sequence:
         self._restitution, self._agility = restitution, agility
         self._moving: Booleans = agility[:, 0] > 0
         self._turning: Booleans = agility[:, 2] > 0
-        self._begun = self._pull = np.zeros_like(
-            agility
-        )  # the last kick: velocities, accelerations
+        # the last kick: places, velocities, accelerations
+        self._place = self._begun = self._pull = np.zeros_like(agility)
         self._lasted = dt
+        self._before: partial[Array] | None = None  # what held in the kick before that
         self.last = Impacts(self._begun, self._begun, self._begun[:, 0])
 
     def collide(self, pull: Array, *, start: bool) -> None:
@@ -110,40 +97,64 @@ class Sequence:
             If elastic bodies collide more often than can be followed.
         """
         state = self._batch.state()
-        begins = state[:, 3:]
+        place, begins = state[:, :3], state[:, 3:]
         velocity = begins
-        if not start:
-            held = (begins - self._begun) / self._lasted - self._pull  # by contacts and joints
-            velocity = begins + (pull + held) * (self._dt / 2)
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
-            self._exchange(contacts, state[:, :2], velocity, pull, jump, impulse)
+            held = before = np.zeros_like(pull)
+            if not start:
+                held = self._held(begins, place)
+                before = self._before() if self._before else held
+                velocity = begins + (pull + held) * (self._dt / 2)
+            gives = np.stack((pull, pull + held, pull + before)) * self._dt
+            self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
         self.last = Impacts(jump, velocity + jump, impulse)
-        self._begun, self._pull = begins + jump, pull
+        self._before = (
+            None if start else partial(_held, begins, self._begun, self._lasted, self._pull)
+        )
+        self._place, self._begun, self._pull = place, begins + jump, pull
         self._lasted = self._dt / 2 if start else self._dt
 
-    def shift(self, jump: Array) -> None:
-        """Take in how velocities jumped since the last kick, by impacts located in time: (n, 3)."""
-        self._begun = self._begun + jump
+    def shift(self, struck: Booleans, place: Array, jump: Array, change: Array) -> None:
+        """Take in what impacts located in time did since the last kick; see `located.Cut`."""
+        self._begun = self._begun + jump - change * self._lasted
+        self._place = np.where(struck[:, None], place, self._place)
+
+    def _held(self, begins: Array, place: Array) -> Array:
+        """Return the accelerations by contacts, and by joints, which turn with the bodies."""
+        held = _held(begins, self._begun, self._lasted, self._pull)
+        if self._joints and len(self._joints.tension):
+            held += Grip(self._joints, self._agility, self._place).change(place)
+        return held
 
     def _exchange(
         self,
         contacts: Contacts,
         place: Array,
         velocity: Array,
-        pull: Array,
+        gives: Array,
         jump: Array,
         impulse: Array,
     ) -> None:
-        """Add what the impacts do to jump and impulse."""
+        """Add what the impacts do to jump and impulse.
+
+        Bodies that approach with no more speed than gravity and laws give them in a step, or these
+        and what held them in the last, rest on each other: that is for pymunk to solve. What held
+        them is a jerk, and none of that, as far as it is more than all that gave in the kick
+        before could; all three are `gives`, (3, n, 3).
+        """
         points = _points(contacts, place, self._turning)
         parts = np.einsum("kbc,kbc->kb", points.gradient, velocity[points.bodies])
         parting = parts.sum(axis=1)
-        adds = np.einsum("kbc,kbc->k", points.gradient, pull[points.bodies])
-        allowed = np.maximum(np.abs(adds) * self._dt, ROUNDING * np.abs(parts).max(axis=1))
+        sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
+        adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
+        alone, held = np.abs(adds)
+        held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
+        rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+        allowed = np.maximum.reduce((alone, held, rounding))
         struck = parting < -allowed
         if not struck.any():
             return
@@ -152,9 +163,10 @@ class Sequence:
             near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
             points, parting, allowed = points.only(near), parting[near], allowed[near]
         gradient = points.over(len(place))
-        answer = answers(gradient, self._agility, self._joints)
+        holds = self._joints.stiff() if self._joints else None
+        answer = answers(gradient, self._agility, holds)
         a, b = points.bodies.T
-        pile = _Pile(
+        pile = Pile(
             answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T,
             parting,
             allowed,
@@ -167,15 +179,10 @@ class Sequence:
         np.add.at(impulse, b, pushes)
 
 
-def answers(gradient: Array, agility: Array, joints: ExactJoints | None) -> Array:
-    """Return how bodies, joints included, answer a unit impulse along each gradient: (k, n, 3)."""
-    answer = gradient * agility
-    if not joints:
-        return answer
-    holds = joints.stiff().reshape(-1, agility.size)
-    held = holds * agility.reshape(-1)
-    flat = answer.reshape(len(answer), -1)
-    return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(answer.shape)
+def _held(ended: Array, begun: Array, lasted: float, pull: Array) -> Array:
+    """Return the accelerations in a kick by all but gravity and laws: (n, 3) [m/s², rad/s²]."""
+    held: Array = (ended - begun) / lasted - pull
+    return held
 
 
 class _Points(NamedTuple):
@@ -224,98 +231,3 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     gradient[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
     gradient[:, 0] *= -1
     return _Points(bodies, gradient, partner)
-
-
-class _Pile:
-    """Contacts that may collide with each other; k of them.
-
-    Parameters
-    ----------
-    answers
-        (k, k), how fast each parts by a unit impulse of each [1/kg].
-    parting
-        (k,), how fast each parts [m/s].
-    allowed
-        (k,), the approach that is none [m/s].
-    restitution
-        (k,).
-    partner
-        (k,), see `_Points`.
-    """
-
-    def __init__(
-        self,
-        answers: Array,
-        parting: Array,
-        allowed: Array,
-        restitution: Array,
-        partner: Integers,
-    ) -> None:
-        self._answers, self._parting, self._allowed = answers, parting.copy(), allowed
-        self._restitution, self._partner = restitution, partner
-        self._impulse = np.zeros(len(parting))
-
-    def settle(self, bodies: Integers) -> Array:
-        """Return the impulses after which nothing approaches: (k,) [N s]."""
-        bounces = self._restitution > 0
-        most = MANY * len(bounces) if bounces.any() else 0
-        if (self._restitution == 1).any():
-            most = MOST
-        for _ in range(most):
-            fastest = int((self._parting + self._allowed).argmin())
-            if self._parting[fastest] >= -self._allowed[fastest]:
-                return self._impulse
-            self._bounce(fastest)
-        fastest = int((self._parting + self._allowed).argmin())
-        if most and self._restitution[fastest] == 1:
-            raise EndlessImpacts(int(bodies[fastest].max()))
-        self._impulse += pushes(self._answers, self._parting)
-        return self._impulse
-
-    def _bounce(self, first: int) -> None:
-        """Turn round the approach of a point, and of its partner if that approaches too."""
-        e, second = self._restitution[first], int(self._partner[first])
-        if second >= 0 and self._parting[second] < -self._allowed[second]:
-            both = np.array((first, second))
-            block = self._answers[np.ix_(both, both)]
-            if np.linalg.det(block) > PARALLEL * block[0, 0] * block[1, 1]:
-                size = -(1 + e) * np.linalg.solve(block, self._parting[both])
-                if size.min() >= 0:
-                    self._impulse[both] += size
-                    self._parting += size @ self._answers[both]
-                    return
-        push = -(1 + e) * self._parting[first] / self._answers[first, first]
-        self._impulse[first] += push
-        self._parting += push * self._answers[first]
-
-
-def pushes(answers: Array, parting: Array) -> Array:
-    """Return the smallest impulses after which nothing approaches, all at once: (k,) [N s].
-
-    Of all impulses that push, those that leave the least kinetic energy: impulse · (parting +
-    answers · impulse / 2) is least. C. L. Lawson, R. J. Hanson: Solving Least Squares Problems,
-    chapter 23.
-    """
-    impulse, active = np.zeros(len(parting)), np.zeros(len(parting), dtype=bool)
-    close = ROUNDING * np.abs(parting).max()
-    for _ in range(3 * len(parting)):
-        approach = np.where(active, -np.inf, -(parting + answers @ impulse))
-        worst = int(approach.argmax())
-        if approach[worst] <= close:
-            break
-        active[worst] = True
-        while True:
-            now = np.flatnonzero(active)
-            wanted = np.linalg.lstsq(answers[np.ix_(now, now)], -parting[now], rcond=None)[0]
-            if wanted.min() > 0:
-                impulse[now] = wanted
-                break
-            pulls = wanted <= 0
-            left = impulse[now][pulls]
-            share = left / np.maximum(left - wanted[pulls], TINY)
-            impulse[now] += share.min() * (wanted - impulse[now])
-            active[now[np.flatnonzero(pulls)[share == share.min()]]] = False
-            impulse[~active] = 0.0
-            if not active.any():
-                break
-    return impulse

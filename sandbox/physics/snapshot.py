@@ -48,4 +48,4 @@ class Snapshot:
     def stack(cls, snapshots: Sequence[Self]) -> Self:
         """Put instants of one world behind each other, time in front."""
         names = [field.name for field in fields(cls)]
-        return cls(**{name: np.stack([getattr(s, name) for s in snapshots]) for name in names})
+        return cls(**{name: np.array([getattr(s, name) for s in snapshots]) for name in names})

@@ -36,6 +36,10 @@ class Load(NamedTuple):
     before: float | None = None
 
 
+Memory = tuple[set[frozenset[pymunk.Shape]], dict[frozenset[pymunk.Shape], Load]]
+"""Who slips, and what the friction of the others had to hold."""
+
+
 @dataclass(slots=True)
 class Sticking:
     """The friction between two bodies whose static and kinetic coefficients differ."""
@@ -44,6 +48,8 @@ class Sticking:
     kinetic: float
     slipping: set[frozenset[pymunk.Shape]]
     loads: dict[frozenset[pymunk.Shape], Load]
+    told: bool = False
+    """whether it is known to slip, whatever a solve says"""
 
     @classmethod
     def between(cls, static: float, kinetic: float) -> "Sticking":
@@ -53,6 +59,9 @@ class Sticking:
     def choose(self, arbiter: pymunk.Arbiter) -> None:
         """Give a contact its coefficient, before it is solved."""
         contact = frozenset(arbiter.shapes)
+        if self.told:
+            arbiter.friction = self.kinetic
+            return
         if arbiter.is_first_contact:
             self.loads.pop(contact, None)
             self._note(contact, slips=abs(_slip(arbiter)) > AT_REST)
@@ -60,6 +69,8 @@ class Sticking:
 
     def judge(self, arbiter: pymunk.Arbiter) -> None:
         """See whether a contact that was solved sticks or slips."""
+        if self.told:
+            return
         contact = frozenset(arbiter.shapes)
         impulse, direction = arbiter.total_impulse, arbiter.normal
         normal, friction = abs(impulse.dot(direction)), abs(impulse.cross(direction))
@@ -75,6 +86,20 @@ class Sticking:
         if not slips:
             load = self.loads.get(contact)
             self.loads[contact] = Load(friction, load and load.last)
+
+    def tell(self, *, slips: bool) -> None:
+        """Let it slip whatever comes; or stick, if that can hold."""
+        self.told = slips
+        if not slips:
+            self.slipping.clear()
+
+    def memory(self) -> Memory:
+        """Return what is known of its contacts."""
+        return set(self.slipping), dict(self.loads)
+
+    def recall(self, known: Memory) -> None:
+        """Take up again what was known of its contacts."""
+        self.slipping, self.loads = set(known[0]), dict(known[1])
 
     def _note(self, contact: frozenset[pymunk.Shape], *, slips: bool) -> None:
         if slips:

@@ -1,15 +1,90 @@
-"""How high a rate springs need: beyond it, leapfrog makes them explode."""
+"""How high a rate springs and drag need: beyond it, leapfrog makes them explode."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from math import inf
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.model.locating import Path
 from sandbox.physics.errors import SimulationError
+from sandbox.physics.exact.solver import SINGULAR
+from sandbox.physics.joints import Joints
+from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.spring import SpringForce
+from sandbox.physics.motion import Instant, Motion
 
 MARGIN = 4
 """How many times the least rate is advised: there the energy swings by 6 % at the most."""
+
+READABLE = 1e9
+"""Hz, up to which a rate is told to the last digit."""
+
+CLOSE = 1 + 1e-9
+"""By how much a rate may be too low, for rounding."""
+
+PROBE = 1e-6
+"""m/s, at which it is asked how strongly what is at rest would be slowed down."""
+
+
+def check_drag(
+    law: Law, names: Sequence[str], start: Motion, joints: Joints, agility: Array, rate: float
+) -> None:
+    """Refuse a law that slows a body down so strongly that each step would throw it back further.
+
+    As leapfrog guesses velocities, a law may take no more than all of one in a step. One that grows
+    faster than the velocity is known where it begins.
+
+    Parameters
+    ----------
+    law
+        One that depends on each body's own velocity.
+    names, agility
+        (n,) and (n, 3), of the bodies; see `check_springs`.
+    start
+        Their motion at the start.
+    joints
+        Those of the scene: a light body that is held to a heavy one is slowed down with it.
+    rate
+        Steps a second [Hz].
+
+    Raises
+    ------
+    SimulationError
+        If the scene is not stable at that rate; it names the effect and the body.
+    """
+    with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
+        taken = np.asarray(_strength(law, start) * agility[:, 0])
+    row = int(taken.argmax())
+    if taken[row] > rate * CLOSE and (needed := _held(taken, agility, joints)) > rate * CLOSE:
+        cause = f"the effect '{law.effect}' on '{names[row]}'"
+        raise _refused(names[row], cause, needed, rate, ("effects", law.effect))
+
+
+def _strength(law: Law, motion: Motion) -> Array:
+    """Return the force of a law on each body over its velocity: (n,) [kg/s]."""
+    moving = (motion.velocity != 0).any(axis=1, keepdims=True)
+    probe = np.where(moving, motion.velocity, (PROBE, 0.0))
+    forces = np.zeros((2, len(probe), 3))
+    for force, velocity in zip(forces, (probe, np.zeros_like(probe)), strict=True):
+        law.add(Instant.of(motion)._replace(velocity=velocity), force)
+    change = forces[0, :, :2] - forces[1, :, :2]
+    return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
+
+
+def _held(taken: Array, agility: Array, joints: Joints) -> float:
+    """Return the fastest decay that joints leave [1/s], of those of free bodies: (n,).
+
+    The largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
+    """
+    decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1).ravel()
+    if not joints.together:
+        return float(decay.max())
+    kept = joints.together.stiff().reshape(-1, decay.size) * np.sqrt(agility.ravel())
+    _, sizes, directions = np.linalg.svd(kept, full_matrices=False)
+    kept = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
+    free = np.eye(decay.size) - kept.T @ kept
+    return float(np.linalg.eigvalsh(free * decay @ free)[-1])
 
 
 def check_springs(
@@ -41,11 +116,14 @@ def check_springs(
     """
     needed, name = limit(springs, agility, angle)
     needed *= 2 / reach
-    if needed > rate * (1 + 1e-9):
-        reason = (
-            f"the spring '{name}' needs a 'rate' of at least {np.ceil(needed):,.0f}, not {rate:g}"
-        )
-        raise SimulationError(name, 0.0, reason, MARGIN * needed)
+    if needed > rate * CLOSE:
+        raise _refused(name, f"the spring '{name}'", needed, rate, ("joints", name))
+
+
+def _refused(subject: str, cause: str, needed: float, rate: float, path: Path) -> SimulationError:
+    told = f"{np.ceil(needed):,.0f}" if needed < READABLE else f"{needed:.3g}"
+    reason = f"{cause} needs a 'rate' of at least {told}, not {rate:g}"
+    return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
 
 
 def limit(springs: Mapping[str, SpringForce], agility: Array, angle: Array) -> tuple[float, str]:
@@ -58,13 +136,14 @@ def limit(springs: Mapping[str, SpringForce], agility: Array, angle: Array) -> t
     reply = _replies(list(springs.values()), agility, angle)
     stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
-    needed = _needed(*(_largest(reply, weight) for weight in (stiffness, damping)))
-    own = reply.diagonal()
-    alone = [_needed(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
+    with np.errstate(all="ignore"):  # what is more than a number holds is infinite
+        needed = just_stable(*(_largest(reply, weight) for weight in (stiffness, damping)))
+        own = reply.diagonal()
+        alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
     return needed, list(springs)[int(np.argmax(alone)) // 2]
 
 
-def _needed(stiffness: float, damping: float) -> float:
+def just_stable(stiffness: float, damping: float) -> float:
     """Return the rate at which a mode is just stable [Hz].
 
     At the limit velocities change sign each step. In that, x'' = −k x − c x' with the velocity
@@ -76,7 +155,8 @@ def _needed(stiffness: float, damping: float) -> float:
 def _largest(reply: Array, weight: Array) -> float:
     """Return the largest eigenvalue of M⁻¹ K, by that of √k J M⁻¹ Jᵀ √k."""
     root = np.sqrt(weight)
-    return float(np.linalg.eigvalsh(root[:, None] * reply * root)[-1])
+    matrix = root[:, None] * reply * root
+    return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
 
 
 def _replies(springs: list[SpringForce], agility: Array, angle: Array) -> Array:

@@ -6,39 +6,41 @@ A study is a row of findings, each told as soon as it is known, for somebody who
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from itertools import zip_longest
-from math import floor, isfinite, log2
-from typing import get_args
+from math import isfinite
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.physics.accuracy import Setting, calibrate
+from sandbox.physics.accuracy.climbing import Climber, climb
 from sandbox.physics.accuracy.estimation import extrapolated
-from sandbox.physics.accuracy.ladder import Ladder, climb, held_against
-from sandbox.physics.accuracy.runs import Watched, never, record, scale, size, watched
+from sandbox.physics.accuracy.ladder import Ladder, foot, held_against, step_prices
+from sandbox.physics.accuracy.runs import (
+    Watched,
+    by_check,
+    never,
+    record,
+    watched,
+)
 from sandbox.physics.checks import Result, grade
-from sandbox.physics.timing import step_seconds
-from sandbox.physics.trace import Trace, count_steps
+from sandbox.physics.schemes import usable
+from sandbox.physics.timing import brief_costs
+from sandbox.physics.trace import Trace
 from sandbox.physics.world import build
 
 CLIMB = 2.0
 """s, for the runs of one scheme; the one that is under way is not cut short."""
 
-SLOWEST = 30.0
-"""Hz, the lowest rate that is tried, or up to twice that."""
-
 SEARCH = 4.0
-"""s, for the runs that look for a setting."""
+"""s, for the runs that look for a setting of which nothing hangs."""
 
 FINEST = 1e-10
 """No scheme climbs further: what is left is rounding."""
 
 EXACT = 1e-10
 """What a formula is off by less than that at a small step is rounding, and no approximation."""
-
-STEPS = 60
-"""How many steps are timed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,11 +122,11 @@ def split(level: Level, values: Values) -> Iterator[Finding]:
         yield Failed(str(error))
 
 
-def seek(level: Level, values: Values, target: float) -> Iterator[Finding]:
-    """Yield the cheapest setting that reaches an accuracy."""
+def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
+    """Yield the cheapest setting that reaches an accuracy, looked for that long [s]."""
     try:
         yield Progress(0.1, "looking for the cheapest setting")
-        yield calibrate(level, values, target, SEARCH)
+        yield calibrate(level, values, target, seconds)
     except SandboxError as error:
         yield Failed(str(error))
 
@@ -132,7 +134,7 @@ def seek(level: Level, values: Values, target: float) -> Iterator[Finding]:
 def _own(level: Level, values: Values) -> Iterator[Finding]:
     """Run at half the level's own rate, at that, and at twice that."""
     yield Progress(0.9, "halving the step")
-    items = [Watched(check.quantity, check.at) for check in level.checks]
+    items = [by_check(check, values) for check in level.checks]
     items = items or list(watched(level, values))
     own = level.stepping
     traces = list(_halved(level, values, items))
@@ -142,13 +144,12 @@ def _own(level: Level, values: Values) -> Iterator[Finding]:
         found = extrapolated(traces, item)
         if found is None:
             continue
-        unit = scale(size(traces[-1], item), found.of[-1])
-        numerical, rest = found.of[-2] / unit, found.of[-1] / unit
+        *_, numerical, rest = found.relative
         errors.append(numerical)
         if result:
             yield _split(index, result, found.of[-2], numerical, rest)
-    price = _step(level, values, own) * own.rate
-    yield Here(own.scheme, own.rate, max(errors), price)
+    [step] = brief_costs(partial(build, level, values, own))
+    yield Here(own.scheme, own.rate, max(errors), step * own.rate)
 
 
 def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
@@ -178,17 +179,19 @@ def _split(
 
 def _others(level: Level, values: Values) -> Iterator[Finding]:
     """Climb with each scheme, and hold all against the best."""
-    starts = list(_starts(level, values))
+    starts = list(_starts(level))
     wanted = watched(level, values)
     ladders: list[Ladder] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
-        ladder = climb(level, values, start, wanted, FINEST, CLIMB, never)
-        ladders += [ladder] if ladder else []
-    best = min(ladders, key=lambda ladder: ladder.errors[-1], default=None)
-    for ladder in ladders:
-        told = ladder if ladder is best or best is None else held_against(ladder, best, wanted)
-        step = _step(level, values, ladder.traces[-1].stepping)
+        climber = Climber(level, values, start, wanted, FINEST)
+        climb([climber], CLIMB, never)
+        ladders += [climber.ladder] if climber.ladder else []
+    if not ladders:
+        return
+    best = min(ladders, key=lambda ladder: ladder.errors[-1])
+    for ladder, step in zip(ladders, step_prices(level, values, ladders), strict=True):
+        told = ladder if ladder is best else held_against(ladder, best, wanted)
         yield from _points(told, step)
 
 
@@ -200,22 +203,8 @@ def _points(ladder: Ladder, step: float) -> Iterator[Point]:
             yield Point(trace.stepping.scheme, rate, error, step * rate)
 
 
-def _starts(level: Level, values: Values) -> Iterator[Stepping]:
-    """Yield every scheme that the level can use and that differs, at a low rate."""
-    own = level.stepping
-    rate = own.rate / 2 ** floor(log2(max(own.rate, SLOWEST) / SLOWEST))
-    for scheme in get_args(Scheme):
-        start = own.model_copy(update={"scheme": scheme, "rate": rate})
-        try:
-            world = build(level, values, own.model_copy(update={"scheme": scheme}))
-        except SandboxError:
-            continue  # it is not for this level
-        if scheme != "explicit-euler" or world.scene.laws:  # else it is the other Euler's
-            yield start
-
-
-def _step(level: Level, values: Values, stepping: Stepping) -> float:
-    """Return what a step costs [s]."""
-    steps = min(count_steps(build(level, values, stepping)), STEPS)
-    [seconds] = step_seconds([lambda: build(level, values, stepping).step], max(steps, 1), 3)
-    return seconds
+def _starts(level: Level) -> Iterator[Stepping]:
+    """Yield every scheme that the level can use, at a low rate."""
+    for scheme in usable(level):
+        update = {"scheme": scheme, "rate": foot(level.stepping.rate)}
+        yield level.stepping.model_copy(update=update)

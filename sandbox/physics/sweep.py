@@ -15,6 +15,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans
+from sandbox.physics.exact.grip import Grip
 from sandbox.physics.outline import FLUSH, Outline, dot, gap
 
 TOUCH = -1e-9
@@ -29,7 +30,8 @@ TRIES = 200
 """How often two outlines are advanced towards each other in a step."""
 
 ROUNDING = 1e-12
-"""An approach slower than this share of the speeds that it is the difference of is none."""
+"""An approach slower than this share of the speeds that it is the difference of, or of what their
+pull adds to these in a step, is none."""
 
 
 class Hit(NamedTuple):
@@ -63,29 +65,59 @@ class Path:
     place, velocity
         (n, 3), x, y and angle then, and their rates [m, rad, m/s, rad/s].
     pull
-        (n, 3), their accelerations [m/s², rad/s²].
+        (n, 3), their accelerations then [m/s², rad/s²].
     struck
         (n,), which had an impact.
     """
 
-    def __init__(self, place: Array, velocity: Array, pull: Array) -> None:
+    def __init__(
+        self, place: Array, velocity: Array, pull: Array, grip: Grip | None = None
+    ) -> None:
         self.place, self.velocity, self.pull = place.copy(), velocity.copy(), pull.copy()
+        self._grip = grip
         self.since = np.zeros(len(place))
         self.struck = np.zeros(len(place), dtype=bool)
+        self._seen: tuple[float, Array] | None = None  # when last, and how joints had turned then
+
+    def place_at(self, t: float) -> Array:
+        """Return the places at a time: (n, 3)."""
+        lasted = (t - self.since)[:, None]
+        return self.place + (self.velocity + (self.velocity + self.pull * lasted)) * (lasted / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
-        """Return places and velocities at a time."""
+        """Return places and velocities at a time; the velocities as joints that turn leave them."""
         lasted = (t - self.since)[:, None]
-        velocity = self.velocity + self.pull * lasted
-        return self.place + (self.velocity + velocity) * (lasted / 2), velocity
+        velocity = self.velocity + self.pull * lasted + self._change(t) * (lasted / 2)
+        return self.place_at(t), velocity
+
+    def pull_at(self, t: float) -> Array:
+        """Return the accelerations at a time, which change as joints turn: (n, 3)."""
+        return self.pull + self._change(t)
+
+    def _change(self, t: float) -> Array | float:
+        """Return how accelerations have changed since the last kick, or each one's last impact."""
+        if not (self._grip and t):
+            return 0.0
+        if self._seen is None or self._seen[0] != t:
+            self._seen = t, self._grip.change(self.place_at(t))
+        return self._seen[1]
 
     def turn(self, t: float, jump: Array, struck: Booleans) -> None:
-        """Add to the velocities of those bodies that are struck at a time."""
+        """Add to the velocities of those bodies that are struck at a time.
+
+        Raises
+        ------
+        JointFailure
+            If their joints cannot be kept.
+        """
         place, velocity = self.at(t)
+        self._seen = None
         self.place[struck] = place[struck]
         self.velocity[struck] = (velocity + jump)[struck]
         self.since[struck] = t
         self.struck |= struck
+        if self._grip:
+            self.pull += self._grip.renew(place, velocity + jump, self.pull, struck)
 
 
 class _Motion:
@@ -102,6 +134,11 @@ class _Motion:
         self.place = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
         self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
 
+    @property
+    def turns(self) -> bool:
+        """Whether the body turns at all."""
+        return self.spin != 0 or self.twist != 0
+
     def put(self, corners: Sequence[complex]) -> list[complex]:
         """Return where points of the body are."""
         return [self.place + self.turned * corner for corner in corners]
@@ -117,7 +154,7 @@ class _Motion:
 
 
 def meet(
-    path: Path, one: Outline, other: Outline, since: float, until: float, adds: Array
+    path: Path, one: Outline, other: Outline, since: float, until: float, gives: Array
 ) -> Hit | None:
     """Return when two shapes touch that approach each other, None if they do not.
 
@@ -130,11 +167,12 @@ def meet(
         Where their bodies are.
     since, until
         The times between which they may [s].
-    adds
-        (n, 3), what gravity and laws add to the velocities in a step [m/s, rad/s].
+    gives
+        (2, n, 3), what gravity and laws alone give the velocities in a step, and what all that
+        pulls, joints and loads too, gives them in what is left of it [m/s, rad/s].
     """
     t = since
-    pulled = complex(*(adds[other.body] - adds[one.body])[:2].tolist())
+    gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
     for _ in range(TRIES):
         here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
@@ -145,27 +183,78 @@ def meet(
                 return None
             points = tuple(p + n * one.radius for p in found.points)
             parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
-            allowed = ROUNDING * max(abs(here.velocity), abs(there.velocity))
+            rates = here.velocity, there.velocity, gets[0][0], gets[1][0]
+            allowed = ROUNDING * max(abs(rate) for rate in rates)
             if t == since:
-                allowed += abs(dot(n, pulled))
+                allowed += max(abs(dot(n, b - a)) for a, b in zip(*gets, strict=True))
             if parting < -allowed:
                 return Hit(t, (one.body, other.body), n, points)
             if parting <= allowed:
                 return None
-        bend = here.bend(one.reach, until) + there.bend(other.reach, until)
-        curve = dot(n, there.pull - here.pull) - bend
-        t += min(
-            _crossing(
-                dot(n, q - p) - one.radius - other.radius,
-                dot(n, there.speed(q) - here.speed(p)),
-                curve,
-            )
-            for p in cores[0]
-            for q in cores[1]
-        )
+        t += _clear(n, (here, there), cores, (one, other), until - t)
         if t > until:
             return None
     return None
+
+
+def _clear(
+    normal: complex,
+    bodies: tuple[_Motion, _Motion],
+    cores: tuple[Sequence[complex], ...],
+    outlines: tuple[Outline, Outline],
+    left: float,
+) -> float:
+    """Return for how long two outlines are apart for certain, of the time that is left [s].
+
+    Each of up to three normals gives a bound, and the longest counts: one at rest, and one that
+    turns with either body. Along one at rest, a side that turns is soon seen to pass a corner that
+    it only parts from.
+    """
+    here, there = bodies
+    one, other = outlines
+    radii = one.radius + other.radius
+    bend = here.bend(one.reach, left) + there.bend(other.reach, left)
+    curve = dot(normal, there.pull - here.pull) - bend
+    resting = min(
+        _crossing(dot(normal, q - p) - radii, dot(normal, there.speed(q) - here.speed(p)), curve)
+        for p in cores[0]
+        for q in cores[1]
+    )
+    times = [resting]
+    if here.turns and len(cores[0]) > 1:
+        times.append(_turning(normal, here, there, cores, other.reach, radii, left))
+    if there.turns and len(cores[1]) > 1:
+        times.append(_turning(-normal, there, here, cores[::-1], one.reach, radii, left))
+    return max(times)
+
+
+def _turning(
+    normal: complex,
+    first: _Motion,
+    other: _Motion,
+    cores: tuple[Sequence[complex], ...],
+    reach: float,
+    radii: float,
+    left: float,
+) -> float:
+    """Return for how long the corners of a body are clear of another along a normal of that one.
+
+    Where the normal turns with the first body, as fast as ω, its own corners stay as high as they
+    are. The acceleration of the other's, at z from its centre, differs by 2 ω dz/dt and by
+    (dω/dt + ω²) z at the most from that in the plane.
+    """
+    spin = abs(first.spin) + abs(first.twist) * left
+    pull = abs(other.pull - first.pull) + other.bend(reach, left)
+    top = max(dot(normal, corner) for corner in cores[0]) + radii
+    times = []
+    for corner in cores[1]:
+        way, moves = corner - first.place, other.speed(corner) - first.velocity
+        fastest = abs(moves) + pull * left
+        farthest = abs(way) + fastest * left
+        curve = -pull - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest
+        rate = dot(normal, moves - 1j * first.spin * way)
+        times.append(_crossing(dot(normal, corner) - top, rate, curve))
+    return min(times)
 
 
 def _crossing(height: float, rate: float, curve: float) -> float:

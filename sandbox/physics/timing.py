@@ -1,11 +1,14 @@
 """What a step costs, measured so that the noise of the machine stays out of it."""
 
 from collections.abc import Callable, Sequence
-from itertools import cycle, islice
+from itertools import chain, count, cycle, islice
 from math import inf
 from time import perf_counter
 
 import numpy as np
+
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import World
 
 Step = Callable[[], object]
 
@@ -47,3 +50,39 @@ def step_seconds(
                 step()
             least[index, number] = min(least[index, number], perf_counter() - begin)
     return [float(row.sum()) / (count * block) for row in least]
+
+
+def step_costs(
+    *starts: Callable[[], World], most: int = STEPS, repeats: int = REPEATS
+) -> tuple[float, ...]:
+    """Return what a step of some worlds costs [s], measured in turn from their starts on.
+
+    Parameters
+    ----------
+    starts
+        Each builds a world.
+    most
+        How many steps are taken at the most; no world goes beyond the duration of its level.
+    repeats
+        How often.
+
+    Raises
+    ------
+    SimulationError
+        If one of them has to stop.
+    """
+    first = [start() for start in starts]
+    steps = max(min(most, *map(count_steps, first)), 1)
+    fresh = [_stepping(world, start) for world, start in zip(first, starts, strict=True)]
+    return tuple(step_seconds(fresh, steps, repeats))
+
+
+def _stepping(first: World, start: Callable[[], World]) -> Callable[[], Step]:
+    """Return what gives the steps of one world after the other; some take long to build."""
+    worlds = chain([first], (start() for _ in count()))
+    return lambda: next(worlds).step
+
+
+def brief_costs(*starts: Callable[[], World]) -> tuple[float, ...]:
+    """Return what a step of some worlds costs [s], where somebody waits for the answer."""
+    return step_costs(*starts, most=60, repeats=3)

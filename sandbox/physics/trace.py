@@ -16,6 +16,7 @@ from sandbox.model.level import (
     Stepping,
 )
 from sandbox.model.quantities import quantity
+from sandbox.physics.batch import Integers
 from sandbox.physics.ledger import Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.snapshot import Snapshot
@@ -40,7 +41,8 @@ class Trace:
     units
         The quantities' units.
     first_contacts
-        For each pair of bodies that touched, the index of the first instant at which it did.
+        For each pair of bodies that came to touch, the index of the first instant at which it did;
+        those that touch from the start must part before.
     impact_times
         For those whose first impact was located, when it was [s]: before that instant.
     """
@@ -53,6 +55,11 @@ class Trace:
     units: Mapping[str, str]
     first_contacts: Mapping[Pair, int]
     impact_times: Mapping[Pair, float]
+
+    @property
+    def smooth(self) -> bool:
+        """Whether nothing in it may jump."""
+        return self.stepping.scheme == "fourth-order"
 
     def until(self, t: float) -> "Trace":
         """Return the part of the run up to a time [s]: to the first step not before it."""
@@ -83,7 +90,7 @@ class Recorder:
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
         self._contacts: dict[Pair, int] = {}
-        self._touched: set[int] = set()  # the same pairs, as numbers
+        self._touching: set[int] = set()  # pairs that do now, as numbers
         self._impacts: dict[Pair, float] = {}
         self.note()
 
@@ -95,12 +102,7 @@ class Recorder:
         for pair, time in self._world.impacts:
             if pair not in self._contacts:
                 self._impacts.setdefault(pair, time)
-        a, b = self._world.contacts.bodies.T
-        touching = set((a * len(self._names) + b).tolist())
-        for key in touching - self._touched:
-            pair = frozenset(self._names[row] for row in divmod(key, len(self._names)))
-            self._contacts.setdefault(pair, self._count)
-        self._touched |= touching
+        self._touch(self._world.contacts.bodies)
         if self._ledger:
             self._ledger.note()
             balance = self._ledger.balance
@@ -109,6 +111,14 @@ class Recorder:
         self._count += 1
         if len(self._fresh) == MANY:
             self._measure()
+
+    def _touch(self, bodies: Integers) -> None:
+        """Note which pairs touch, (k, 2), that did not at the step before."""
+        touching = set((bodies @ (len(self._names), 1)).tolist()) if len(bodies) else set()
+        for key in touching - self._touching if self._count else ():
+            pair = frozenset(self._names[row] for row in divmod(key, len(self._names)))
+            self._contacts.setdefault(pair, self._count)
+        self._touching = touching
 
     def _measure(self) -> None:
         """Measure what is fresh, and let go of its snapshots."""

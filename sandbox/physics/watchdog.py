@@ -5,22 +5,26 @@ joints' lengths, it looks at every few observations only. Euler's schemes are de
 them it asks only that everything is somewhere.
 """
 
-from math import inf
+from collections.abc import Callable
+from math import inf, isfinite
+from typing import NoReturn
 
 import numpy as np
 
 from sandbox.model import accounts
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import HIGHEST_RATE, Body, Level, Stepping
+from sandbox.model.level import Body, Level, Stepping
 from sandbox.model.shapes import Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.audit import Audit
 from sandbox.physics.batch import Contacts
-from sandbox.physics.build import Scene, local_points
+from sandbox.physics.bodies import local_points
+from sandbox.physics.build import Scene
 from sandbox.physics.convex import twice_area
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.laws.law import Law
+from sandbox.physics.errors import SimulationError, way_out
+from sandbox.physics.limits import Need, called, slowing, steepness
 from sandbox.physics.motion import Instant
 from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.stiffness import limit
+from sandbox.physics.stiffness import MARGIN, limit
 
 EVERY = 8
 """How many observations pass between two looks at energies and joints."""
@@ -33,9 +37,6 @@ PARTED = 0.05
 
 UNNOTICED = 1e-3
 """A motion of this share of its thickness in a step is none to speak of."""
-
-COARSE = 0.5
-"""ω dt, above which a force changes too much in a step to be blamed on anything else."""
 
 NUDGE = 1e-6
 """By how much a body is displaced to see how its force changes, of its thickness."""
@@ -52,6 +53,8 @@ class Watchdog:
         Its objects.
     start, contacts
         Its state at the start.
+    audit
+        Makes what looks for energy from nowhere in spite of the work that is put in.
 
     Attributes
     ----------
@@ -67,6 +70,7 @@ class Watchdog:
         scene: Scene,
         start: Snapshot,
         contacts: Contacts,
+        audit: Callable[[float, float], Audit],
     ) -> None:
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
         self._strict = not stepping.as_it_comes
@@ -76,20 +80,25 @@ class Watchdog:
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         self._closed = self._strict and not accounts.works(level)
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._energy = self._lowest = 0.0
-        if self._closed:
-            self._energy, self._lowest = self._energies(start)
+        self._energy, self._lowest = self._energies(start)
         self._least, self._swing = self._unnoticed(start), self._swings(start)
+        self._audit = None
+        if stepping.scheme == "leapfrog" and not self._closed:
+            self._audit = audit(self._least, self._swing)
         self._recent = [start]
         self.good = start
+        if not isfinite(self._energy):
+            self._refuse_beyond(int(np.argmax(self._kinetic(start))), start)
 
-    def look(self, now: Snapshot, contacts: Contacts, *, disturbed: bool) -> None:
+    def look(self, now: Snapshot, contacts: Contacts, before: Array, *, disturbed: bool) -> None:
         """Look at what was observed.
 
         Parameters
         ----------
         now, contacts
             The observation.
+        before
+            (n, 3), the velocities that the last kick began with [m/s, rad/s].
         disturbed
             Whether a hand has given energy to the scene.
 
@@ -106,6 +115,8 @@ class Watchdog:
             return
         if len(contacts.bodies):
             self._look_for_sunk(now, contacts)
+        if self._audit and not disturbed and (gained := self._audit.look(before)):
+            self._refuse(now, gained)
         self._recent.append(now)
         if len(self._recent) > EVERY:
             self.good = self._recent[0]
@@ -115,13 +126,37 @@ class Watchdog:
             self._recent = self._recent[-1:]
 
     def _look_for_lost(self, now: Snapshot) -> None:
-        turning = np.stack((now.angle, now.angular_velocity), axis=1)
-        rows = np.concatenate((now.position, now.velocity, turning), axis=1)
-        if not np.isfinite(rows).all():
-            row = int(np.argmax(~np.isfinite(rows).all(axis=1)))
+        motion = now.position, now.velocity, now.angle, now.angular_velocity
+        if isfinite(sum(np.vdot(part, part) for part in motion)):  # no square is, if one is not
+            return
+        rows = np.column_stack(motion)
+        gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
+        if gone.any():
+            row = int(gone.argmax())
             reason = f"the body '{self._names[row]}' is no longer anywhere finite"
-            cause, rate = self._cause(row)
+            cause, rate = self._without_value(row, now) or self._cause(row)
             raise SimulationError(self._names[row], float(now.t), f"{reason}{cause}", rate)
+        if lost.any():
+            self._refuse_beyond(int(lost.argmax()), now)
+
+    def _without_value(self, row: int, now: Snapshot) -> tuple[str, None] | None:
+        """Return the law that had no value any more, where or when a body had got to."""
+        before = self._recent[-1]
+        place = np.where(np.isfinite(now.position), now.position, before.position)
+        motion = Instant.of(before)._replace(t=now.t, position=place)
+        for law in self._scene.laws:
+            wrench = np.zeros((len(place), 3))
+            law.add(motion, wrench)
+            if not np.isfinite(wrench[row]).all():
+                return f": {called(self._scene, law)} has no finite value any more", None
+        return None
+
+    def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
+        """Stop, for a body's energy is beyond the largest number."""
+        name = self._names[row]
+        reason = f"'{name}' is so fast, so far away or so heavy that its energy is no finite number"
+        cause, rate = self._known_cause(row) or ("", None)
+        raise SimulationError(name, float(now.t), f"{reason}{cause}", rate)
 
     def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
         depth = self._depth(contacts)
@@ -142,7 +177,7 @@ class Watchdog:
             needed = 4 * self._rate
             reason += ": what presses on it is too much for the solver"
         raise SimulationError(
-            self._names[a], float(now.t), f"{reason}; {_way_out(needed, self._rate)}", needed
+            self._names[a], float(now.t), f"{reason}; {way_out(needed, self._rate)}", needed
         )
 
     def _depth(self, contacts: Contacts) -> Array:
@@ -164,10 +199,16 @@ class Watchdog:
         energy, stored = self._energies(now)
         self._lowest = min(self._lowest, stored)
         there_was = self._energy - self._lowest + self._least
-        if not energy - self._energy > there_was * self._swing or not np.isfinite(energy):
-            return
+        gained = energy - self._energy
+        if gained > there_was * self._swing or not isfinite(gained):
+            self._refuse(now, gained)
+
+    def _refuse(self, now: Snapshot, gained: float) -> NoReturn:
+        """Stop, for so much energy has come from nowhere [J]."""
         row = int(np.argmax(self._kinetic(now)))
-        name, gained = self._names[row], energy - self._energy
+        if not isfinite(gained):
+            self._refuse_beyond(row, now)
+        name = self._names[row]
         reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
         cause, rate = self._cause(row)
         raise SimulationError(name, float(now.t), f"{reason}{cause}", rate)
@@ -201,51 +242,31 @@ class Watchdog:
         return 1 / max(1 - (needed / self._rate) ** 2, UNNOTICED)
 
     def _cause(self, row: int) -> tuple[str, float | None]:
-        """Return the force that was too stiff for a body, and the rate that it needs [Hz]."""
-        found = [
-            (self._stiffness(law, row, then), law)
-            for then in self._recent
-            for law in self._scene.laws
-        ]
-        omega, law = max(found, key=lambda pair: pair[0], default=(0.0, None))
-        if law is None or not omega > COARSE * self._rate:
-            return f"; {_way_out(4 * self._rate, self._rate)}", 4 * self._rate
-        needed = omega / COARSE
-        way_out = _way_out(needed, self._rate)
-        return f": {self._called(law)} changes too fast for a step; {way_out}", needed
+        """Return the force that was too strong for a body, and the rate that it needs [Hz]."""
+        known = self._known_cause(row)
+        return known or (f"; {way_out(MARGIN * self._rate, self._rate)}", MARGIN * self._rate)
 
-    def _called(self, law: Law) -> str:
-        for name, spring in self._scene.joints.springs.items():
-            if spring is law:
-                return f"the spring '{name}'"
-        return f"the effect '{law.effect}'"
+    def _known_cause(self, row: int) -> tuple[str, float] | None:
+        worst = max(self._blamed(row), default=None)
+        if worst is None:
+            return None
+        needed = MARGIN * worst.rate
+        cause = f"{worst.subject} changes too fast for a step"
+        return f": {cause}; {way_out(needed, self._rate)}", needed
 
-    def _stiffness(self, law: Law, row: int, then: Snapshot) -> float:
-        """Return ω of a body in a force: that of the steepest change of it with its place."""
+    def _blamed(self, row: int) -> list[Need]:
+        """Return what asked for more than the rate, with room to spare.
+
+        A force of places does so wherever it was steepest. What grows as the velocities do, has
+        grown because of what went wrong: it is looked at where all was still well, in the forces
+        of the end.
+        """
         nudge = NUDGE * min(float(self._thick[row]), 1.0)
-        slope = np.empty((2, 2))
-        for axis in (0, 1):
-            there = []
-            for sign in (-1, 1):
-                place = then.position.copy()
-                place[row, axis] += sign * nudge
-                wrench = np.zeros((len(place), 3))
-                with np.errstate(all="ignore"):
-                    law.add(
-                        Instant(then.t, place, then.angle, then.velocity, then.angular_velocity),
-                        wrench,
-                    )
-                there.append(wrench[row, :2])
-            slope[axis] = (there[1] - there[0]) / (2 * nudge)
-        if not np.isfinite(slope).all() or not self._scene.mass[row]:
-            return 0.0
-        return float(np.sqrt(np.linalg.norm(slope, 2) / self._scene.mass[row]))
-
-
-def _way_out(needed: float, rate: float) -> str:
-    if needed > HIGHEST_RATE:
-        return "no 'rate' that a level may have is enough"
-    return f"take a higher 'rate': {np.ceil(needed):,.0f}, not {rate:g}"
+        found = [n for then in self._recent for n in steepness(self._scene, row, then, nudge)]
+        well, t = self._recent[0], self._recent[-1].t
+        motion = Instant.of(well)._replace(t=t)
+        found += slowing(self._scene, row, motion)
+        return [need for need in found if MARGIN * need.rate > self._rate]
 
 
 def _thickness(body: Body, values: Values) -> float:

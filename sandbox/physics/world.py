@@ -9,6 +9,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from functools import partial
 from typing import NoReturn
 
 import numpy as np
@@ -16,33 +17,26 @@ import pymunk
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.audit import Audit
 from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
-from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
+from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError, way_out
+from sandbox.physics.forces import Forces
 from sandbox.physics.hand import Hand
 from sandbox.physics.hook import Hook
 from sandbox.physics.impacts import impacts
 from sandbox.physics.located import Located, locate
-from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant
-from sandbox.physics.schemes import Substep, require, substeps
+from sandbox.physics.onwards import Onwards
+from sandbox.physics.schemes import LEAPFROG, Composition, Substep, composition, require, substeps
 from sandbox.physics.sequence import Sequence
+from sandbox.physics.settling import Settling
 from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.stiffness import check_springs
+from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
 
 Pair = frozenset[str]
-
-MAX_KICKS = 500
-"""How often the first kick is repeated while contacts and strings come to terms."""
-
-PATIENCE = 50
-"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
-
-UNSETTLED = 1000
-"""How many times the rounding velocities must still change for that."""
-
-MAX_SWEEPS = 5000
-"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
@@ -72,7 +66,11 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
         from sandbox.physics.accuracy import resolved  # it runs worlds itself
 
         stepping = resolved(level, values, stepping)
-    return World(level, values, stepping)
+    try:
+        return World(level, values, stepping)
+    except SimulationError as error:
+        error.refuse(level)
+        raise
 
 
 class World:
@@ -94,10 +92,19 @@ class World:
         Who touched whom when it was last observed.
     hand
         What takes hold of bodies.
-    kick
-        What the force laws saw in the last kick; None if there are none, or before it.
+    forces
+        What gravity and the force laws do.
     located
         Finds the impacts that are located in time; None if none are.
+    stops
+        Finds where slipping ends, if that is located in time; None if not.
+    parts
+        What a step is made of.
+    trail
+        After each part of the last step but its end, places and velocities: (n, 6) each; only kept
+        while somebody keeps books, None else.
+    begun
+        (n, 3), the velocities that the last kick began with, when it was last observed.
     disturbed
         Whether a hand has touched the scene, so that no formula for it holds any more.
     """
@@ -108,33 +115,38 @@ class World:
         self.dt = 1 / stepping.rate
         self.steps = 0
         self.disturbed = False
-        self.kick: Instant | None = None
+        self.trail: list[Array] | None = None
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
-        self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
+        self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
         self._untouched = np.zeros(len(self._bodies))
         self._untouched.setflags(write=False)
-        self._seen = -1, self._field  # the step last observed, and the velocities half a step on
-        if self.scene.gravity:
-            self._field[self.scene.mass > 0, :2] = self.scene.gravity.acceleration
-        self._smooth = self._field  # acceleration by gravity and laws
-        self._agility = self.scene.agility
+        # the step last observed, and the velocities half a step on
+        self._seen = -1, self._batch.velocity()
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
         self._leapfrog = not stepping.as_it_comes
-        *self._leading, last = substeps(stepping.scheme, self.dt)
-        self._drift, self._scale = last.drift, last.scale
+        self._scale = 1.0  # what forces are multiplied by in the next kick
         self._led = False  # whether all substeps but the last are taken
-        self._guesses = self._leapfrog and any(law.needs_velocity for law in self.scene.laws)
-        self._older = self._field  # the velocities that the last kick began with
         self._kicks_after: float = 1  # steps from the last to the time of the next kick
+        self._drifts_then: float = 1  # and how many the drift lasts that follows it
         # joints take turns with contacts: there their last pull acts from the start of a kick
-        self._pulling = self._joints.together if level.effects.contact else None
+        pulling = self._joints.together if level.effects.contact else None
+        self.forces = Forces(self.scene, pulling, leapfrog=self._leapfrog)
         self._sequence = self._make_sequence()
         self.located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
+        self._settling = Settling(
+            self._space,
+            self._bodies,
+            self._batch,
+            self._joints,
+            self._finish,
+            touching=level.effects.contact is not None,
+        )
+        self.stops = self._make_stops()
         self.hand = Hand(self._space, self._bodies)
         self.contacts: Contacts = NO_CONTACTS
         self.snapshot: Snapshot = self._start()
@@ -161,9 +173,15 @@ class World:
 
     @property
     def hooks(self) -> int:
-        """How many Python callbacks a step makes, if each pair that needs any has one contact."""
-        hooked = (self._hook.count if self._hook else 0) * (len(self._leading) + 1)
-        return hooked + self.scene.pair_callbacks
+        """How often a step calls Python, if each pair that needs it has one contact."""
+        hooked = (self._hook.count if self._hook else 0) * len(self.parts)
+        before = self._early + (self.located is not None) + (self.stops is not None)
+        return before + hooked + self.scene.pair_callbacks
+
+    @property
+    def composed(self) -> bool:
+        """Whether a step is made of several drifts and kicks."""
+        return bool(self._leading)
 
     def time_hooks(self) -> None:
         """Take the time of the shared hook from now on."""
@@ -184,16 +202,23 @@ class World:
             If a joint cannot be kept.
         """
         if self._early:
-            self._apply_forces()
+            with np.errstate(all="ignore"):  # as in the hook
+                self._apply_forces()
         if self.located:
             self._cut(self.located)
+        if self.stops:
+            self._end_slipping(self.stops)
         if self._leading:
             self._lead()
             self._led = False
-        self._space.step(self._drift)
+        self._space.step(self._last.drift)
+        if self._hook:
+            self._hook.finish()
         self.steps += 1
         if self._hook and self._hook.error:
             self._fail(self._hook.error)
+        if self.stops:
+            self.stops.look()
 
     def advance(self, steps: int = 1) -> Snapshot:
         """Take one or more steps, observe the last, and return the state there.
@@ -218,23 +243,40 @@ class World:
         else:
             before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
-        with np.errstate(all="ignore"):  # what is not finite is told by name
-            self.snapshot = self._observe(before)
+        try:
+            with np.errstate(all="ignore"):  # what is not finite is told by name
+                self._observe(before)
+        except JointFailure as error:  # that only a look at it finds
+            self.snapshot = self._watchdog.good
+            self._fail(error)
         return self.snapshot
+
+    def _compose(self, shares: Composition) -> None:
+        """Take steps from now on that are made like that."""
+        self.parts = substeps(shares, self.dt)
+        *self._leading, self._last = self.parts
+        if self._joints.together:
+            self._joints.together.parts = len(self.parts)
 
     def _lead(self) -> None:
         """Take all substeps of a step but the last, unless that is done."""
         if self._led:
             return
+        trail = self.trail = None if self.trail is None else []
         for substep in self._leading:
             self._turn_to(substep)
             self._space.step(substep.drift)
-        self._turn_to(Substep(self._drift, 1, 1.0))
+            if self._hook:
+                self._hook.finish()
+            if trail is not None:
+                trail.append(self._batch.state())
+        self._turn_to(self._last)
         self._led = True
 
     def _turn_to(self, substep: Substep) -> None:
         """Let the next kick be that of a substep."""
         self._kicks_after, self._scale = substep.ahead, substep.scale
+        self._joints.time(substep.kick, substep.following)
         if gravity := self.scene.gravity:
             x, y = gravity.acceleration
             self._space.gravity = x * substep.scale, y * substep.scale
@@ -249,11 +291,13 @@ class World:
     def _make_hook(self) -> Hook | None:
         strings = self._joints.strings.values()
         before = [string.warm_start for string in strings] if self.level.effects.contact else []
-        if (self.scene.laws or self._pulling) and not self._early:
+        if self.forces.acts and not self._early:
             before.insert(0, self._apply_forces)
         if self._sequence:
             before.append(self._collide)
-        after = self._joints.solvers(lambda: (self.steps + self._kicks_after + 1) * self.dt)
+        after = self._joints.solvers(
+            lambda: (self.steps + self._kicks_after + self._drifts_then) * self.dt
+        )
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
             return None
@@ -261,164 +305,133 @@ class World:
 
     def _cut(self, located: Located) -> None:
         """Let what would touch in the coming drift collide there."""
+        jump = self._sequence.last.jump if self._sequence else None
         try:
-            jump = located.cut(self._smooth, self._sequence.last.jump if self._sequence else 0.0)
-        except EndlessImpacts as error:
+            cut = located.cut(self.forces.smooth, jump)
+        except (EndlessImpacts, JointFailure) as error:
             self._fail(error)
-        if jump is not None:
-            self._older = self._older + jump
+        if cut:
+            self.forces.older = self.forces.older + cut.jump
             if self._sequence:
-                self._sequence.shift(jump)
+                self._sequence.shift(cut.struck, cut.place, cut.jump, cut.change)
+
+    def _end_slipping(self, stops: Stops) -> None:
+        """Let slipping end in the coming drift, where no impact has changed it."""
+        if self.located and self.located.impacts:
+            stops.drop(self.located.begun)
+        elif cut := stops.cut():
+            self.forces.older = cut.begun - cut.pull * self.dt
+            if self.located:
+                self.located.begun = cut.begun
+
+    def _make_stops(self) -> Stops | None:
+        if not self._leapfrog:
+            return None
+        forces, scene = self.forces, self.scene
+        onwards = partial(Onwards, scene, self._kick_held, self._held, self.dt)
+        return stop(self.level, self.values, scene, onwards, lambda: forces.smooth, self.dt)
+
+    @contextmanager
+    def _held(self) -> Iterator[None]:
+        """Hold all bodies where they are, between two steps."""
+        kicks_after = self._kicks_after
+        with self.forces.tried(), self._settling.held():
+            yield
+        self._kicks_after, self._drifts_then = kicks_after, 1
+        self._joints.time(self.dt, self.dt)
+
+    def _kick_held(self, ahead: float, start: Array, length: float, drift: float) -> Array:
+        """Kick bodies that are held, so many steps after the last; see `Stops`."""
+        self._kicks_after, self._drifts_then, self.forces.older = ahead, drift / self.dt, start
+        return self._settling.kick(start, length, drift, self.forces.smooth)
 
     def _collide(self) -> None:
         """Let one impact come after the other, if that is how the level wants them."""
         assert self._sequence
-        self._sequence.collide(self._smooth, start=self._kicks_after == 0)
-        self._older = self._older + self._sequence.last.jump
+        self._sequence.collide(self.forces.smooth, start=self._kicks_after == 0)
+        self.forces.older = self.forces.older + self._sequence.last.jump
 
     def _apply_forces(self) -> None:
-        """Read all bodies once, add up the laws, and write all forces once."""
-        self.kick = motion = self._motion()
-        if isinstance(self.scene.share, MassFlows):
-            self._weigh(self.scene.share, motion.t)
-        wrench = np.zeros_like(self._field)
-        with np.errstate(all="ignore"):  # a force without a value ends the run when it is observed
-            for law in self.scene.laws:
-                law.add(motion, wrench)
-            self._smooth = self._field + wrench * self._agility
-        if self._pulling:
-            self._pulling.pull(wrench)
-        self._batch.set_force(wrench if self._scale == 1 else wrench * self._scale)
-
-    def _weigh(self, share: MassFlows, t: Array) -> None:
-        """Give the bodies whose mass changes that of a time [s], for the kick around it."""
-        now = share(t)
-        for row in share.bodies:
-            body = self._bodies[row]
-            body.mass = self.scene.mass[row] * now[row]
-            if self.scene.moment[row]:
-                body.moment = self.scene.moment[row] * now[row]
-        self._agility = self.scene.agility / now[:, None]
-
-    def _motion(self) -> Instant:
-        """Return the motion that the laws see in a kick.
-
-        pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
-        less 1/2 of those another step ago.
-        """
-        state = self._batch.state()
-        velocity = state[:, 3:]
-        if self._guesses:
-            velocity = 1.5 * state[:, 3:] - 0.5 * self._older
-            self._older = state[:, 3:]
         ahead = 0 if self._early else self._kicks_after
-        t = np.asarray((self.steps + ahead) * self.dt)
-        return Instant(t, state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2])
+        self.forces.apply((self.steps + ahead) * self.dt, self._scale)
 
     def _start(self) -> Snapshot:
         """Observe the initial state; for leapfrog, also give the first half kick."""
-        start = self._batch.velocity()
+        self.begun = start = self._batch.velocity()
         self._seen = -1, start
         if not self._leapfrog:
             self._joints.time(self.dt, self.dt)
             nowhere = np.full_like(start, np.nan)
             return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
-        kick = self._drift / 2
-        self._kicks_after, self._older = 0, start
-        with self._held():
-            after = self._settle(start, kick)
+        kick = self._last.kick / 2
+        self._scale = 1.0
+        if self.scene.gravity:
+            self._space.gravity = self.scene.gravity.acceleration
+        self._kicks_after, self.forces.older = 0, start
+        with self._settling.held():
+            after = self._settling.kick(start, kick, self._last.following, self.forces.smooth)
             self.contacts = self._read_contacts()
             begun = start + self._sequence.last.jump if self._sequence else start
             acceleration = (after - begun) / kick
+            if self.stops:
+                acceleration = self.stops.start(begun, acceleration)
+                after = begun + acceleration * kick
+                self.contacts = self._read_contacts()
             state = self._batch.state()
+            if self._leading and self._joints.together:
+                _, acceleration = self._joints.together.motion(start, self.forces.smooth)
             snapshot = self._snapshot(state, start, acceleration, self.contacts, kick)
             if self.level.effects.contact:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
-                self._settle(start, self.dt)
+                self._settling.kick(start, self.dt, self.dt, self.forces.smooth)
                 self._batch.set_velocity(after)
         if self.located:
-            self.located.begin(acceleration)
+            self.located.begin(begun, acceleration)
         self._joints.time(self.dt, self.dt)
         self._kicks_after = 1
-        if self._guesses:
-            self._older = begun + (begun - after)
+        self.forces.start(begun, after)
         return snapshot
 
-    @contextmanager
-    def _held(self) -> Iterator[None]:
-        """Hold all bodies where they are, whatever is stepped."""
-        moving = [b for b in self._bodies if b.body_type != pymunk.Body.STATIC]
-        bias, self._space.collision_bias = self._space.collision_bias, 1.0
-        for body in moving:
-            body.position_func = _stay
-        try:
-            yield
-        finally:
-            for body in moving:
-                body.position_func = pymunk.Body.update_position
-            self._space.collision_bias = bias
-
-    def _settle(self, start: Array, kick: float) -> Array:
-        """Kick held bodies, and return their velocities after it.
-
-        Contacts and strings are solved in turn, one a step. So the kick is repeated from the same
-        velocities, each time from the impulses found before, until nothing changes any more.
-        """
-        self._joints.time(kick, self.dt)
-        swept = self._space.iterations
-        close = 1e-15 * kick * np.abs(self._smooth).max(initial=0.0)
-        after = np.full_like(start, np.inf)  # at least two kicks are compared
-        for count in range(MAX_KICKS if self.level.effects.contact else 1):
-            previous = after
-            self._batch.set_velocity(start)
-            self._space.step(kick)
-            if self._hook and self._hook.error:
-                self._fail(self._hook.error)
-            after = self._batch.velocity()
-            change = np.abs(after - previous).max(initial=0.0)
-            if change <= close:
-                break
-            if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
-                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
-                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
-        self._space.iterations = swept
-        return after
-
-    def _observe(self, before: Array) -> Snapshot:
+    def _observe(self, before: Array) -> None:
+        """Take up the state, and let the watchdog look at it."""
         state = self._batch.state()
         after = state[:, 3:]
         self._seen = self.steps, after
-        if self.located:
-            before = self.located.begun
+        if cutting := self.stops or self.located:
+            before = cutting.begun
+        self.begun = before
         contacts = self._read_contacts()
-        velocity, acceleration = after, (after - before) / self._drift
+        velocity, acceleration = after, (after - before) / self._last.kick
         if self._leapfrog:
             velocity = (before + after) / 2
+            if self._leading and self._joints.together:
+                velocity, acceleration = self._joints.together.motion(velocity, self.forces.smooth)
             if self._sequence:
                 struck = self._sequence.last
                 hit = np.flatnonzero(struck.jump.any(axis=1))
                 acceleration[hit] = (after - struck.velocity)[hit] / (self.dt / 2)
                 velocity[hit] = struck.velocity[hit]
-            elif contacts.first.any():
+            elif contacts.first.any() or self.level.effects.restitution:
                 solid, mass = self._joints.solids.pairs, self.scene.mass
-                hit, onwards = impacts(contacts, solid, before, after, self._smooth, mass, self.dt)
+                hit, onwards = impacts(
+                    contacts, solid, state[:, :3], before, after, self.forces.smooth, mass, self.dt
+                )
                 acceleration[hit] = onwards
                 velocity[hit] = after[hit] - onwards * (self.dt / 2)
         if self.located:
             contacts = self.located.contacts().and_(contacts)
-        snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
+        self.snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
+        self.contacts = contacts
         try:
-            self._watchdog.look(snapshot, contacts, disturbed=self.disturbed)
+            self._watchdog.look(self.snapshot, contacts, before, disturbed=self.disturbed)
         except SimulationError as error:
             self._ended, self.snapshot = error, self._watchdog.good
             raise
-        self.contacts = contacts
-        return snapshot
 
     def _read_contacts(self) -> Contacts:
         if not self.level.effects.contact:
             return NO_CONTACTS
-        contacts = self._batch.contacts()
+        contacts = (self.stops and self.stops.kicked) or self._batch.contacts()
         touches = self._joints.touches
         return touches.with_latest(contacts) if touches else contacts
 
@@ -432,9 +445,7 @@ class World:
             if self._sequence:
                 normal = normal + self._sequence.last.impulse / kick
             friction = _sums(contacts, contacts.friction / kick, len(friction))
-        motion = Instant(
-            np.array(self.t), state[:, :2], state[:, 2], velocity[:, :2], velocity[:, 2]
-        )
+        motion = Instant.at(self.t, state, velocity)
         return Snapshot(
             *motion,
             acceleration=acceleration[:, :2],
@@ -448,22 +459,40 @@ class World:
     def _make_watchdog(self) -> Watchdog:
         start, contacts = self.snapshot, self.contacts
         with np.errstate(all="ignore"):  # what is not finite is told by name
-            dog = Watchdog(self.level, self.values, self.stepping, self.scene, start, contacts)
-            dog.look(start, contacts, disturbed=True)
+            audit = partial(Audit, self)
+            dog = Watchdog(
+                self.level, self.values, self.stepping, self.scene, start, contacts, audit
+            )
+            dog.look(start, contacts, self._seen[1], disturbed=True)
         return dog
+
+    def _finish(self) -> None:
+        """Do what belongs after a kick of pymunk's, and raise what went wrong in it."""
+        if self._hook:
+            self._hook.finish()
+            if self._hook.error:
+                self._fail(self._hook.error)
 
     def _fail(self, error: Exception) -> NoReturn:
         """Raise what a hook has kept; such a world has ended."""
         self._ended = error
         if isinstance(error, JointFailure):
-            self._ended = SimulationError(error.joint, self.t, str(error), error.rate)
+            rate = error.finer and error.finer * self.stepping.rate
+            told = f"{error}; {way_out(rate, self.stepping.rate)}" if rate else str(error)
+            self._ended = SimulationError(error.joint, self.t, told, rate)
         elif isinstance(error, EndlessImpacts):
             body = list(self.scene.bodies)[error.body]
             self._ended = SimulationError(body, self.t, str(error))
         raise self._ended from error
 
     def grab(self, body: str, point: tuple[float, float]) -> None:
-        """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring."""
+        """Take hold of a dynamic body at a point of the plane [m], as with a stiff spring.
+
+        Raises
+        ------
+        SimulationError
+            If the scene cannot go on with leapfrog, which a hand needs.
+        """
         self._take_one_drift()
         self.hand.grab(list(self.scene.bodies).index(body), point)
         self.disturbed = True
@@ -471,7 +500,9 @@ class World:
     def _take_one_drift(self) -> None:
         """Go on with leapfrog where there were substeps: no hand pulls backwards in time."""
         if self._leading:
-            self._leading, self._drift = [], self.dt
+            scene, angle = self.scene, self.snapshot.angle
+            check_springs(self._joints.springs, scene.agility, angle, self.stepping.rate)
+            self._compose(LEAPFROG)
             self.place({})
 
     def drag(self, point: tuple[float, float]) -> None:
@@ -501,9 +532,5 @@ class World:
 
 def _sums(contacts: Contacts, values: Array, count: int) -> Array:
     """Add up for each body the values of its contacts."""
-    sums = np.bincount(contacts.bodies.T.ravel(), np.tile(values, 2), count)
+    sums = np.bincount(contacts.bodies.T.ravel(), np.concatenate((values, values)), count)
     return sums.astype(np.float64, copy=False)
-
-
-def _stay(_body: pymunk.Body, _dt: float) -> None:
-    """Move nothing."""

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 import pygame
 import pytest
 
+from sandbox.app.panels import levels
 from sandbox.app.text import Pen
 from sandbox.app.window import Window
 from tests.app.person import Person
@@ -21,9 +22,16 @@ def pen() -> Pen:
     return Pen()
 
 
+FEW = 12
+"""Levels that are listed: a button each, which takes longer to make than most tests do."""
+
+
 @pytest.fixture
-def person() -> Iterator[Person]:
+def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
     """Somebody in front of a window in which nothing is open yet."""
+    if not request.node.get_closest_marker("all_levels"):
+        few = levels.entries()[:FEW]
+        monkeypatch.setattr(levels, "entries", lambda: list(few))
     window = Window((1280, 800))
     pygame.event.clear()
     yield Person(window)

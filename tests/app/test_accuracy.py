@@ -13,9 +13,11 @@ from sandbox.app.panels.accuracy import AccuracyPage
 from sandbox.app.session import Session
 from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
+from sandbox.physics import study
+from sandbox.physics.accuracy import memory
 from sandbox.physics.study import Here, Point
 from sandbox.physics.world import build
-from tests.app import scenes
+from tests.app import scenes, work
 from tests.app.person import Person
 from tests.app.test_background import alive
 
@@ -34,22 +36,36 @@ def busy(person: Person) -> bool:
     return person.window.studying.running
 
 
+def waits(person: Person) -> bool:
+    return person.session.waiting
+
+
 def until(person: Person, true: Callable[[], bool]) -> None:
     """Look on, frame by frame, until something is the case."""
     deadline = time.monotonic() + PATIENCE
     while not true():
         assert time.monotonic() < deadline
         person.wait()
-        time.sleep(0.005)
+        time.sleep(0.05)  # the other process needs the time
 
 
 @pytest.fixture
-def player(person: Person, tmp_path: Path) -> Iterator[Person]:
+def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
     """Somebody who has turned to the accuracy of a ball that falls with drag."""
+    monkeypatch.setattr(study, "study", work.short_study)
     person.open(tmp_path, scenes.falling(effects=DRAG, ghosts={}))
     person.press(pygame.K_a, "a")
     yield person
     person.window.close()
+
+
+@pytest.fixture
+def informed(player: Person) -> Person:
+    """Somebody who knows what the schemes cost already, and now also what the run's error is."""
+    studying = player.window.studying
+    studying.points.append(Point("leapfrog", 60, 1e-4, 1e-3))
+    until(player, lambda: studying.here is not None and not studying.running)
+    return player
 
 
 def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
@@ -105,16 +121,17 @@ def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> Non
     assert player.session.world.stepping == player.session.original.stepping
 
 
-def test_a_change_of_a_parameter_makes_what_was_known_void(player: Person) -> None:
-    studying = player.window.studying
-    until(player, lambda: studying.here is not None and not studying.running)
+def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> None:
+    studying = informed.window.studying
+    assert studying.points
+    assert studying.splits(informed.session)
 
-    player.session.restart({"g": 5})
-    player.wait()
+    informed.session.restart({"g": 5})
+    informed.wait()
 
     assert studying.points == []
     assert studying.here is None
-    assert studying.splits(player.session) == {}
+    assert studying.splits(informed.session) == {}
 
 
 def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person) -> None:
@@ -136,29 +153,121 @@ def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person
     assert exact == player.session.world.stepping
 
 
-def test_only_digits_that_survive_are_shown_and_how_far_they_go(player: Person) -> None:
-    studying = player.window.studying
-    until(player, lambda: studying.here is not None and not studying.running)
-    player.press(pygame.K_SPACE, " ")
-    player.wait(1.2)
-    player.press(pygame.K_o, "o")
-    with_digits = player.window.surface.subsurface(player.window.panels.layout.side).copy()
+ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})
 
-    studying._splits.clear()
-    player.press(pygame.K_o, "o")
 
-    side = player.window.surface.subsurface(player.window.panels.layout.side)
+@pytest.fixture
+def in_the_background(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The process of the window finds out nothing, and nothing was found out before."""
+
+    def calibrate(*_: object, **__: object) -> None:
+        pytest.fail("the window waits")
+
+    monkeypatch.setattr(memory, "folder", lambda: tmp_path / "cache")
+    monkeypatch.setattr(memory, "_unkept", {})
+    monkeypatch.setattr(memory, "calibrate", calibrate)
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_a_level_that_asks_for_an_accuracy_waits_for_it_and_the_window_does_not(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, ASKING)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.3)
+    assert waits(person)
+    assert person.session.world.steps == 0
+
+    until(person, lambda: not waits(person))
+    person.wait(0.3)
+
+    assert person.session.setting is not None
+    assert person.session.world.stepping == person.session.setting.chosen.stepping
+    assert person.session.world.steps > 0
+    person.session.restart()  # it is known now
+    assert not waits(person)
+    person.session.restart({"g": 5})  # it is not known of this one
+    assert waits(person)
+    person.window.close()
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_an_accuracy_that_cannot_be_had_is_told_instead_of_a_run(
+    person: Person, tmp_path: Path
+) -> None:
+    pushed = {"type": "kinematic", "shape": {"type": "disc", "radius": 1}, "velocity": [1, 0]}
+    nothing: dict[str, object] = {"parameters": {}, "effects": {}, "checks": [], "ghosts": {}}
+    asks = scenes.falling(**nothing, bodies={"ball": pushed}, stepping={"accuracy": 1e-6})
+    person.open(tmp_path, asks)
+
+    until(person, lambda: person.session.failure is not None)
+
+    assert "nothing moves freely" in str(person.session.failure)
+    assert not person.session.playing
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_a_search_that_is_cancelled_is_no_setting(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, ASKING)
+    until(person, lambda: busy(person))
+
+    person.window.studying.cancel()
+    person.wait(0.1)
+
+    assert "cancelled" in str(person.session.failure)
+    assert not busy(person)
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_an_accuracy_that_was_asked_for_beside_the_level_outlives_a_reload(
+    person: Person, tmp_path: Path
+) -> None:
+    path = tmp_path / "level.json"
+    path.write_text(scenes.falling(), encoding="utf-8")
+    person.window.open_level(str(path), accuracy=1e-3)
+
+    person.press(pygame.K_F5)
+
+    assert person.session.level.stepping.accuracy == 1e-3
+
+
+def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person) -> None:
+    window = informed.window
+    informed.press(pygame.K_SPACE, " ")
+    informed.wait(1.2)
+    informed.press(pygame.K_o, "o")
+    with_digits = window.surface.subsurface(window.panels.layout.side).copy()
+
+    window.studying._splits.clear()
+    informed.press(pygame.K_o, "o")
+
+    side = window.surface.subsurface(window.panels.layout.side)
     assert pygame.image.tobytes(side, "RGB") != pygame.image.tobytes(with_digits, "RGB")
 
 
 @pytest.mark.parametrize(
     ("value", "off", "digits"),
-    [(3.14159, 2e-4, 4), (3.14159, 2e-9, 8), (0.02, 1.0, 1), (0.0, 1.0, 5), (7.0, 0.0, 5)],
+    [
+        (3.14159, 2e-4, 4),
+        (3.14159, 9e-4, 3),
+        (3.14159, 2e-9, 8),
+        (7.0, 1.0, 1),
+        (0.02, 1.0, 0),
+        (0.0, 1.0, 5),
+        (7.0, 0.0, 5),
+    ],
 )
 def test_digits_survive_that_are_larger_than_the_error(
     value: float, off: float, digits: int
 ) -> None:
     assert wording.surviving(value, off) == digits
+
+
+def test_digits_survive_in_the_unit_that_is_read() -> None:
+    """0.1 rad to 4e-4 has three digits, 5.73° to 0.023 but two."""
+    assert wording.certain(0.1, 4e-4, "rad") == "5.7°"
+    assert wording.certain(1234.0, 40.0, "J") == "1.2e3 J"
+    assert wording.certain(0.02, 1.0, "m") == "0 m"
 
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:

@@ -14,6 +14,7 @@ from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
 from tests.app import scenes
 from tests.app.person import Person
+from validation.case import textbook
 
 LEVEL = "newton/two-forces"
 
@@ -170,7 +171,7 @@ def test_a_force_along_one_axis_follows_the_mouse_along_it(person: Person, tmp_p
 
 def test_no_level_draws_a_force_beyond_the_stage_at_the_start(person: Person) -> None:
     for name in catalog.names():
-        if not load(catalog.find(name)).effects.force:
+        if not textbook(name).effects.force:
             continue
         person.window.open_level(name)
         person.wait()

@@ -6,7 +6,8 @@ import pytest
 from numpy.typing import NDArray
 
 from sandbox.app import graph, theme
-from sandbox.app.session import INSTANTS, Session
+from sandbox.app.books import INSTANTS
+from sandbox.app.session import Session
 from sandbox.app.theme import Color
 from sandbox.model import catalog
 from sandbox.model.expressions import Array
@@ -36,7 +37,7 @@ def finished(session: Session) -> Session:
 
 
 def drawn(session: Session) -> Array:
-    surface = graph.energies(SIZE, session.history, session.duration)
+    surface = graph.energies(SIZE, session.books.history, session.duration)
     return pygame.surfarray.array3d(surface).astype(float)
 
 
@@ -47,7 +48,7 @@ def rows(pixels: Array, color: Color, columns: slice) -> NDArray[np.intp]:
 
 def test_the_history_is_that_of_the_run() -> None:
     session = finished(Session(load(catalog.find("kinematics/projectile"))))
-    t, kinetic, potential, total = session.history.T
+    t, kinetic, potential, total = session.books.history.T
 
     height = 25 * np.sin(np.pi / 4) * t - 9.81 * t**2 / 2
     assert t[0] == 0
@@ -88,7 +89,7 @@ def test_a_long_run_keeps_a_bounded_number_of_energies() -> None:
     session = Session(scenes.level(stepping={"rate": 6000}, checks=[]))
     finished(session)
 
-    assert len(session.history) <= INSTANTS + 2
+    assert len(session.books.history) <= INSTANTS + 2
 
 
 def test_nothing_but_zeros_is_no_trouble() -> None:
@@ -102,7 +103,7 @@ def test_the_energies_of_a_body_that_was_put_elsewhere_begin_there() -> None:
     session.grab("ball", (2, 0))
     session.drag((3, 0))
 
-    assert session.history[:, 3] == pytest.approx(4.5)
+    assert session.books.history[:, 3] == pytest.approx(4.5)
 
 
 def test_graph_and_bars_change_by_key_and_by_button(person: Person) -> None:

@@ -57,6 +57,20 @@ def test_every_lane_tells_its_error_and_its_clock() -> None:
     assert all(lane.cost and lane.cost > 0 for lane in race.lanes(session))
 
 
+def test_schemes_are_judged_past_an_event_of_which_they_record_no_place() -> None:
+    """The needle's axle is at rest: only how it turns is in its checks, and where it is is not."""
+    session = Session(load(find("lagrange/leapfrog-pendulum")))
+    race.toggle(session)
+    session.playing = True
+
+    session.update(1.0, budget=60)  # a quarter of its period is 0.51 s
+
+    lanes = race.lanes(session)
+    assert len(lanes) == 4
+    assert all(lane.error is not None for lane in lanes)
+    assert len(session.milestones()) == 1
+
+
 def test_a_scheme_that_would_be_the_same_is_left_out() -> None:
     without, with_law = scenes.level(), scenes.level(effects=DRAG)
     raced = []

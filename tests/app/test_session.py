@@ -10,6 +10,7 @@ from sandbox.model.loading import parse
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
 from tests.app import scenes
+from tests.physics.scenes import disc, level
 
 FRAME = 1 / 60  # s
 
@@ -157,6 +158,26 @@ def test_a_body_is_pulled_while_time_runs() -> None:
     assert session.world.disturbed
 
 
+def test_a_hand_for_which_the_rate_is_too_low_stops_the_run_and_says_so() -> None:
+    """A bob that turns by 1 rad a step: parts of it the rod can follow, a whole one it cannot."""
+    session = Session(
+        level(
+            {"bob": disc((1, 0), velocity=[0, 17])},
+            {},
+            joints={"rod": {"type": "rod", "ends": [[0, 0], "bob"]}},
+            stepping={"rate": 16, "scheme": "fourth-order"},
+        )
+    )
+    session.toggle()
+    session.update(0.2)
+
+    session.grab("bob", (1, 0))
+    session.drag((1, 1))
+
+    assert not session.playing
+    assert "nothing keeps 'rod' as it is" in str(session.failure)
+
+
 def test_a_body_is_put_elsewhere_while_time_stands() -> None:
     session = Session(scenes.level())
 
@@ -211,7 +232,7 @@ def test_the_energies_of_a_fall_are_exchanged() -> None:
     session = Session(scenes.level())
     play(session)
 
-    start, now = session.start_energies, session.energies()
+    start, now = session.books.start, session.books.energies
 
     assert start.kinetic == 0
     assert now.kinetic == pytest.approx(50)

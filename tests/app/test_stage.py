@@ -252,7 +252,7 @@ def test_a_frame_that_depends_on_parameters_follows_them(pen: Pen) -> None:
 
 
 def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
-    session = Session(load(catalog.find("newton/atwood-equal-masses")))
+    session = Session(load(catalog.find("rotation/balance-beam")))
     for _ in range(60):
         session.step()
     stage = Stage(pen, SIZE)

@@ -23,7 +23,7 @@ def test_the_books_are_kept_from_the_start() -> None:
     for _ in range(30):
         session.step()
 
-    books = session.balance
+    books = session.books.balance
 
     assert books.loss["friction"] > 1
     assert abs(books.unexplained) < 1e-12
@@ -37,7 +37,7 @@ def test_a_body_that_is_put_elsewhere_opens_new_books() -> None:
     session.release()
     session.step()
 
-    assert abs(session.balance.unexplained) < 1e-9
+    assert abs(session.books.balance.unexplained) < 1e-9
 
 
 def test_a_run_that_stopped_runs_at_the_rate_that_is_advised() -> None:
@@ -110,7 +110,7 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
     heights = []
     for name in ("newton/incline", "newton/friction-brings-to-rest"):
         session = Session(load(catalog.find(name)))
-        heights.append(cards.ledger(Pen(), 300, session.balance).height)
+        heights.append(cards.ledger(Pen(), 300, session.books.balance).height)
         person.window.open_level(name)
         person.wait()
     person.press(pygame.K_e, "e")

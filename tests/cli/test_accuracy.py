@@ -1,5 +1,6 @@
 """`--accuracy`: a setting that is found out, told, and run with."""
 
+import shlex
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,22 @@ def test_a_level_that_asks_can_be_run_again_as_it_was(
     assert second.read_text().splitlines()[20:] == first.read_text().splitlines()[20:]
 
 
+def test_what_is_asked_for_is_run_again_by_the_command_in_the_file(
+    run: Run, write: Write, tmp_path: Path
+) -> None:
+    """To the last letter, with a scheme that is found in place of the level's own."""
+    first, second = tmp_path / "1.csv", tmp_path / "2.csv"
+    path = write(stepping={"scheme": "fourth-order"})
+    run("simulate", path, "--accuracy", "1e-6", "--output", first)
+    text = first.read_text(encoding="utf-8")
+    again = next(line for line in text.splitlines() if line.startswith("# again: "))
+
+    run(*shlex.split(again.removeprefix("# again: "))[3:-1], second)
+
+    assert "# scheme: leapfrog" in text
+    assert second.read_text(encoding="utf-8") == text
+
+
 def test_render_asks(run: Run, write: Write, tmp_path: Path) -> None:
     outcome = run("render", write(), "--accuracy", "1e-3", "--output", tmp_path / "out.png")
 
@@ -69,6 +86,11 @@ def test_play_asks(run: Run, write: Write, monkeypatch: pytest.MonkeyPatch) -> N
     ("options", "told", "status"),
     [
         (["--accuracy", "1e-6", "--rate", "60"], "a setting is chosen or asked for, not both", 2),
+        (
+            ["--accuracy", "1e-6", "--scheme", "leapfrog"],
+            "--accuracy and --scheme: a setting is",
+            2,
+        ),
         (["--accuracy", "0"], "--accuracy 0: must be greater than 0", 2),
         (["--accuracy", "1"], "--accuracy 1: ", 2),
         (["--accuracy", "nan"], "--accuracy nan: ", 2),

@@ -26,6 +26,23 @@ def test_a_run_without_an_effect_is_told_in_the_levels_own_quantities(
     assert summary.endswith(" ms a step")
 
 
+def test_an_effect_that_the_scheme_rules_out_is_possible_with_another(
+    run: Run, tmp_path: Path
+) -> None:
+    first, second = tmp_path / "1.csv", tmp_path / "2.csv"
+    options = ("energy/precession", "--with", "drag.linear=0.1", "--duration", 0.1)
+
+    refused = run("simulate", *options, "--output", first)
+    taken = run("simulate", *options, "--scheme", "leapfrog", "--output", first)
+    text = first.read_text(encoding="utf-8")
+    again = next(line for line in text.splitlines() if line.startswith("# again: "))
+    run(*shlex.split(again.removeprefix("# again: "))[3:-1], second)
+
+    assert (refused.status, taken.status) == (2, 0)
+    assert "rules out the effect 'drag'; choose 'leapfrog'" in refused.err
+    assert second.read_text(encoding="utf-8") == text
+
+
 def test_the_file_names_the_change_and_how_to_get_it_again(
     run: Run, write: Write, tmp_path: Path
 ) -> None:

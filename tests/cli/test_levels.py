@@ -77,6 +77,46 @@ def test_every_mistake_of_every_level_is_told(run: Run, write: Write) -> None:
     assert outcome.out == ""
 
 
+def test_an_effect_without_strength_is_told_and_no_mistake(run: Run, write: Write) -> None:
+    still = write(effects={"gravity": {"acceleration": [0, 0]}}, parameters={}, checks=[])
+
+    outcome = run("check", still)
+
+    assert outcome.status == 0
+    assert outcome.out == "1 level well formed\n"
+    assert outcome.err.startswith(
+        f"{still}: effects.gravity.acceleration: 'gravity' has no strength"
+    )
+
+
+def sprung(stiffness: object, **rest: object) -> dict[str, object]:
+    """A ball of a kilogram on a spring."""
+    spring = {"type": "spring", "ends": [[0, 0], "ball"], "stiffness": stiffness}
+    return {"joints": {"arm": spring}, **rest}
+
+
+def test_a_spring_that_is_too_stiff_for_the_rate_is_a_mistake(run: Run, write: Write) -> None:
+    stiff = write(**sprung(1e6))
+
+    outcome = run("check", stiff)
+
+    assert outcome.status == 1
+    assert outcome.err.splitlines()[0].startswith(f"{stiff}:1:")
+    assert "joints.arm: the spring 'arm' needs a 'rate' of at least 500, not 60" in outcome.err
+    assert run("check", write(**sprung(1e6, stepping={"rate": 501}))).status == 0
+
+
+def test_a_spring_that_a_slider_makes_too_stiff_is_a_mistake(run: Run, write: Write) -> None:
+    ranges = {
+        "g": {"value": 9.81, "min": 0, "max": 25},
+        "k": {"value": 100, "min": 1, "max": 1e6},
+    }
+    outcome = run("check", write(**sprung("k", parameters=ranges)))
+
+    assert outcome.status == 1
+    assert "needs a 'rate' of at least 500, not 60 when k = 1e+06\n" in outcome.err
+
+
 def test_check_needs_a_level(run: Run) -> None:
     assert run("check").status == 2
 

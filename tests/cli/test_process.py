@@ -104,7 +104,7 @@ def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Pa
         },
         checks=[],
     )
-    endless = ["simulate", path, "--duration", "1e6", "--output", tmp_path / "out.csv"]
+    endless = ["simulate", path, "--duration", "1e5", "--output", tmp_path / "out.csv"]
     with subprocess.Popen(
         [sys.executable, "-m", "sandbox", *map(str, endless)],
         env=environment(), text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,

@@ -1,27 +1,26 @@
 """What holds for every level that comes with the project: a new file joins by being there."""
 
-import subprocess
 import sys
-from collections.abc import Iterator
-from hashlib import sha256
-from itertools import islice
-from math import inf
+from collections.abc import Iterator, Mapping
+from itertools import chain
 from pathlib import Path
-from typing import NamedTuple
+from subprocess import PIPE, Popen
 
 import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.expressions import Values
+from sandbox.model.accounts import damps
+from sandbox.model.expressions import Array, Values
+from sandbox.model.joints import Joint, Spring
 from sandbox.model.level import Level
-from sandbox.model.loading import load, parse
-from sandbox.model.rules import corners
 from sandbox.physics.checks import grade
 from sandbox.physics.measure import Meter
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.trace import count_steps, simulate
-from sandbox.physics.world import World, build
+from sandbox.physics.trace import needed, simulate
+from sandbox.physics.world import build
+from tests.levels.playing import Played, fingerprint, play
+from tests.levels.sweep import marked, steps, swept
+from validation.case import textbook
 
 NAMES = catalog.textbook()
 
@@ -29,22 +28,11 @@ HARD = sorted(set(catalog.names()) - set(NAMES))
 """The hard cases have no parameters, and `validation stability` runs each to its end."""
 
 FEW = 60
-"""Steps of a hard case that are taken here."""
-
-
-LONG = 500
-"""Steps after which a run that is not the same in another process has shown it."""
-
-
-class Played(NamedTuple):
-    """A level that ran to its end, and its states at every step."""
-
-    world: World
-    states: Snapshot
+"""Steps of a hard case that are taken here, if it lasts so long."""
 
 
 @pytest.fixture(
-    scope="module", params=[pytest.param(n, marks=pytest.mark.xdist_group(n)) for n in NAMES]
+    scope="module", params=[marked(n, lambda level: steps(level, swept(level))) for n in NAMES]
 )
 def name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
@@ -52,27 +40,29 @@ def name(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="module")
 def level(name: str) -> Level:
-    return load(catalog.find(name))
+    return textbook(name)
 
 
 @pytest.fixture(scope="module")
 def played(level: Level) -> Played:
-    world = build(level)
-    return Played(world, Snapshot.stack(list(run(world))))
+    return play(level)
 
 
-def run(world: World, most: float = inf) -> Iterator[Snapshot]:
-    """Yield the state at every step of a level's duration, or of so many."""
-    yield world.snapshot
-    for _ in range(int(min(count_steps(world), most))):
-        yield world.advance()
-
-
-def fingerprint(name: str) -> str:
-    """Return a hash of everything that moved in a run."""
-    states = Snapshot.stack(list(run(build(load(catalog.find(name))), LONG)))
-    parts = (states.position, states.velocity, states.angle, states.tension)
-    return sha256(b"".join(part.tobytes() for part in parts)).hexdigest()
+@pytest.fixture(scope="session")
+def elsewhere() -> Iterator[Popen[str]]:
+    """Another process: given the name of a level, it returns the fingerprint of its run."""
+    code = (
+        "import sys\n"
+        "from validation.case import textbook\n"
+        "from tests.levels.playing import LONG, fingerprint, play\n"
+        "for name in sys.stdin:\n"
+        "    print(fingerprint(play(textbook(name.strip()), LONG).states), flush=True)"
+    )
+    root = Path(__file__).parents[2]
+    with Popen(
+        [sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, text=True, cwd=root
+    ) as process:
+        yield process
 
 
 def test_there_are_levels() -> None:
@@ -87,12 +77,8 @@ def test_says_what_it_is(level: Level) -> None:
     assert all(parameter.label for parameter in level.parameters.values())
 
 
-def test_survives_a_round_trip_through_json(level: Level) -> None:
-    assert parse(level.model_dump_json(by_alias=True)) == level
-
-
 def test_stays_finite_and_keeps_its_time(level: Level, played: Played) -> None:
-    world, states = played
+    world, states, _ = played
 
     assert np.isfinite(states.position).all()
     assert np.isfinite(states.velocity).all()
@@ -100,12 +86,14 @@ def test_stays_finite_and_keeps_its_time(level: Level, played: Played) -> None:
     assert world.t == world.steps * world.dt
 
 
-def test_passes_its_checks_at_the_corners_of_its_parameters(level: Level) -> None:
+def test_passes_its_checks_at_the_corners_of_its_parameters(level: Level, played: Played) -> None:
     """The first corner is the defaults."""
     applied: set[int] = set()
-    for values in islice(corners(level), 100):
-        for index, result in enumerate(grade(simulate(level, values))):
-            assert result.verdict in ("passed", "not applicable"), (values, result)
+    defaults, *others = swept(level)
+    assert defaults == played.trace.values
+    for trace in (played.trace, *(simulate(level, values) for values in others)):
+        for index, result in enumerate(grade(trace)):
+            assert result.verdict in ("passed", "not applicable"), (trace.values, result)
             if result.verdict == "passed":
                 applied.add(index)
 
@@ -113,15 +101,25 @@ def test_passes_its_checks_at_the_corners_of_its_parameters(level: Level) -> Non
 
 
 def test_ghosts_go_where_the_bodies_go(level: Level, played: Played) -> None:
-    """Exactly, but for impacts, which a run finds up to a step late."""
-    world, states = played
-    speed = np.hypot(states.velocity[..., 0], states.velocity[..., 1]).max()
-    late = 2 * speed * world.dt if level.effects.contact else 1e-3
+    world, states, _ = played
+    rows = {name: list(level.bodies).index(name) for name in level.ghosts}
+    _hold_ghosts(
+        level,
+        world.values,
+        states.t,
+        {name: states.position[:, row].T for name, row in rows.items()},
+        float(np.hypot(states.velocity[..., 0], states.velocity[..., 1]).max()),
+    )
+
+
+def _hold_ghosts(
+    level: Level, values: Values, t: Array, places: Mapping[str, Array], speed: float
+) -> None:
+    """Exactly, but for impacts, which a run finds up to a step late; places are (2, ...) [m]."""
+    late = 2 * speed / level.stepping.rate if level.effects.contact else 1e-3
     for name, formulas in level.ghosts.items():
-        body = list(level.bodies).index(name)
-        for axis, formula in enumerate(formulas):
-            ghost = formula.over(level.defaults, states.t)
-            assert np.abs(ghost - states.position[:, body, axis]).max() <= late + 1e-9
+        for place, formula in zip(places[name], formulas, strict=True):
+            assert np.abs(formula.over(values, t) - place).max() <= late + 1e-9, (name, values)
 
 
 def test_a_landscape_is_the_potential_that_the_body_has(level: Level, played: Played) -> None:
@@ -129,7 +127,7 @@ def test_a_landscape_is_the_potential_that_the_body_has(level: Level, played: Pl
     landscape = level.view.landscape
     if landscape is None:
         return
-    world, states = played
+    world, states, _ = played
     name = f"{landscape.body}.potential_energy"
     measured = Meter(world, [name])(states)[name]
     place = states.position[:, list(level.bodies).index(landscape.body), 0]
@@ -142,38 +140,29 @@ def test_a_landscape_is_the_potential_that_the_body_has(level: Level, played: Pl
     assert place.max() <= landscape.x[1](level.defaults)
 
 
-def test_runs_the_same_however_it_is_stepped(level: Level) -> None:
-    one, many = build(level), build(level)
-    steps = min(count_steps(one), 120)
-    for _ in range(steps):
-        one.advance()
-    many.advance(steps)
+def test_runs_the_same_however_it_is_stepped(level: Level, played: Played) -> None:
+    """One by one and looked at, or many at once."""
+    count = min(played.world.steps, 120)
+    then = build(level).advance(count)
 
     for field in ("position", "velocity", "angle", "acceleration", "normal", "tension"):
-        assert np.array_equal(getattr(one.snapshot, field), getattr(many.snapshot, field))
+        assert np.array_equal(getattr(played.states, field)[count], getattr(then, field))
 
 
-def test_all_run_the_same_in_another_process() -> None:
-    code = (
-        "from sandbox.model import catalog\n"
-        "from tests.levels.test_contract import fingerprint\n"
-        "for name in catalog.textbook(): print(name, fingerprint(name))"
-    )
-    here = [f"{name} {fingerprint(name)}" for name in NAMES]
+def test_runs_the_same_in_another_process(name: str, played: Played, elsewhere: Popen[str]) -> None:
+    assert elsewhere.stdin
+    assert elsewhere.stdout
+    elsewhere.stdin.write(f"{name}\n")
+    elsewhere.stdin.flush()
 
-    there = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        check=True,
-        cwd=Path(__file__).parents[2],
-    )
-
-    assert there.stdout.splitlines() == here
+    assert elsewhere.stdout.readline().strip() == fingerprint(played.states)
 
 
 def test_pays_only_for_what_it_declares(level: Level) -> None:
-    """No shape without contact, no callback without a force law, a string or a sequence."""
+    """No shape without contact, no Python without a force law, a string, a sequence or a cut.
+
+    Springs that neither damp nor let go are pulled by pymunk, where nothing touches.
+    """
     world = build(level)
     effects = level.effects
     forces = ("attraction", "gravitation", "centrifugal", "drag", "force", "thrust", "accretion")
@@ -183,9 +172,14 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     sequence = effects.in_sequence
 
     assert bool(world.scene.space.shapes) == (effects.contact is not None)
-    early = level.stepping.scheme == "explicit-euler"  # its forces act before the step
-    hooked = level.joints or (laws and not early) or pairs or sticky or sequence
+    jointed = any(effects.contact or not _is_plain(joint) for joint in level.joints.values())
+    located = any(e and e.located for e in (effects.contact, effects.friction))
+    hooked = jointed or laws or pairs or sticky or sequence or located
     assert bool(world.hooks) == bool(hooked)
+
+
+def _is_plain(joint: Joint) -> bool:
+    return isinstance(joint, Spring) and not (damps(joint) or joint.pushes_only)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:
@@ -212,37 +206,46 @@ def test_every_account_can_be_kept(level: Level) -> None:
     assert all(np.isfinite(column).all() for column in trace.columns.values())
 
 
-def values_between(level: Level, share: float) -> Values:
-    """Return parameters at a share of the way through each range."""
-    return {n: p.min + share * (p.max - p.min) for n, p in level.parameters.items()}
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_passes_its_checks_inside_its_ranges(level: Level, seed: int) -> None:
+    """Anywhere: no corner, and no two parameters at the same share of the way. Its ghosts, too."""
+    draw = np.random.default_rng(seed)
+    values = {n: float(draw.uniform(p.min, p.max)) for n, p in level.parameters.items()}
+    axes = {name: [f"{name}.position.{axis}" for axis in "xy"] for name in level.ghosts}
+    speeds = [f"{name}.speed" for name in level.ghosts]
 
+    trace = simulate(level, values, record=[*needed(level), *chain(*axes.values()), *speeds])
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
-def test_passes_its_checks_inside_its_ranges(level: Level, share: float) -> None:
-    for result in grade(simulate(level, values_between(level, share))):
+    for result in grade(trace):
         assert result.verdict in ("passed", "not applicable"), result
+    places = {name: np.array([trace.columns[axis] for axis in axes[name]]) for name in axes}
+    speed = max((float(trace.columns[name].max()) for name in speeds), default=0.0)
+    _hold_ghosts(level, trace.values, trace.t, places, speed)
 
 
-@pytest.mark.parametrize("name", HARD)
-def test_a_hard_case_says_what_it_is_and_starts_well(name: str) -> None:
+@pytest.fixture(scope="module", params=HARD)
+def hard(request: pytest.FixtureRequest) -> Level:
+    return textbook(str(request.param))
+
+
+@pytest.fixture(scope="module")
+def begun(hard: Level) -> Played:
+    return play(hard, FEW)
+
+
+def test_a_hard_case_says_what_it_is_and_starts_well(hard: Level, begun: Played) -> None:
     """For some steps, within the bounds of those of its checks that hold at every step."""
-    level = load(catalog.find(name))
-    assert level.summary.endswith(".")
-    assert level.reference[0].isdigit()
-    assert all(check.label for check in level.checks)
-    assert not level.parameters
-    assert parse(level.model_dump_json(by_alias=True)) == level
+    assert hard.summary.endswith(".")
+    assert hard.reference[0].isdigit()
+    assert all(check.label for check in hard.checks)
+    assert not hard.parameters
 
-    trace = simulate(level, duration=FEW / level.stepping.rate)
-
-    results = [r for r in grade(trace) if r.check.at is None]
+    results = [r for r in grade(begun.trace) if r.check.at is None]
     assert all(result.verdict == "passed" for result in results), results
 
 
-@pytest.mark.parametrize("name", HARD)
-def test_a_hard_case_runs_the_same_twice(name: str) -> None:
-    level = load(catalog.find(name))
-    one, other = (build(level).advance(FEW) for _ in range(2))
+def test_a_hard_case_runs_the_same_twice(hard: Level, begun: Played) -> None:
+    again = build(hard).advance(begun.world.steps)
 
     for field in ("position", "velocity", "angle", "tension"):
-        assert np.array_equal(getattr(one, field), getattr(other, field))
+        assert np.array_equal(getattr(begun.world.snapshot, field), getattr(again, field))

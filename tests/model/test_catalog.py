@@ -6,7 +6,7 @@ import pytest
 
 from sandbox.model import catalog
 from sandbox.model.errors import LevelError
-from sandbox.model.loading import load
+from validation.case import textbook
 
 
 @pytest.fixture
@@ -119,7 +119,7 @@ def test_the_levels_are_inside_the_package_or_beside_it(
 
 @pytest.mark.parametrize("name", catalog.names())
 def test_every_level_of_the_project_is_found_and_well_formed(name: str) -> None:
-    assert load(catalog.find(name)).title
+    assert textbook(name).title
 
 
 def test_levels_stand_in_the_order_that_a_file_tells_and_others_after_them(

@@ -4,9 +4,10 @@ import json
 
 import pytest
 
-from sandbox.model.crowds import CROWDS, CrowdError, crowd, text
+from sandbox.model.crowds import CROWDS, CrowdError, crowd
 from sandbox.model.level import MAX_BODIES
 from sandbox.model.loading import MAX_BYTES, parse
+from sandbox.model.writing import text
 from sandbox.physics.checks import grade
 from sandbox.physics.trace import simulate
 
@@ -25,6 +26,16 @@ def test_a_crowd_keeps_its_checks(kind: str, count: int) -> None:
     """A gas its energy: 2e-5 where three meet at once; links and centres are kept to rounding."""
     for result in grade(simulate(parse(text(crowd(kind, count))), duration=2)):
         assert result.verdict == "passed", result
+
+
+def test_a_pile_is_as_deep_however_many_there_are() -> None:
+    """So that the solver has as far to reach: at 60 Hz, discs of a pile twice as deep sink."""
+    heights = []
+    for count in (100, 5000):
+        bodies = crowd("pile", count)["bodies"]
+        heights.append(max(body["position"][1] for body in bodies.values() if "mass" in body))
+
+    assert heights[0] == heights[1]
 
 
 def test_the_largest_gas_can_be_loaded() -> None:

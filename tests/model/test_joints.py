@@ -51,7 +51,7 @@ def wire(
     [
         joint("rod"),
         joint("rod", length=5),
-        joint("rod", length="5 - t"),
+        joint("rod", length="5 - t/4"),
         joint("rod", [0, 1], AT),
         joint("rope", length=6),
         joint("spring", stiffness=0),
@@ -68,6 +68,7 @@ def wire(
         joint("weld"),
         joint("weld", "ball", [1, 1]),
         joint("winding", "ball", "wall", radius=0.1, unwinds="clockwise"),
+        joint("pulley", over=[{"body": "wall", "at": [-1, 0]}, {"body": "wall", "at": [1, 0]}]),
     ],
     ids=str,
 )
@@ -149,6 +150,7 @@ def test_what_makes_no_sense_is_told(made: dict[str, Any], told: str) -> None:
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "ball"]}]}}, "effects.sticking.pairs.0.bodies: 'ball' is named twice"),
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["wall", "post"]}]}}, "effects.sticking.pairs.0: at least one of the two must be a dynamic body"),
         ({"contact": {}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}, {"bodies": ["block", "ball"]}]}}, "effects.sticking.pairs.1: the pair block and ball is named already"),
+        ({"contact": {}, "restitution": {"pairs": [{"bodies": ["block", "ball"], "coefficient": 1}]}, "sticking": {"pairs": [{"bodies": ["ball", "block"]}]}}, "effects.restitution.pairs.0: the two stick at their first touch, so they do not bounce"),
         ({"rotation": {}}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
     ],
     ids=str,

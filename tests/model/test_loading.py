@@ -4,9 +4,10 @@
 import json
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from copy import deepcopy
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ from tests.model.levels import (
     setting,
     touching,
 )
+from validation.case import textbook
 
 SHIPPED = [(catalog.root() / f"{name}.json") for name in catalog.names()]
 
@@ -259,6 +261,12 @@ def test_the_place_is_that_of_the_key() -> None:
     }
 
 
+def test_a_mistake_in_a_list_is_not_told_as_an_empty_list() -> None:
+    [found] = mistakes(bare(), setting("effects.force", [{"body": "ball"}]))
+
+    assert str(found).endswith("effects.force.0.force: 'force' is missing")
+
+
 def test_mistakes_of_every_kind_are_listed_together() -> None:
     found = mistakes(
         bare(),
@@ -415,11 +423,15 @@ def test_any_text_is_a_level_or_a_level_error(text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "made",
-    [*map(load, SHIPPED), level(bare()), level(touching()), level(hanging())],
-    ids=lambda made: made.title,
+    "make",
+    [
+        *(partial(textbook, name) for name in catalog.names()),
+        *(partial(level, make()) for make in (bare, touching, hanging)),
+    ],
+    ids=[*catalog.names(), "bare", "touching", "hanging"],
 )
-def test_a_level_survives_being_written_and_read(made: Level) -> None:
+def test_a_level_survives_being_written_and_read(make: Callable[[], Level]) -> None:
+    made = make()
     again = parse(made.model_dump_json(by_alias=True))
 
     assert again == made

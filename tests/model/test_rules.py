@@ -100,12 +100,18 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (bare, "checks.0.quantity", "ball.contact.normal", "'ball.contact.normal' is used but the effect 'contact' is not declared"),
         (bare, "checks.0.formula", "1/(m - m)", "checks.0.formula: '1/(m - m)' has no finite value"),
         (bare, "checks.0.formula", "t + 1/0", "checks.0.formula: 't + 1/0' divides by zero"),
-        (bare, "checks.0.valid_if", "t + 1/0 > 1", "checks.0.valid_if: 't + 1/0 > 1' divides by zero"),
+        (bare, "checks.0.valid_if", "t > 0.5", "checks.0.valid_if: is a condition over the parameters; it cannot depend on the time 't'"),
+        (bare, "checks.0.scale", "m - 9", "checks.0.scale: 'm - 9' is -7, but must be greater than 0"),
+        (bare, "checks.0.valid_if", "m + 1/0 > 1", "checks.0.valid_if: 'm + 1/0 > 1' divides by zero"),
         (bare, "checks.0.at", 5, "checks.0.at: is at 5 s, but the run lasts from 0 to 1 s"),
         (bare, "checks.0.at", -1, "checks.0.at: is at -1 s"),
         (bare, "checks.0.at", {"event": "apex", "body": "bal"}, "checks.0.at.body: unknown body 'bal'"),
         (bare, "checks.0.at", {"event": "crossing", "quantity": "x"}, "checks.0.at.quantity: 'x' is not a quantity"),
         (touching, "checks.0.at", {**CONTACT_EVENT, "bodies": ["ball", "ball"]}, "checks.0.at.bodies: 'ball' is named twice"),
+        (touching, "checks.0.at", {"event": "apex", "body": "floor"}, "checks.0.at.body: 'floor' is static: it never comes to its apex"),
+        (touching, "checks.0.at", {"event": "landing", "body": "floor"}, "'floor' is static: it never comes to its landing"),
+        (bare, "stepping", {"accuracy": 1e-20}, "stepping.accuracy: an accuracy of 1e-20 is below rounding; 1e-14 is the least"),
+        (bare, "stepping", {"accuracy": 1e-14}, None),
         # landscapes
         (bare, "view", {"landscape": {**HILL}}, None),
         (bare, "view", {"landscape": {**HILL, "body": "bal"}}, "view.landscape.body: unknown body 'bal'; did you mean 'ball'?"),
@@ -233,6 +239,22 @@ def test_a_value_must_be_possible_at_the_ends_of_the_ranges(
     assert expected in mistake.rule
 
 
+@pytest.mark.parametrize(
+    ("center", "power", "refused"),
+    [([0, 0], 2, True), (["m - 1", 0], 2, True), ([0, 0], 0, True), ([0, 0], -1, False), ([0, 1], 2, False)],
+)  # fmt: skip
+def test_nothing_starts_at_a_centre_of_attraction(
+    center: list[object], power: float, *, refused: bool
+) -> None:
+    """There it has no direction, unless it vanishes, as a spring's."""
+    sun = setting("effects.attraction", [{"mu": 1, "center": center, "power": power}])
+
+    found = said(mistakes(bare(), sun))
+
+    assert bool(found) == refused
+    assert all("effects.attraction.0.center: 'ball' starts at the centre" in f for f in found)
+
+
 def test_bodies_that_attract_each_other_cannot_start_at_one_place() -> None:
     pulls = setting("effects.gravitation", {"constant": 1})
     soft = setting("effects.gravitation", {"constant": 1, "softening": 0.1})
@@ -256,6 +278,47 @@ def test_a_polygon_must_be_simple_at_the_ends_of_the_ranges() -> None:
     assert mistake.path == "bodies.ball.shape"
     assert "crosses itself" in mistake.rule
     assert mistake.rule.endswith("when m = 1")
+
+
+def driven(formula: str) -> Change:
+    return setting("effects.force", [{"body": "ball", "force": [formula, 0]}])
+
+
+def reeled(length: str) -> Change:
+    rod = {"type": "rod", "ends": [[0, -3], "ball"], "length": length}
+    return setting("joints", {"reel": rod})
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (driven("sqrt(0.5 - t)"), "effects.force.0.force.0: 'sqrt(0.5 - t)' has no finite value at t = 0.517 s"),
+        (driven("log(t)"), "'log(t)' has no finite value at t = 0 s"),
+        (driven("1/(t - 0.25)"), "'1/(t - 0.25)' has no finite value at t = 0.25 s"),
+        (driven("sqrt(3.5 - m - t/4)"), "has no finite value at t = 0 s when m = 4"),
+        (reeled("sqrt(9 - 20*t)"), "joints.reel.length: 'sqrt(9 - 20*t)' has no finite value at t = 0.467 s"),
+        (reeled("3 - 6*t"), "the rod is 0 m long at t = 0.5 s"),
+        (reeled("3 if t < 0.601 else 2"), "the rod's length jumps by 1 m at t = 0.601 s; it must change gradually"),
+        (reeled("3 - 1e-3*floor(2*t)"), "the rod's length jumps by 0.001 m at t = 0.5 s"),
+    ],
+)  # fmt: skip
+def test_what_acts_has_a_value_as_long_as_a_run_lasts(change: Change, expected: str) -> None:
+    [found] = said(mistakes(bare(), change))
+
+    assert expected in found
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        driven("sqrt(1 - t)"),
+        driven("1 if t < 0.5 else 0"),
+        reeled("3 - sqrt(t)"),
+        reeled("3 + tanh((t - 0.5)/0.01) - tanh(-50)"),
+    ],
+)
+def test_what_is_only_steep_may_act(change: Change) -> None:
+    assert mistakes(bare(), change) == ()
 
 
 def test_a_formula_need_not_have_a_value_where_it_is_not_valid() -> None:

@@ -7,18 +7,13 @@ import pytest
 from sandbox.model import catalog
 from sandbox.model.consistency import inconsistencies
 from sandbox.model.effects import Effects
-from sandbox.model.level import Level
-from sandbox.model.loading import load
 from sandbox.model.variants import DEFAULTS, EffectError, including, without
-
-
-def named(name: str) -> Level:
-    return load(catalog.find(name))
+from validation.case import textbook
 
 
 @pytest.mark.parametrize("name", catalog.names())
 def test_every_effect_of_every_level_can_be_switched_off(name: str) -> None:
-    level = named(name)
+    level = textbook(name)
     for effect in level.effects.declared:
         less, gone = without(level, effect)
 
@@ -31,7 +26,7 @@ def test_every_effect_of_every_level_can_be_switched_off(name: str) -> None:
 
 
 def test_what_needs_contact_goes_with_it() -> None:
-    level = named("rotation/rolling")
+    level = textbook("rotation/rolling")
     less, gone = without(level, "contact")
 
     assert gone == ("friction", "rotation")
@@ -41,7 +36,7 @@ def test_what_needs_contact_goes_with_it() -> None:
 
 
 def test_what_is_alone_leaves_the_rest_as_it_is() -> None:
-    level = named("newton/projectile-with-drag")
+    level = textbook("newton/projectile-with-drag")
     less, gone = without(level, "drag")
 
     assert gone == ()
@@ -52,7 +47,7 @@ def test_what_is_alone_leaves_the_rest_as_it_is() -> None:
 
 
 def test_an_effect_switched_off_and_on_again_is_the_level_that_was() -> None:
-    level = named("newton/projectile-with-drag")
+    level = textbook("newton/projectile-with-drag")
     less, _ = without(level, "drag")
 
     assert including(less, "drag", {"linear": "c"}) == level
@@ -67,12 +62,12 @@ def test_an_effect_switched_off_and_on_again_is_the_level_that_was() -> None:
 )
 def test_what_is_not_there_cannot_be_switched_off(effect: str, message: str) -> None:
     with pytest.raises(EffectError, match=message):
-        without(named("newton/projectile-with-drag"), effect)
+        without(textbook("newton/projectile-with-drag"), effect)
 
 
 @pytest.mark.parametrize("effect", DEFAULTS)
 def test_every_default_is_an_effect(effect: str) -> None:
-    level = named("rotation/rolling")
+    level = textbook("rotation/rolling")
     if effect in level.effects.declared:
         level, _ = without(level, effect)
     if effect in ("friction", "restitution", "rotation") and not level.effects.contact:
@@ -82,7 +77,7 @@ def test_every_default_is_an_effect(effect: str) -> None:
 
 
 def test_a_setting_changes_what_is_declared_and_leaves_the_other_settings() -> None:
-    level = including(named("newton/projectile-with-drag"), "drag", {"quadratic": 0.5})
+    level = including(textbook("newton/projectile-with-drag"), "drag", {"quadratic": 0.5})
 
     drag = level.effects.drag
     assert drag
@@ -90,7 +85,7 @@ def test_a_setting_changes_what_is_declared_and_leaves_the_other_settings() -> N
 
 
 def test_the_coefficient_of_every_pair_is_what_was_asked_for() -> None:
-    level = including(named("newton/incline"), "friction", {"coefficient": 0.3})
+    level = including(textbook("newton/incline"), "friction", {"coefficient": 0.3})
     one, other = (body.friction for body in level.bodies.values())
 
     assert one
@@ -99,7 +94,7 @@ def test_the_coefficient_of_every_pair_is_what_was_asked_for() -> None:
 
 
 def test_a_list_takes_its_settings_for_each_entry() -> None:
-    level = including(named("energy/circular-orbit"), "attraction", {"center": [1, 2]})
+    level = including(textbook("energy/circular-orbit"), "attraction", {"center": [1, 2]})
 
     attraction = level.effects.attraction
     assert attraction
@@ -130,7 +125,7 @@ def test_what_makes_no_sense_is_refused_by_name(
     effect: str, settings: dict[str, Any], message: str
 ) -> None:
     with pytest.raises(EffectError, match=message):
-        including(named("kinematics/projectile"), effect, settings)
+        including(textbook("kinematics/projectile"), effect, settings)
 
 
 def test_the_defaults_are_effects_that_there_are() -> None:
@@ -139,4 +134,4 @@ def test_the_defaults_are_effects_that_there_are() -> None:
 
 def test_a_setting_of_another_effect_is_told_so() -> None:
     with pytest.raises(EffectError, match="unknown key 'mu'; it is a setting of 'attraction'"):
-        including(named("kinematics/projectile"), "drag", {"mu": 1})
+        including(textbook("kinematics/projectile"), "drag", {"mu": 1})

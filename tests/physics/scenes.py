@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
-from math import cos, sin
+from math import cos, radians, sin
 from typing import Any
 
 import numpy as np
@@ -124,3 +124,18 @@ def worst(measured: Array, expected: Array | float) -> float:
     """Return the largest difference, relative to the largest expected value if that is not zero."""
     scale = float(np.abs(expected).max())
     return float(np.abs(measured - expected).max()) / (scale or 1.0)
+
+
+def small_swings(angle: float = 5) -> Level:
+    """A pendulum let go at some degrees, by the formula of the smallest swings; and its rod."""
+    start = radians(angle)
+    place = {"quantity": "bob.position.x", "formula": f"sin({start}*cos(sqrt({G})*t))"}
+    length = {"quantity": "rod.length", "formula": "1"}
+    return level(
+        {"bob": disc((sin(start), -cos(start)), radius=0.1)},
+        GRAVITY,
+        joints={"rod": {"type": "rod", "ends": [[0, 0], "bob"]}},
+        checks=[{**check, "tolerance": 0.01} for check in (place, length)],
+        stepping={"rate": 480},
+        duration=2,
+    )

@@ -101,8 +101,9 @@ def test_a_pair_that_has_parted_is_no_contact() -> None:
 SCRIPT = """
 import numpy as np
 from sandbox.physics.world import build
-from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level
+from tests.physics.scenes import GRAVITY, atwood, box, disc, fixed, floor, level
 
+build(atwood(1, 1.5)).advance(30)
 for count in (1, 2, 3, 5, 8, 13, 100):
     shapes = [disc, box]
     bodies = {f"b{i}": shapes[i % 2]((i % 10, 1 + i // 10)) for i in range(count)}

@@ -3,9 +3,10 @@
 import pymunk
 import pytest
 
-from sandbox.model.crowds import crowd, text
+from sandbox.model.crowds import crowd
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
+from sandbox.model.writing import text
 from sandbox.physics import broadphase
 from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.world import World, build
@@ -24,7 +25,7 @@ def discs(count: int, radius: float = 0.05) -> pymunk.Space:
     return space
 
 
-@pytest.mark.parametrize(("count", "grid"), [(100, False), (1999, False), (2000, True)])
+@pytest.mark.parametrize(("count", "grid"), [(100, False), (999, False), (1000, True)])
 def test_a_grid_is_for_crowds(count: int, grid: bool) -> None:
     assert choose_broad_phase(discs(count)) is grid
 

@@ -9,8 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Stepping
-from sandbox.physics.build import HAIR, INSET, Scene, local_points, make_scene
+from sandbox.physics.bodies import local_points
+from sandbox.physics.build import Scene, make_scene
 from sandbox.physics.convex import convex_parts, twice_area
+from sandbox.physics.surfaces import HAIR, INSET
 from sandbox.physics.world import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run
 

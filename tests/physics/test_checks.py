@@ -61,6 +61,13 @@ def test_the_error_of_a_check_is_its_largest() -> None:
     assert result.error == pytest.approx(0.0015 / 1.5015)
 
 
+def test_an_error_may_be_relative_to_what_a_small_difference_is_the_difference_of() -> None:
+    """Off by 1e-7 m over a way of 1 m; a scale below that changes nothing."""
+    for scale, error in ((10, 1e-8), (0.1, 1e-7)):
+        result = check("ball.position.x", "t + 1e-7", duration=1.0, scale=scale)
+        assert result.error == pytest.approx(error, rel=1e-6)
+
+
 def test_a_formula_may_hold_at_a_time_between_steps() -> None:
     result = check("ball.position.y", f"1 + v*t - {G}*t**2/2", at=0.777)
 

@@ -1,17 +1,19 @@
 """Two runs held against each other, and what a step costs."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.variants import including, without
 from sandbox.physics.comparison import Difference, differences, watched
-from sandbox.physics.timing import Step, step_seconds
+from sandbox.physics.timing import Step, step_costs, step_seconds
 from sandbox.physics.trace import simulate
+from sandbox.physics.world import build
 
 
 def named(name: str) -> Level:
@@ -58,6 +60,16 @@ def test_what_is_tiny_beside_the_rest_is_rounding() -> None:
     sideways = next(d for d in found.values() if d.quantity.endswith("position.x"))
 
     assert sideways.share == 0
+
+
+def test_no_world_is_timed_beyond_the_duration_of_its_level() -> None:
+    """There the string's end runs into the pulley, and the slower run comes to it first."""
+    level = named("newton/atwood")
+    rates = (240.0, 30.0)
+
+    costs = step_costs(*(partial(build, level, stepping=Stepping(rate=rate)) for rate in rates))
+
+    assert all(0 < cost < 1 for cost in costs)
 
 
 def test_of_every_block_of_steps_the_quickest_counts() -> None:

@@ -81,7 +81,8 @@ def test_the_comments_say_what_was_run(trace: Trace, level: Level) -> None:
     assert "sandbox" in told["versions"]
     assert told["again"] == (
         f"python -m sandbox simulate some/fall --set g={1 / 3!r} --duration 0.5 --rate 70.0"
-        " --record ball.position.y --record ball.angle --record system.energy --output FILE.csv"
+        " --scheme leapfrog --iterations 10 --record ball.position.y --record ball.angle"
+        " --record system.energy --output FILE.csv"
     )
 
 
@@ -100,13 +101,14 @@ def test_a_run_that_a_hand_has_disturbed_is_not_said_to_be_repeatable(trace: Tra
     assert "# not repeatable: a hand has moved the bodies\n" in text
 
 
-def test_a_scheme_that_no_command_can_choose_is_said(level: Level) -> None:
-    naive = simulate(level, record=NAMES, stepping=Stepping(scheme="symplectic-euler"))
+def test_another_scheme_and_other_iterations_stand_in_the_command(level: Level) -> None:
+    stepping = Stepping(scheme="symplectic-euler", iterations=3)
+    naive = simulate(level, record=NAMES, stepping=stepping)
 
     told = comments(to_csv(naive, "fall"))
 
     assert told["scheme"] == "symplectic-euler"
-    assert "again" not in told
+    assert "--rate 60.0 --scheme symplectic-euler --iterations 3 " in told["again"]
 
 
 def test_what_is_not_known_is_not_a_number(level: Level) -> None:
@@ -148,3 +150,27 @@ def test_a_contact_later_than_a_time_has_not_happened_yet() -> None:
     assert met in trace.first_contacts
     assert met in trace.until(2.0).first_contacts
     assert met not in trace.until(0.5).first_contacts
+
+
+def test_what_touches_at_the_start_has_yet_to_meet() -> None:
+    """A ball is thrown up from the ground: it meets it when it comes down."""
+    level = parse("""{
+      "format": 1, "title": "Up and down",
+      "effects": {"gravity": {"acceleration": [0, -10]}, "contact": {}},
+      "bodies": {
+        "ball": {
+          "shape": {"type": "disc", "radius": 0.5}, "mass": 1,
+          "position": [0, 0.5], "velocity": [0, 5]
+        },
+        "rock": {"shape": {"type": "disc", "radius": 0.5}, "mass": 1, "position": [3, 0.5]},
+        "ground": {
+          "type": "static",
+          "shape": {"type": "polygon", "vertices": [[-9, 0], [-9, -1], [9, -1], [9, 0]]}
+        }
+      }
+    }""")
+    trace = simulate(level, duration=2.0, record=["t"])
+
+    met = trace.first_contacts[frozenset({"ball", "ground"})]
+    assert trace.t[met] == pytest.approx(1, abs=0.02)
+    assert frozenset({"rock", "ground"}) not in trace.first_contacts

@@ -27,6 +27,15 @@ def test_the_value_on_a_cubic_is_exact_once_four_samples_are_there(
     assert value_at(T, samples, at) == pytest.approx(expected, abs=1e-11)
 
 
+@given(st.lists(NUMBER, min_size=6, max_size=6), st.floats(T[0], T[-1]))
+def test_where_all_is_smooth_the_value_on_a_quintic_is_exact(terms: list[float], at: float) -> None:
+    quintic = np.polynomial.Polynomial(terms)
+
+    found = value_at(T, quintic(T), at, smooth=True)
+
+    assert found == pytest.approx(quintic(at), abs=1e-9)  # of up to 2000
+
+
 def test_the_value_at_a_sample_is_the_sample() -> None:
     samples = np.random.default_rng(1).normal(size=len(T))
 
@@ -54,6 +63,14 @@ def test_a_crossing_has_a_direction(direction: object, expected: float) -> None:
     found = crossing(t, np.sin(t), 0.0, direction)  # type: ignore[arg-type]
 
     assert found == pytest.approx(expected, abs=1e-9)  # h⁴ of the cubic
+
+
+def test_where_all_is_smooth_a_crossing_is_found_to_the_sixth_order() -> None:
+    """Of steps of 1/7: 4e-11; the cubic is off by 8e-8."""
+    cosine = np.cos(T)
+
+    assert crossing(T, cosine, 0.0, "down", smooth=True) == pytest.approx(np.pi / 2, abs=1e-10)
+    assert crossing(T, cosine, 0.0, "down") != pytest.approx(np.pi / 2, abs=1e-8)
 
 
 @pytest.mark.parametrize("samples", [[1.0, 2, 3], [0.0, 1, 2], [-1.0, np.nan, 1]])

@@ -279,6 +279,43 @@ def test_a_spring_that_pushes_only_hangs_free_where_it_has_let_go() -> None:
     assert (complex(start), complex(end)) == (0, 1)
 
 
+@pytest.mark.parametrize("kind", ["between bodies", "off centre", "held by what moves"])
+def test_pymunk_pulls_a_plain_spring_as_a_force_law_does(kind: str) -> None:
+    """To rounding, and without any callback; where a spring damps it is the law that pulls."""
+    bodies = {
+        "a": disc((0, 0), velocity=[0, 1], angular_velocity=1),
+        "b": disc((3, 0), mass=3),
+        "mover": {**box((0, 4)), "type": "kinematic", "velocity": [0.5, 0]},
+    }
+    del bodies["mover"]["mass"]
+    ends: dict[str, list[object]] = {
+        "between bodies": ["a", "b"],
+        "off centre": [{"body": "a", "at": [0, 0.3]}, [0, 3]],
+        "held by what moves": ["a", "mover"],
+    }
+    plain, hooked = (
+        build(
+            level(
+                bodies,
+                {**GRAVITY, "rotation": {}},
+                joints={
+                    "coil": spring(20, *ends[kind], length=1.5, damping=damping),
+                    "other": spring(9, "b", [6, 0], damping=damping),
+                },
+                stepping={"rate": 240},
+            )
+        )
+        for damping in (0, 1e-30)
+    )
+
+    one, other = run(plain, 240), run(hooked, 240)
+
+    assert (plain.hooks, hooked.hooks) == (0, 1)
+    assert np.abs(one.position - other.position).max() <= 1e-13
+    assert np.abs(one.angular_velocity - other.angular_velocity).max() <= 1e-12
+    assert np.abs(one.position[-1] - one.position[0]).max() > 0.5
+
+
 def test_a_spring_keeps_its_energy_and_tells_its_tension() -> None:
     names = ("system.energy", "coil.tension", "coil.length", "coil.potential_energy", "t")
     found = measured(build(oscillator(240)), 2400, *names)
@@ -389,6 +426,7 @@ def skater() -> Level:
             "one": rod([0, 0], "left", length=reach),
             "two": rod([0, 0], "right", length=reach),
         },
+        duration=4,
     )
 
 

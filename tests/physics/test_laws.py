@@ -18,7 +18,7 @@ from sandbox.physics.laws.gravitation import Gravitation
 from sandbox.physics.laws.gravity import Gravity
 from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.massflow import Accretion, Thrust
-from sandbox.physics.laws.push import Push
+from sandbox.physics.laws.push import Push, Steady
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.massflow import Flow
 from sandbox.physics.measure import Meter
@@ -54,13 +54,7 @@ CONSERVATIVE = st.one_of(
         softening=st.floats(0, 2),
     ),
     st.builds(Centrifugal, st.floats(-5, 5), NUMBER, st.just(MASS)),
-    st.builds(
-        Push,
-        force=st.tuples(NUMBER.map(Formula), NUMBER.map(Formula)),
-        values=st.just({}),
-        body=st.sampled_from([0, 1]),
-        point=XY,
-    ),
+    st.lists(st.tuples(st.sampled_from([0, 1]), XY, XY), min_size=1, max_size=3).map(Steady.of),
     st.builds(SpringForce, ENDS, st.floats(0, 10), st.floats(0, 3), st.just(0.0), st.booleans()),
 )
 
@@ -102,6 +96,17 @@ def test_a_force_is_minus_the_slope_of_its_potential(law: Law, somewhere: Array)
         step[body, axis] = h
         ahead, behind = (law.potential_energy(instant(places + s)).sum() for s in (step, -step))
         assert found[body, axis] == pytest.approx(-(ahead - behind) / (2 * h), abs=1e-5, rel=1e-6)
+
+
+def test_constant_forces_on_a_body_are_one() -> None:
+    """However many there are, a step adds them once; one that changes is a law of its own."""
+    pushes = [{"body": "a", "force": [1, i], "at": [i, 2]} for i in range(5)]
+    varying = {"body": "a", "force": [0, "t"]}
+    few = build(level({"a": disc()}, {"force": pushes[:1]}))
+    many = build(level({"a": disc(), "b": disc((3, 0))}, {"force": [*pushes, varying]}))
+
+    assert (len(few.scene.hooked), len(many.scene.hooked)) == (1, 2)
+    assert many.advance().acceleration[0] == pytest.approx([5, 10 + 1 / 60])
 
 
 EVERY = st.one_of(

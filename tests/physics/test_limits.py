@@ -34,8 +34,7 @@ def test_a_chain_under_load_breaks_below_the_rate_that_its_tension_asks_for(
 ) -> None:
     world = build(chain(links, load, 20_000))
     need = needs(world.scene, world.snapshot)[0]
-    assert need.reason == "its tension"
-    assert need.subject.startswith("rod")
+    assert need.subject.startswith("the joint 'rod")
     assert need.rate == pytest.approx(sqrt(load * G * cos(0.3) / 0.1), rel=0.1)
 
     energy = measured(build(chain(links, load, 1.15 * need.rate)), 300, "system.energy")
@@ -49,7 +48,9 @@ def test_a_spring_asks_for_what_it_is_refused_below() -> None:
     spring = {"type": "spring", "ends": [[0, 0], "ball"], "stiffness": 1e4}
     scene = level({"ball": disc((1, 0))}, {}, joints={"spring": spring})
     world = build(scene)
-    assert [(n.rate, n.subject) for n in needs(world.scene, world.snapshot)] == [(50, "spring")]
+    assert [(n.rate, n.subject) for n in needs(world.scene, world.snapshot)] == [
+        (50, "the spring 'spring'")
+    ]
 
 
 def test_a_fast_body_asks_for_steps_as_long_as_it_is_wide() -> None:
@@ -60,12 +61,22 @@ def test_a_fast_body_asks_for_steps_as_long_as_it_is_wide() -> None:
     }
     world = build(level(bodies, {"contact": {}}))
     first, second = needs(world.scene, world.snapshot)
-    assert (first.subject, first.reason) == ("bullet", "its speed")
+    assert first.subject == "the body 'bullet'"
     assert first.rate == pytest.approx(500 / 0.02)
-    assert second.subject == "slow"
+    assert second.subject == "the body 'slow'"
     assert second.rate == pytest.approx(1)
     assert needs(world.scene, world.snapshot, ["bullet"]) == [second]
     assert smallest(world.scene.space) == pytest.approx(0.02, rel=1e-6)
+
+
+def test_a_pin_asks_for_nothing_for_it_has_no_length_to_swing_about() -> None:
+    pin = {"type": "pivot", "ends": [[0, 0], {"body": "rod", "at": [-0.3, 0]}]}
+    scene = level(
+        {"rod": box((0.3, 0), size=(0.6, 0.1))}, {**GRAVITY, "rotation": {}}, joints={"pin": pin}
+    )
+    world = build(scene)
+    assert world.snapshot.tension[0] > 1
+    assert needs(world.scene, world.snapshot) == []
 
 
 def test_what_rests_asks_for_nothing() -> None:

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+import tracemalloc
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from hypothesis import strategies as st
 from sandbox.model.level import Level
 from sandbox.model.variants import without
 from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.world import build
+from sandbox.physics.world import World, build
 from tests.physics.scenes import GRAVITY, Spec, disc, floor, level, run
 
 LAWS = {"attraction", "drag", "gravitation", "massflow", "push"}
@@ -122,6 +123,54 @@ def test_an_effect_switched_off_is_an_effect_never_declared(
     assert build(less).hooks == 0
     assert same(moved(less), moved(bare))
     assert build(full).hooks == 1
+
+
+def memory(world: World, steps: int = 100) -> tuple[int, int]:
+    """Return by how much steps grow Python's memory, and the most that one takes [bytes].
+
+    The least of three tries: other threads allocate as well.
+    """
+    found = []
+    for _ in range(3):
+        tracemalloc.start()
+        world.step()
+        before, _ = tracemalloc.get_traced_memory()
+        tracemalloc.reset_peak()
+        for _ in range(steps):
+            world.step()
+        after, most = tracemalloc.get_traced_memory()
+        tracemalloc.stop()
+        found.append((after - before, most - before))
+    return min(found)
+
+
+def row(count: int, effects: Spec) -> World:
+    world = build(level({f"b{i}": disc((3 * i, 9)) for i in range(count)}, {**GRAVITY, **effects}))
+    for _ in range(50):
+        world.step()
+    return world
+
+
+@pytest.mark.parametrize("count", [2, 300])
+def test_a_step_without_laws_allocates_nothing_that_grows_with_the_bodies(count: int) -> None:
+    """336 bytes for any number of bodies: the counter of steps, and what pymunk's call takes."""
+    growth, most = memory(row(count, {"contact": {}}))
+
+    assert growth <= 64  # 0; the counter may need another digit
+    assert most < 512
+
+
+LINEAR: Spec = {"drag": {"linear": 0.1}}
+
+
+@pytest.mark.parametrize("effects", [LINEAR, {**LINEAR, "attraction": [{"mu": 1}]}])
+def test_laws_allocate_what_they_give_back(effects: Spec) -> None:
+    """18 numbers a body at a time and 2 kB, whether there is one law or two, and none is kept."""
+    few, many = (memory(row(count, effects)) for count in (2, 300))
+
+    assert max(few[0], many[0]) <= 96  # 32: the time of the last kick
+    assert few[1] < 8000
+    assert many[1] - few[1] < 20 * 8 * 298
 
 
 @settings(max_examples=10, deadline=None)

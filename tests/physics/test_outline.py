@@ -3,7 +3,7 @@
 import numpy as np
 import pymunk
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sandbox.physics.outline import Outline, gap, outlines
@@ -54,6 +54,8 @@ def hull(points: list[complex]) -> list[complex]:
 
 @settings(max_examples=200, deadline=None)
 @given(CORNERS, CORNERS, GRID.map(lambda x: 4 * x), GRID.map(lambda y: 3 * y))
+@example([0j, -0.01j], [0.01 + 0j, -0.01 - 0.01j], 0.0, 0.0)  # lines that cross
+@example([0j, 0.3 + 0.1j], [0.6 + 0.2j, 0.9 + 0.3j], 0.0, 0.0)  # in one line, and apart
 def test_the_gap_is_that_between_the_nearest_points(
     ones: list[complex], others: list[complex], x: float, y: float
 ) -> None:

@@ -1,11 +1,13 @@
-"""Springs that a step is too long for are refused before they explode."""
+"""Springs and drag that a step is too long for are refused before they explode."""
 
 from math import sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from sandbox.model.level import Level
+from sandbox.model.loading import load
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.world import build
 from tests.physics.scenes import Spec, disc, level, measured
@@ -56,6 +58,18 @@ def test_what_would_explode_says_how_high_a_rate_it_needs() -> None:
     assert told.value.subject == "arm"
 
 
+def test_a_refused_spring_is_told_with_its_place_in_the_file(tmp_path: Path) -> None:
+    file = tmp_path / "stiff.json"
+    file.write_text(pulled(1e6).model_dump_json(indent=2, by_alias=True))
+    line = file.read_text().splitlines().index('    "arm": {') + 1
+
+    with pytest.raises(SimulationError) as told:
+        build(load(file))
+
+    said = f"{file}:{line}:5: joints.arm: the spring 'arm' needs a 'rate' of at least 500, not 60"
+    assert str(told.value) == said
+
+
 @pytest.mark.parametrize("share", [0.99, 1.01])
 def test_the_limit_of_a_chain_is_that_of_its_highest_mode(share: float) -> None:
     """ω² = 4 (k/m) sin²(n π / (2 (n + 1))), of n equal masses between n + 1 springs."""
@@ -82,6 +96,14 @@ def test_a_spring_at_the_rim_asks_for_more_than_one_at_the_centre() -> None:
         build(scene(1.01 * 4 / H**2 / 3))
 
 
+def test_a_spring_that_no_rate_can_hold_is_refused() -> None:
+    """ω² = 1e600 /s² is more than a number holds."""
+    hard = spring([1, 0], "ball", stiffness=1e300)
+
+    with pytest.raises(SimulationError, match="'hard' needs a 'rate' of at least inf"):
+        build(level({"ball": disc(mass=1e-300)}, {}, joints={"hard": hard}))
+
+
 def test_the_spring_that_asks_for_most_is_named() -> None:
     scene = level(
         {"a": disc(), "b": disc((2, 0))},
@@ -93,3 +115,62 @@ def test_the_spring_that_asks_for_most_is_named() -> None:
     )
     with pytest.raises(SimulationError, match="the spring 'hard' needs"):
         build(scene)
+
+
+def slowed(mass: float = 1, speed: float = 1, **drag: float) -> Level:
+    """A ball that is slowed down, at 240 Hz."""
+    ball = disc(mass=mass, velocity=[speed, 0])
+    return level({"ball": ball}, {"drag": drag}, stepping={"rate": 240})
+
+
+def test_a_drag_just_below_the_limit_dies_away() -> None:
+    """c h / m = 0.99: what is left of the velocity changes sign each step, and shrinks."""
+    speed = measured(build(slowed(linear=0.99 * 240)), 900, "ball.velocity.x")["ball.velocity.x"]
+
+    assert np.abs(speed[-10:]).max() < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("scene", "needed"),
+    [
+        (slowed(linear=1.01 * 240), "243"),
+        (slowed(linear=1e6), "1,000,000"),
+        (slowed(linear=2.5, mass=0.01), "250"),
+        (slowed(quadratic=2, speed=150), "300"),
+        (slowed(linear=100, quadratic=2, speed=100), "300"),
+    ],
+)
+def test_a_drag_that_takes_more_than_all_in_a_step_is_refused(scene: Level, needed: str) -> None:
+    says = (
+        rf"effects.drag: the effect 'drag' on 'ball' needs a 'rate' of at least {needed}, not 240"
+    )
+    with pytest.raises(SimulationError, match=says):
+        build(scene)
+
+
+def test_gathered_matter_slows_down_as_drag_does() -> None:
+    gathers = {"accretion": [{"body": "ball", "rate": 3}]}
+    with pytest.raises(
+        SimulationError, match="'accretion' on 'ball' needs a 'rate' of at least 300"
+    ):
+        build(level({"ball": disc(mass=0.01, velocity=[1, 0])}, gathers))
+
+
+@pytest.mark.parametrize(("joint", "holds"), [("weld", True), ("rod", False)])
+def test_what_is_welded_to_something_heavy_is_slowed_down_with_it(
+    joint: str, *, holds: bool
+) -> None:
+    """1 g with a drag of 1 kg/s, which alone asks for 1000 Hz; on a rod it can go round."""
+    scene = level(
+        {"light": disc(mass=1e-3, velocity=[1, 0]), "heavy": disc((2, 0), velocity=[1, 0])},
+        {"drag": {"linear": 1, "bodies": ["light"]}},
+        joints={"tie": {"type": joint, "ends": ["light", "heavy"]}},
+    )
+    if holds:
+        speed = measured(build(scene), 60, "light.velocity.x")["light.velocity.x"]
+        assert speed[-1] == pytest.approx(np.exp(-1 / 1.001), rel=2e-4)  # 1.2e-4
+    else:
+        with pytest.raises(
+            SimulationError, match="'drag' on 'light' needs a 'rate' of at least 1,000"
+        ):
+            build(scene)

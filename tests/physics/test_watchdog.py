@@ -1,12 +1,14 @@
 """A run that goes wrong stops in its last good state, and says what to do about it."""
 
+import pickle
+
 import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.world import World, build
-from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level, orbit
+from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, orbit
 
 
 def advance(world: World, steps: int) -> None:
@@ -66,6 +68,55 @@ def test_energy_from_nowhere_names_the_effect_that_a_step_is_too_long_for() -> N
     assert told.rate > 1000
     assert np.hypot(*world.snapshot.velocity[0]) < 20  # as it still fell
     holds(fall, told.rate, int(5 * told.rate))
+
+
+@pytest.mark.parametrize("quadratic", [1e4, 1e5, 1e7])
+def test_a_drag_that_outgrows_the_step_is_named_with_a_rate_that_holds(quadratic: float) -> None:
+    """It falls until c2 v² = m g; there the drag's slope is 2 c2 v, and asks for that rate."""
+    drag = {"drag": {"quadratic": quadratic}}
+    scene = level({"ball": disc()}, {**GRAVITY, **drag}, stepping={"rate": 240})
+
+    told = stopped(build(scene))
+
+    assert "the effect 'drag' changes too fast for a step; take a higher 'rate': " in str(told)
+    assert told.rate == pytest.approx(4 * 2 * np.sqrt(quadratic * G), rel=0.13)
+    holds(scene, told.rate)
+
+
+@pytest.mark.parametrize("mass", [1, 1e-3])
+def test_what_drag_gives_is_from_nowhere_where_a_force_does_work(mass: float) -> None:
+    push = {"force": [{"body": "ball", "force": ["1e5*t", 0]}]}
+    drag = {"drag": {"quadratic": 10 * mass}}
+    scene = level({"ball": disc(mass=mass)}, {**push, **drag}, stepping={"rate": 240})
+
+    told = stopped(build(scene))
+
+    assert "have come from nowhere, and 'ball' has most of it: the effect 'drag'" in str(told)
+
+
+@pytest.mark.parametrize("push", ["1e-3*sin(t)", "-t"])
+def test_work_that_is_put_in_hides_no_energy_from_nowhere(push: str) -> None:
+    """The same planet is pushed; that a force may give energy explains none of this."""
+    pushed = {"body": "planet", "force": [push, 0]}
+    planet = disc((1, 0), radius=0.1, velocity=[0, 0.05])
+    scene = level({"planet": planet}, {"attraction": [{"mu": 1}], "force": [pushed]})
+
+    told = stopped(build(scene))
+
+    assert "have come from nowhere, and 'planet' has most of it" in str(told)
+    assert "the effect 'attraction' changes too fast for a step" in str(told)
+
+
+def test_what_a_force_gives_is_not_from_nowhere() -> None:
+    """A blow of a step gives a ball at rest 50 J, and a spring at ω dt = 1.9 swings with it."""
+    blow = {"body": "bob", "force": ["600 if abs(t - 0.5) < 0.001 else 0", 0]}
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 12996, "length": 1}
+    world = build(level({"bob": disc((1, 0))}, {"force": [blow]}, joints={"k": spring}))
+
+    advance(world, 600)
+
+    swing = np.abs(world.snapshot.position[0, 0] - 1)
+    assert 0.01 < swing < 0.3
 
 
 def test_a_swing_that_is_only_coarse_goes_on() -> None:
@@ -158,11 +209,50 @@ def test_a_chain_too_stiff_for_the_step_says_which_rate_would_do() -> None:
     assert told.rate > 60
 
 
-def test_what_goes_to_infinity_names_the_body() -> None:
-    told = stopped(build(level({"ball": disc(velocity=[1e308, 0])}, GRAVITY)))
+@pytest.mark.parametrize(
+    ("force", "when"), [("sqrt(0.25 - t)", 0.25), ("1/(t - 0.5)", 0.5)], ids=["ends", "pole"]
+)
+def test_a_force_that_has_no_value_any_more_is_named(force: str, when: float) -> None:
+    """Beyond the duration, up to which it was looked at."""
+    pushed = {"force": [{"body": "ball", "force": [force, 0]}]}
+    told = stopped(build(level({"ball": disc()}, pushed, duration=0.2)))
 
     assert told.subject == "ball"
-    assert "'ball' is no longer anywhere finite" in str(told)
+    assert told.time == pytest.approx(when, abs=1 / 59)
+    assert str(told).endswith(
+        "'ball' is no longer anywhere finite: the effect 'force' has no finite value any more"
+    )
+    assert told.rate is None
+
+
+BEYOND = "'ball' is so fast, so far away or so heavy that its energy is no finite number"
+
+
+@pytest.mark.parametrize("scheme", ["leapfrog", "symplectic-euler"])
+@pytest.mark.parametrize(
+    "effects",
+    [
+        {"gravity": {"acceleration": [0, -1e300]}},
+        {"force": [{"body": "ball", "force": [1e300, 0]}]},
+        {"force": [{"body": "ball", "force": ["1e300*t", 0]}]},
+    ],
+    ids=["gravity", "force", "force of time"],
+)
+def test_an_energy_beyond_all_numbers_ends_the_run(effects: Spec, scheme: str) -> None:
+    told = stopped(build(level({"ball": disc()}, effects, stepping={"scheme": scheme})))
+
+    assert BEYOND in str(told)
+
+
+@pytest.mark.parametrize(
+    "ball",
+    [disc(velocity=[1e300, 0]), disc((1e300, 0)), disc(mass=1e300, velocity=[1e5, 0])],
+    ids=["fast", "far", "heavy"],
+)
+@pytest.mark.parametrize("effects", [{}, {"force": [{"body": "ball", "force": ["t", 0]}]}])
+def test_an_energy_beyond_all_numbers_is_no_start(ball: Spec, effects: Spec) -> None:
+    with pytest.raises(SimulationError, match=f"bodies.ball: {BEYOND}"):
+        build(level({"ball": ball}, effects))
 
 
 def test_eulers_schemes_may_be_as_bad_as_they_are() -> None:
@@ -183,3 +273,13 @@ def test_a_bare_step_is_not_watched(monkeypatch: pytest.MonkeyPatch) -> None:
 
     for _ in range(10):
         world.step()
+
+
+def test_why_a_run_stopped_can_be_told_in_another_process() -> None:
+    error = SimulationError("ball", 1.5, "it is lost", 240.0)
+    error.place = "level.json, line 3, column 5"
+
+    told = pickle.loads(pickle.dumps(error))
+
+    assert str(told) == str(error) == "level.json, line 3, column 5: it is lost"
+    assert (told.subject, told.time, told.rate) == ("ball", 1.5, 240)

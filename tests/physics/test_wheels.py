@@ -184,6 +184,30 @@ def test_a_weld_to_the_plane_carries_a_shelf() -> None:
     assert worst(found["pot.position.y"], 0.2) <= 1e-13
 
 
+@pytest.mark.parametrize(
+    "other",
+    [
+        {"type": "spring", "ends": [[3, 2], "ball"], "stiffness": 20, "length": 1},
+        {"type": "pulley", "ends": ["ball", "pot"], "over": [[3, 3], [4, 3]]},
+    ],
+    ids=["spring", "string"],
+)
+def test_what_is_solved_apart_from_a_weld_has_no_torque(other: Spec) -> None:
+    scene = level(
+        {
+            "shelf": box((0.5, 0), size=(1, 0.1), mass=2),
+            "ball": disc((3, 1)),
+            "pot": disc((4, 1), mass=3),
+        },
+        TURNING,
+        joints={"other": other, "wall": {"type": "weld", "ends": ["shelf", [0, 0]]}},
+    )
+    end = build(scene).advance(30)
+
+    assert end.torque[0] == 0
+    assert abs(end.torque[1]) == pytest.approx(2 * 0.5 * G, rel=1e-10)
+
+
 def test_without_rotation_a_weld_keeps_places() -> None:
     scene = level(
         {"a": disc((0, 0), velocity=[3, 0]), "b": disc((1, 1), mass=2)},

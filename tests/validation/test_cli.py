@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from validation import cli, suite
-from validation.case import Case, run
+from validation.case import Case, Outcome, run
 from validation.cases import atwood, free_fall
 
 FIELDS = {
@@ -80,3 +80,21 @@ def test_an_event_that_never_came_is_null_in_the_json() -> None:
     text = json.dumps(suite.content([replace(outcome, measured=float("nan"))]), allow_nan=False)
 
     assert json.loads(text)["cases"][0]["measured"] is None
+
+
+def test_processes_that_share_the_cases_find_what_one_finds(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """In the same order; only what a step costs is measured anew."""
+    cases = list(few())[::-1]
+    alone = suite.outcomes(cases, jobs=1)
+    monkeypatch.setattr(suite, "WORTH", 1)
+
+    shared = suite.outcomes(cases, jobs=2)
+
+    assert [o.level for o in shared] == [case.level for case in cases]
+    assert list(map(untimed, shared)) == list(map(untimed, alone))
+
+
+def untimed(outcome: Outcome) -> Outcome:
+    return replace(outcome, step_seconds=0.0, naive_step_seconds=0.0)

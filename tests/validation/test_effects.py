@@ -8,9 +8,21 @@ from typer.testing import CliRunner
 
 from sandbox.model import catalog
 from sandbox.model.effects import Effects
+from sandbox.model.loading import load
+from sandbox.physics.world import build
+from validation.case import textbook
 from validation.cli import app
-from validation.effects import costs
-from validation.effects.costs import DECLARED, EFFECTS, effect_costs, exponent, level_costs
+from validation.effects import costs, growth
+from validation.effects.costs import (
+    ALL_PAIRS,
+    DECLARED,
+    EFFECTS,
+    effect_costs,
+    exponent,
+    level_costs,
+    unhook,
+)
+from validation.effects.growth import growths
 
 
 def test_a_level_is_measured_with_its_hooks_and_without() -> None:
@@ -21,13 +33,44 @@ def test_a_level_is_measured_with_its_hooks_and_without() -> None:
     assert with_drag.ratio == with_drag.step_seconds / with_drag.bare_step_seconds
 
 
+def test_what_calls_python_stands_beside_the_effects_of_a_level() -> None:
+    """Each level that calls Python has a law, a joint, or an effect that says why."""
+    laws = {"attraction", "gravitation", "centrifugal", "drag", "force", "thrust", "accretion"}
+    for name in catalog.textbook():
+        level = textbook(name)
+        declared, ways = level.effects.declared, costs._ways(level)
+        reason = {"sticking", *laws} & set(declared) or level.joints or ways
+        assert bool(reason) >= bool(build(level).hooks), (name, declared, ways)
+
+
+@pytest.mark.parametrize(
+    ("name", "left"), [("energy/spring-oscillator", 1), ("energy/circular-orbit", 0)]
+)
+def test_the_bare_engine_keeps_its_own_springs_and_loses_our_hook(name: str, left: int) -> None:
+    world = build(load(catalog.find(name)))
+    assert len(world.scene.space.constraints) == 1
+
+    unhook(world)
+
+    assert len(world.scene.space.constraints) == left
+
+
 def test_every_effect_is_measured_alone_and_some_together() -> None:
     found = effect_costs([1, 2], repeats=1)
 
     assert [cost.effect for cost in found] == list(EFFECTS)
-    assert all(cost.bodies == (1, 2) for cost in found)
+    assert all(cost.bodies == (1, 2) for cost in found if cost.effect not in ALL_PAIRS)
+    assert found[-1].bodies == (2,), "one body alone attracts nothing"
     assert all(seconds > 0 for cost in found for seconds in cost.step_seconds)
     assert set(DECLARED) <= set(Effects.model_fields)
+
+
+def test_the_growth_of_a_crowd_is_measured_beside_pymunks() -> None:
+    (found,) = growths({"pile": (2, 8)})
+
+    assert found.bodies == (2, 8)
+    assert all(s > 0 for s in (*found.seconds_per_body, *found.bare_seconds_per_body))
+    assert all(found.contacts_per_body), "the heap has fallen"
 
 
 def test_the_exponent_is_that_of_a_power() -> None:
@@ -40,6 +83,7 @@ def test_the_exponent_is_that_of_a_power() -> None:
 def test_the_figures_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(catalog, "names", lambda: ["kinematics/free-fall"])
     monkeypatch.setattr(costs, "QUICK", (1, 2))
+    monkeypatch.setattr(growth, "QUICK", {"gas": (1, 2)})
 
     done = CliRunner().invoke(app, ["effects", "--quick", "--json", str(tmp_path / "e.json")])
 
@@ -49,4 +93,7 @@ def test_the_figures_are_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         said["levels"][0]
     )
     assert {"effect", "seconds_per_step", "bodies"} <= set(said["costs"][0])
+    measured = {"seconds_per_body", "contacts_per_body"}
+    bare = {f"bare_{figure}" for figure in measured}
+    assert {"scene", "bodies", *measured, *bare} == set(said["growth"][0])
     assert said["environment"]["pymunk"]

@@ -207,3 +207,7 @@ def test_a_cycloid_takes_as_long_from_anywhere(start: float) -> None:
         lambda p: angle(p) + np.sin(angle(p)), lambda p: 1 - np.cos(angle(p)), 9.81
     )
     assert found == pytest.approx(pi / sqrt(9.81), rel=1e-7)
+
+
+def test_a_bead_that_falls_through_half_a_circle_weighs_three_times_as_much_at_its_foot() -> None:
+    assert energy.trough_force(2.0, 1.5, 1.5, 9.81) == pytest.approx(3 * 2.0 * 9.81)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import ArrayLike
 
-from validation.formulas import lagrange
+from validation.formulas import energy, lagrange
 from validation.formulas.arrays import Array
 
 positive = st.floats(0.01, 100)
@@ -167,3 +167,12 @@ def test_a_double_pendulum_swings_in_its_modes_if_it_swings_little() -> None:
 
         assert theta == pytest.approx(start[0] * swing, abs=1e-10)
         assert phi == pytest.approx(start[1] * swing, abs=1e-10)
+
+
+def test_a_cycloid_is_quicker_than_a_straight_wire_and_a_bowl() -> None:
+    """From the cusp to the lowest point, π R beside it and 2 R below."""
+    straight = energy.time_of_descent(lambda s: np.pi * s, lambda s: 2 * (1 - s), 9.81)
+    bowl = energy.time_of_descent(lambda s: np.pi * s, lambda s: 2 * (1 - s) ** 2, 9.81)
+
+    assert lagrange.cycloid_height(lagrange.cycloid_time(1, 9.81), 1, 9.81, np.pi) < 1e-30
+    assert lagrange.cycloid_time(1, 9.81) < bowl < straight

@@ -7,14 +7,6 @@ import pytest
 from validation.formulas import energy, leapfrog
 
 
-def stop(speed: float, rate: float, dt: float) -> float:
-    """Return how far a body comes until friction, μ g, has stopped it [m]."""
-    v, x = max(speed - rate * dt / 2, 0.0), 0.0
-    while v:
-        x, v = x + v * dt, max(v - rate * dt, 0.0)
-    return x
-
-
 def orbit(
     place: complex, velocity: complex, mu: float, dt: float, until: Callable[[complex], bool]
 ) -> tuple[complex, complex]:
@@ -29,19 +21,6 @@ def orbit(
         velocity += kick(place)
         if until(velocity):
             return place, velocity
-
-
-@pytest.mark.parametrize("part", [0.0, 0.3, 0.5, 0.8])
-def test_a_stop_inside_a_step_is_short_by_no_more_than_its_bound(part: float) -> None:
-    dt, rate = 0.01, 4.0
-    speed = rate * dt * (50 + part)
-
-    error = 1 - stop(speed, rate, dt) / (speed**2 / (2 * rate))
-    bound = leapfrog.stopping_error(speed, 0.4, 10, dt)
-
-    assert -1e-12 <= error <= bound * (1 + 1e-9)
-    if part == 0.5:
-        assert error == pytest.approx(bound)
 
 
 @pytest.mark.parametrize("e", [0.0, 0.2, 0.6])
@@ -69,12 +48,4 @@ def test_a_body_turns_as_much_too_early_as_derived(share: float) -> None:
     )
     assert leapfrog.turning_error(r, share, mu, dt) == pytest.approx(
         (start - energy_there) / -start, rel=0.05
-    )
-
-
-def test_what_slips_is_misplaced_by_no_more_than_a_stop_of_as_much_friction() -> None:
-    way = 3.0**2 / (2 * 0.5 * 10)
-
-    assert leapfrog.slip_error(0.5, 10, 0.01) / way == pytest.approx(
-        leapfrog.stopping_error(3.0, 0.5, 10, 0.01)
     )

@@ -141,3 +141,8 @@ def test_a_ballistic_pendulum_begins_with_the_common_speed_and_slows_down() -> N
     assert momentum.ballistic_velocity(1, 4, 10, 2, 9.81, 0) == 2
     assert momentum.ballistic_velocity(1, 4, 10, 2, 9.81, 0.01) < 2
     assert momentum.ballistic_height(1, 4, 10, 10) == pytest.approx(0.2)
+
+
+def test_a_ballistic_pendulum_hangs_by_its_weight_before_it_swings() -> None:
+    assert momentum.ballistic_tension(0.5, 2.0, 0.0, 1.0, 9.81) == pytest.approx(2.5 * 9.81)
+    assert momentum.ballistic_tension(0.5, 2.0, 5.0, 1.0, 0.0) == pytest.approx(2.5)  # v' = 1 m/s

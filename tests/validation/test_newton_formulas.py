@@ -91,6 +91,16 @@ def test_drag_ends_at_its_terminal_velocity_and_begins_as_a_free_fall() -> None:
     assert newton.throw_with_drag(1, 3, 1, 1e-6, 9.81) == pytest.approx(3 - 9.81 / 2, rel=1e-4)
 
 
+def test_an_atwood_machine_on_an_atwood_machine_weighs_less_than_at_rest() -> None:
+    """As 4 m2 m3 / (m2 + m3) and its wheel: 11/3 kg, where 4 kg hang."""
+    left, first, second = newton.double_atwood_accelerations(4, 1, 1, 2, 9.81)
+    balanced = newton.double_atwood_accelerations(1 + 8 / 3, 1, 1, 2, 9.81)
+
+    assert left == pytest.approx(newton.atwood_acceleration(4, 11 / 3, 9.81))
+    assert (first + second) / 2 == pytest.approx(-left)
+    assert balanced[0] == pytest.approx(0, abs=1e-14)
+
+
 def test_a_movable_pulley_is_balanced_by_half_its_weight() -> None:
     assert newton.movable_pulley_acceleration(1, 2, 9.81) == 0
     assert newton.resultant((3, 4), (-1, 2)) == (2, 6)
@@ -155,3 +165,23 @@ def test_a_light_wheel_leaves_atwoods_machine_and_a_heavy_one_holds_it() -> None
 
     assert light == pytest.approx([newton.atwood_tension(1, 2, 9.81)] * 2)
     assert newton.massive_pulley_tensions(1, 2, 1e12, 9.81) == pytest.approx((9.81, 19.62))
+
+
+def test_a_movable_pulley_hangs_on_twice_its_tension() -> None:
+    a = newton.movable_pulley_acceleration(2.0, 3.0, 9.81)
+
+    assert 2 * newton.movable_pulley_tension(2.0, 3.0, 9.81) == pytest.approx(3.0 * (9.81 + a))
+
+
+def test_a_block_that_slips_is_held_by_less_than_one_that_sticks() -> None:
+    steep = np.arctan(0.6)
+
+    held = newton.sticking_friction(2.0, steep * 0.999, 9.81, 0.6, 0.4)
+    slips = newton.sticking_friction(2.0, steep * 1.001, 9.81, 0.6, 0.4)
+
+    assert slips == pytest.approx(held * 0.4 / 0.6, rel=0.01)
+
+
+def test_a_pad_holds_up_nothing_once_the_thrust_lifts_the_rocket() -> None:
+    assert newton.pad_force(50.0, 2.0, 100.0, 9.81) == pytest.approx(881.0)
+    assert newton.pad_force(50.0, 20.0, 100.0, 9.81) == 0

@@ -16,10 +16,12 @@ from typer.testing import CliRunner, Result
 from sandbox.model import catalog
 from validation.cases import atwood, circular_motion
 from validation.cli import app
-from validation.effects import costs
+from validation.effects import costs, growth
 from validation.report import parts
 
 LEVELS = ("newton/atwood", "kinematics/circular-motion")
+
+HARD = ("a cradle of five, 1 in, gap 0 m", "a cradle that touches")
 
 VOID = {"meta", "br", "hr", "img", "input", "link", "wbr"}
 
@@ -56,12 +58,14 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module", autouse=True)
 def _small() -> Iterator[None]:
-    """Two cases, two levels, two numbers of bodies."""
+    """Two cases, two levels, a hard case and a frontier, two numbers of bodies."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(parts, "PHENOMENA", (atwood, circular_motion))
         patch.setattr(parts, "SAMPLE", LEVELS)
+        patch.setattr(parts, "HARD", HARD)
         patch.setattr(catalog, "names", lambda: list(LEVELS))
         patch.setattr(costs, "QUICK", (1, 100, 200))
+        patch.setattr(growth, "QUICK", {"gas": (2, 9), "pile": (2, 9)})
         yield
 
 
@@ -125,7 +129,8 @@ def test_tables_and_figures_can_be_read_aloud(text: str) -> None:
     page = Page(text)
 
     assert page.having("table")
-    assert all(a.get("scope") in ("col", "row", "rowgroup") for a in page.having("th"))
+    scopes = {"col", "colgroup", "row", "rowgroup"}
+    assert all(a.get("scope") in scopes for a in page.having("th"))
     figures = page.having("svg")
     assert len(figures) == len(LEVELS) + 1
     assert all(a["role"] == "img" and a["aria-label"] for a in figures)
@@ -143,6 +148,10 @@ def test_every_part_says_what_it_found(text: str) -> None:
     assert "2 of 2" in text
     assert all(level in text for level in LEVELS)
     assert "attraction + drag + force" in text
+    assert len(re.findall(r"<tr><th scope=.row.>(?:gas|pile)</th>", text)) == 4
+    assert all(name in text for name in HARD)
+    assert "how far beyond" in text
+    assert "Of 2 requests" in text
     assert "This part is missing" not in text
     assert "A quick report" in text
 
@@ -200,7 +209,7 @@ def test_a_part_that_cannot_be_read_is_told_in_its_place(
 def broken(folder: Path, tmp_path: Path, content: str) -> Path:
     source = tmp_path / "source"
     source.mkdir()
-    for name in ("run.json", "effects.json"):
+    for name in ("run.json", "stability.json", "effects.json"):
         (source / name).write_bytes((folder / name).read_bytes())
     (source / "cost.json").write_text(content, encoding="utf-8")
     return source
@@ -219,6 +228,27 @@ def test_a_case_that_does_not_hold_is_named(folder: Path, tmp_path: Path) -> Non
     assert "1 of 2" in text
     assert "a &lt;wrong&gt; case" in text
     assert not Page(text).open
+
+
+def test_a_hard_case_that_fails_and_a_request_that_is_missed_are_named(
+    folder: Path, tmp_path: Path
+) -> None:
+    cost: dict[str, Any] = json.loads((folder / "cost.json").read_text(encoding="utf-8"))
+    cost["requests"][0] |= {"delivered": 0.5}
+    cost["requests"][1] |= {"stepping": None, "delivered": None, "said": "it cannot be had"}
+    source = broken(folder, tmp_path, json.dumps(cost))
+    hard: dict[str, Any] = json.loads((source / "stability.json").read_text(encoding="utf-8"))
+    hard["cases"][0] |= {"passed": False, "figure": None}
+    (source / "stability.json").write_text(json.dumps(hard), encoding="utf-8")
+
+    done = write("--quick", "--from", source, "--output", tmp_path / "out")
+
+    assert done.exit_code == 1
+    text = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Of the hard cases there fails:" in text
+    assert "0 of 1 hold" in text
+    assert "5.0e-01 was delivered" in text
+    assert "it cannot be had" in text
 
 
 WITHOUT = """

@@ -1,14 +1,14 @@
 """Accuracies that are asked for in the cost sweep."""
 
 import json
-from math import inf
+from math import inf, nan
 
 import pytest
 
-from sandbox.model.level import Stepping
+from sandbox.model.level import Scheme, Stepping
 from validation.cost.report import asked, summed
 from validation.cost.requests import Request
-from validation.cost.sweep import Budget, errors, timed
+from validation.cost.sweep import Budget, Point, Sweep, errors, timed
 
 BUDGET = Budget(run=0.05, rates=(30.0, 120.0, 480.0), targets=(1e-3, 1e-5))
 
@@ -36,6 +36,19 @@ def test_a_request_is_honoured_if_it_is_delivered_and_not_dear() -> None:
     assert not request(2e-3, 1.0, 1.0).honoured
     assert not request(1e-3, 3.1, 1.0).honoured
     assert not request(float("nan"), 1.0, 1.0).honoured
+
+
+def test_pymunk_as_it_comes_counts_where_impacts_come_in_sequence_too() -> None:
+    """It has all of a break at once, for a twentieth of the price."""
+    name = "momentum/billiard-break"
+    schemes: tuple[Scheme, ...] = ("symplectic-euler", "leapfrog")
+    points = tuple(Point(scheme, 60, 10, 0.0, nan, 1, 0) for scheme in schemes)
+    asked_for = Request(name, 1e-3, Stepping(rate=60), 0.0, 0.0)
+
+    [found] = timed(Sweep(name, "closed form", (), 60.0, points, (asked_for,))).requests
+
+    assert found.cheapest < found.price / 3
+    assert not found.honoured
 
 
 def test_the_sum_counts_what_was_met() -> None:

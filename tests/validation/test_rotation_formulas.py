@@ -121,3 +121,8 @@ def test_a_weight_on_a_drum_falls_freely_if_the_drum_is_light() -> None:
     assert rotation.driven_by_weight(2, 0.5, 1e-15, 10) * 0.5 == pytest.approx(10)
     assert rotation.disc_moment(2, 1) == 1
     assert rotation.disc_moment(2, 1, 3) == 19
+
+
+def test_a_point_that_circles_steadily_is_drawn_to_the_axis() -> None:
+    assert rotation.rim_acceleration(2.0, 3.0, 0.0) == -18
+    assert rotation.rim_acceleration(2.0, 0.0, 0.5) == 1j

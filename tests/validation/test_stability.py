@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 from sandbox.model import catalog
+from sandbox.model.writing import text
 from sandbox.physics.world import build
 from validation import cli
 from validation.stability import command, history, run
@@ -23,7 +24,6 @@ from validation.stability.levels import FOLDER
 from validation.stability.naive import naive
 from validation.stability.report import failures, out_of_reach
 from validation.stability.run import Outcome, run_case, run_frontier
-from validation.stability.scene import text
 
 CASES = {case.name: case for case in all_cases()}
 FRONTIERS = {frontier.name: frontier for frontier in all_frontiers()}
@@ -101,12 +101,12 @@ def test_a_frontier_that_lies_further_in_fails_and_further_out_does_not() -> Non
 
 def test_the_history_grows_when_a_frontier_moves(tmp_path: Path) -> None:
     file = tmp_path / "frontiers.json"
-    for figure in (100.0, 100.0, 140.0):
-        history.update({"height": (figure, 7.0)}, file)
+    for figure, alone in ((100.0, 7.0), (100.0, 8.0), (140.0, 7.0), (140.0, 70.0)):
+        history.update({"height": (figure, alone)}, file)
 
     entries = history.read(file)["height"]
 
-    assert [entry["figure"] for entry in entries] == [100.0, 140.0]
+    assert [(e["figure"], e["naive"]) for e in entries] == [(100, 7), (140, 7), (140, 70)]
     assert history.last(history.read(file), "height") == entries[-1]
     assert history.last(history.read(file), "length") is None
     assert history.read(tmp_path / "none.json") == {}

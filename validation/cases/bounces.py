@@ -1,12 +1,17 @@
 """Bounces: between walls, and on the ground with their time located."""
 
 from collections.abc import Iterator
+from functools import partial
 
 from sandbox.model.level import ApexEvent, ContactEvent
 from validation.case import Case, Choices, Parameters
 from validation.formulas import momentum
 
-WALLS: Choices = ({}, {"e": 1.0, "speed": 6.0}, {"e": 0.4, "speed": 2.0, "mass": 100.0})
+WALLS: Choices = (
+    {},
+    {"e": 1.0, "speed": 6.0, "mass": 0.1},
+    {"e": 0.4, "speed": 2.0, "mass": 100.0},
+)
 LOSSY: Choices = (
     {},
     {"e": 0.3, "height": 1.0, "g": 10.0},
@@ -46,11 +51,9 @@ def _walls(parameters: Parameters) -> Iterator[Case]:
 
 
 def _lossy(parameters: Parameters) -> Iterator[Case]:
-    level = "momentum/bouncing-ball"
-    yield Case(
+    case = partial(Case, level="momentum/bouncing-ball", parameters=parameters)
+    yield case(
         name="bouncing ball: time of the bounce",
-        level=level,
-        parameters=parameters,
         quantity="t",
         at=BOUNCE,
         expected=lambda p, _: momentum.fall_time(p["height"], p["g"]),
@@ -58,10 +61,8 @@ def _lossy(parameters: Parameters) -> Iterator[Case]:
         because="the drift is cut where the parabola touches the ground",
         naive_misses=1e-3,
     )
-    yield Case(
+    yield case(
         name="bouncing ball: speed after the bounce",
-        level=level,
-        parameters=parameters,
         quantity="ball.velocity.y",
         at=BOUNCE,
         expected=lambda p, _: momentum.rebound_speed(p["height"], p["e"], p["g"]),
@@ -69,10 +70,8 @@ def _lossy(parameters: Parameters) -> Iterator[Case]:
         because="the speed at the impact itself is scaled",
         naive_misses=1e-3,
     )
-    yield Case(
+    yield case(
         name="bouncing ball: height after the bounce",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.y",
         at=APEX,
         expected=lambda p, _: momentum.rebound_height(p["height"], p["e"]),
@@ -80,10 +79,8 @@ def _lossy(parameters: Parameters) -> Iterator[Case]:
         because="the drift goes on from the impact along a new parabola",
         naive_misses=1e-3,
     )
-    yield Case(
+    yield case(
         name="bouncing ball: time of the apex",
-        level=level,
-        parameters=parameters,
         quantity="t",
         at=APEX,
         expected=lambda p, _: momentum.rebound_time(p["height"], p["e"], p["g"]),
@@ -94,21 +91,17 @@ def _lossy(parameters: Parameters) -> Iterator[Case]:
 
 
 def _elastic(parameters: Parameters) -> Iterator[Case]:
-    level = "momentum/bouncing-ball"
-    yield Case(
+    case = partial(Case, level="momentum/bouncing-ball", parameters=parameters)
+    yield case(
         name="bouncing ball, elastic: energy at every step",
-        level=level,
-        parameters=parameters,
         quantity="ball.energy",
         expected=lambda p, _: p["g"] * p["height"],
         tolerance=3e-13,
         because="wherever the impact is found, it turns the speed there round and no more",
         naive_misses=1e-4,
     )
-    yield Case(
+    yield case(
         name="bouncing ball, elastic: height after the bounce",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.y",
         at=APEX,
         expected=lambda p, _: momentum.rebound_height(p["height"], 1.0),

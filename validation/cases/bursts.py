@@ -8,7 +8,8 @@ from validation.formulas import kinematics, momentum
 
 PARAMETERS: Choices = (
     {},
-    {"J": 8.0, "m1": 0.5, "m2": 4.0, "m3": 0.5, "g": 5.0},
+    {"J": 8.0, "vy": 16.0, "m1": 0.5, "m2": 4.0, "m3": 0.5, "g": 5.0},
+    {"vx": 2.0, "m1": 4.0, "m2": 0.5, "m3": 4.0},
     {"J": 0.0, "vx": 10.0, "vy": 8.0, "g": 12.0},
 )
 GIVEN = {"left": -0.8, "middle": 0.1, "right": 0.7}  # of J, across

@@ -45,9 +45,9 @@ def cases() -> Iterator[Case]:
             parameters=parameters,
             quantity="system.energy",
             expected=lambda p, _: lagrange.pendulum_energy(1.0, p["g"], -_drop(p)),
-            tolerance=5e-4,
+            tolerance=1.25e-4,
             order=SECOND_ORDER,
-            because="second order: (ω dt)² / 8 of the kinetic energy, 2.5e-4 at the most",
+            because="second order: (ω dt)² / 8 of the kinetic energy, 6e-5 at the most",
         )
         yield Case(
             name="leapfrog: a quarter of its period",
@@ -56,9 +56,9 @@ def cases() -> Iterator[Case]:
             quantity="t",
             at=BOTTOM,
             expected=lambda p, _: lagrange.pendulum_period(p["L"], p["g"], p["start"]) / 4,
-            tolerance=2e-4,
+            tolerance=5e-5,
             order=SECOND_ORDER,
-            because="second order: (ω dt)² / 24 for small swings, 5e-5",
+            because="second order: (ω dt)² / 24 for small swings, 1.3e-5",
             naive_misses=2e-3,
         )
 

@@ -7,7 +7,7 @@ from validation.case import SECOND_ORDER, Case, Choices
 from validation.formulas import kinematics
 
 LEVEL = "kinematics/circular-motion"
-PARAMETERS: Choices = ({}, {"r": 1.5, "speed": 4.0}, {"r": 4.0, "speed": 4.0})
+PARAMETERS: Choices = ({}, {"r": 1.5, "speed": 4.0}, {"r": 4.0, "speed": 1.0})
 ONCE_ROUND = CrossingEvent(event="crossing", quantity="puck.position.y", direction="up")
 
 

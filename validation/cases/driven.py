@@ -23,7 +23,7 @@ RATIOS = {
 DEFAULTS = {"ratio": 0.8, "k": 10.0}
 ROW_DEFAULTS = {"k": 9.0}
 MASS = 1.0  # kg
-DT, ROW_DT = 1 / 480, 1 / 240  # s
+DT, ROW_DT = 1 / 480, 1 / 400  # s
 SECOND = "second order: (w dt)² / 3 of the amplitude at the most, from slow drives to fast ones"
 
 Swing = Callable[[Array, float, float, float, float, float], Array]

@@ -5,7 +5,11 @@ from collections.abc import Iterator
 from validation.case import Case, Choices
 from validation.formulas import kinematics
 
-PARAMETERS: Choices = ({}, {"height": 50.0, "g": 25.0}, {"height": 1.0, "g": 1.0, "mass": 100.0})
+PARAMETERS: Choices = (
+    {},
+    {"height": 50.0, "g": 25.0, "mass": 0.1},
+    {"height": 1.0, "g": 1.0, "mass": 100.0},
+)
 
 
 def cases() -> Iterator[Case]:

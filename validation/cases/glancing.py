@@ -11,8 +11,8 @@ AFTER = ContactEvent(event="contact", bodies=("first", "second"))
 PARAMETERS: Choices = (
     {},
     {"angle": 0.0},
-    {"angle": 60.0, "speed": 5.0},
-    {"angle": 45.0, "mass": 10.0},
+    {"angle": 60.0, "speed": 5.0, "mass": 0.1},
+    {"angle": 75.0, "speed": 1.0, "mass": 10.0},
 )
 
 
@@ -30,7 +30,8 @@ def cases() -> Iterator[Case]:
                     expected=lambda p, _, i=i, j=j: momentum.glancing_velocities(  # type: ignore[misc]
                         p["speed"], radians(p["angle"])
                     )[i][j],
-                    tolerance=1e-12,
+                    # at 75° what the second gets is a fifteenth of what there is
+                    tolerance=3e-12 if parameters.get("angle") == 75 else 1e-12,
                     because="they overlap by 1e-13 m when they meet, which turns the line between"
                     " their centres by 2e-13",
                 )

@@ -1,6 +1,7 @@
 """Inclines at their limits: two masses side by side, flat ground, and a vertical drop."""
 
 from collections.abc import Iterator
+from functools import partial
 from math import radians
 
 from sandbox.model.expressions import Values
@@ -10,13 +11,13 @@ from validation.formulas.arrays import Array
 
 MASSES: Choices = (
     {},
-    {"times": 1000.0, "m": 10.0, "angle": 60.0},
+    {"times": 1000.0, "m": 10.0, "angle": 60.0, "g": 1.0},
     {"times": 1.0, "m": 0.1, "angle": 5.0, "g": 25.0},
 )
 LIMITS: Choices = (
     {},
     {"angle": 0.0},
-    {"angle": 89.0, "mass": 0.1},
+    {"angle": 89.0, "mass": 0.1, "g": 25.0},
     {"angle": 1.0, "g": 1.0, "mass": 100.0},
 )
 
@@ -28,20 +29,17 @@ def cases() -> Iterator[Case]:
     """Yield the cases of two masses, then those of the limits."""
     for parameters in MASSES:
         for block in ("light", "heavy"):
-            yield Case(
+            case = partial(Case, level="newton/heavy-and-light", parameters=parameters)
+            yield case(
                 name=f"heavy and light: way of the {block} block",
-                level="newton/heavy-and-light",
-                parameters=parameters,
                 quantity=f"{block}.position.x",
                 expected=_x(0.2),
                 tolerance=1e-13,
                 because=HELD,
                 naive_misses=1e-3,
             )
-            yield Case(
+            yield case(
                 name=f"heavy and light: acceleration of the {block} block",
-                level="newton/heavy-and-light",
-                parameters=parameters,
                 quantity=f"{block}.acceleration",
                 expected=_acceleration,
                 tolerance=1e-12,
@@ -52,31 +50,25 @@ def cases() -> Iterator[Case]:
 
 
 def _limits(parameters: Parameters) -> Iterator[Case]:
-    level = "newton/incline-limits"
+    case = partial(Case, level="newton/incline-limits", parameters=parameters)
     moves = parameters.get("angle") != 0
-    yield Case(
+    yield case(
         name="incline limits: acceleration at every step",
-        level=level,
-        parameters=parameters,
         quantity="block.acceleration",
         expected=_acceleration,
         tolerance=1e-12,
         because=HELD,
     )
-    yield Case(
+    yield case(
         name="incline limits: height at every step",
-        level=level,
-        parameters=parameters,
         quantity="block.position.y",
         expected=lambda p, t: newton.incline_height(_along(p, t), 0.25, radians(p["angle"])),
         tolerance=1e-13,
         because=HELD,
         naive_misses=5e-4 if moves else None,
     )
-    yield Case(
+    yield case(
         name="incline limits: normal force at every step",
-        level=level,
-        parameters=parameters,
         quantity="block.contact.normal",
         expected=lambda p, _: newton.incline_normal_force(p["mass"], radians(p["angle"]), p["g"]),
         tolerance=1e-12,

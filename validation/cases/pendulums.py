@@ -1,6 +1,7 @@
 """Pendulums on rods, pins and springs."""
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -15,7 +16,7 @@ UPRIGHT = CrossingEvent(
 )
 SECOND = "second order: (ω dt)² / 24 for small swings, some tenfold for large ones"
 
-SPRUNG: Choices = ({}, {"k": 20.0, "angle": 60.0}, {"k": 100.0, "angle": 60.0})
+SPRUNG: Choices = ({}, {"k": 20.0, "angle": 60.0}, {"k": 100.0, "angle": 20.0})
 
 
 def cases() -> Iterator[Case]:
@@ -83,15 +84,16 @@ def _simple() -> Iterator[Case]:
     swings: tuple[tuple[str, Parameters], ...] = (
         ("lagrange/simple-pendulum", {}),
         ("lagrange/simple-pendulum", {"L": 3.0, "g": 1.0, "angle": 5.0}),
+        ("lagrange/simple-pendulum", {"L": 0.5, "g": 25.0, "angle": 1.0}),
         ("lagrange/large-pendulum", {}),
         ("lagrange/large-pendulum", {"angle": 170.0}),
         ("lagrange/large-pendulum", {"L": 0.5, "g": 25.0, "angle": 90.0}),
+        ("lagrange/large-pendulum", {"L": 2.0, "g": 1.0, "angle": 10.0}),
     )
     for level, parameters in swings:
-        yield Case(
+        case = partial(Case, level=level, parameters=parameters)
+        yield case(
             name="pendulum: a quarter of its period",
-            level=level,
-            parameters=parameters,
             quantity="t",
             expected=lambda p, _: lagrange.pendulum_period(p["L"], p["g"], _amplitude(p)) / 4,
             at=LOWEST,
@@ -100,19 +102,23 @@ def _simple() -> Iterator[Case]:
             because=SECOND,
             naive_misses=2e-4,
         )
-        yield Case(
+        yield case(
             name="pendulum: the length of its rod",
-            level=level,
-            parameters=parameters,
             quantity="rod.length",
             expected=lambda p, _: p["L"],
             tolerance=1e-12,
-            because="the rod holds at position level, to rounding",
+            because="the rod holds at position level, to rounding; pymunk's is off by 3e-7 or more",
+            naive_misses=1e-7,
         )
 
 
 def _physical() -> Iterator[Case]:
-    swings: tuple[Parameters, ...] = ({}, {"angle": 120.0}, {"L": 2.0, "g": 1.0})
+    swings: tuple[Parameters, ...] = (
+        {},
+        {"angle": 120.0},
+        {"L": 2.0, "g": 1.0},
+        {"L": 0.5, "g": 25.0, "angle": 10.0},
+    )
     for parameters in swings:
         yield Case(
             name="stick on a pin: a quarter of its period",
@@ -137,32 +143,27 @@ def _on_a_cart() -> Iterator[Case]:
         {"M": 4.0, "m": 0.5, "l": 1.5, "angle": 1.0},
     )
     for parameters in swings:
-        yield Case(
+        case = partial(Case, level="lagrange/cart-and-pendulum", parameters=parameters)
+        yield case(
             name="cart and pendulum: place of the cart at every step",
-            level="lagrange/cart-and-pendulum",
-            parameters=parameters,
             quantity="cart.position.x",
             expected=_cart,
-            tolerance=3e-4,
+            tolerance=1e-4,
             order=SECOND_ORDER,
             because=SECOND,
             naive_misses=1e-3,
         )
-        yield Case(
+        yield case(
             name="cart and pendulum: place of the bob at every step",
-            level="lagrange/cart-and-pendulum",
-            parameters=parameters,
             quantity="bob.position.x",
             expected=lambda p, t: -p["M"] / p["m"] * _cart(p, t),
-            tolerance=3e-4,
+            tolerance=1e-4,
             order=SECOND_ORDER,
             because=SECOND,
             naive_misses=1e-3,
         )
-        yield Case(
+        yield case(
             name="cart and pendulum: momentum along the rail",
-            level="lagrange/cart-and-pendulum",
-            parameters=parameters,
             quantity="system.momentum.x",
             expected=lambda _p, _t: 0.0,
             tolerance=1e-12,

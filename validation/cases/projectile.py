@@ -4,12 +4,15 @@ from collections.abc import Iterator
 from functools import partial
 from math import radians
 
-from sandbox.model.level import ApexEvent, LandingEvent
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.level import ApexEvent, ContactEvent, LandingEvent
 from validation.case import Case, Choices, Parameters
 from validation.formulas import energy, kinematics
 
 APEX = ApexEvent(event="apex", body="ball")
 LANDING = LandingEvent(event="landing", body="ball")
+LOCATED = "the time of the impact is that at which the parabola meets the ground"
+HALF = "(speed*sin(angle*deg) + sqrt((speed*sin(angle*deg))**2 + 2*g*height))/g/2"
 EXACT = "leapfrog's samples lie on the parabola, and the cubic between them is exact for one"
 
 PARAMETERS: Choices = (
@@ -24,6 +27,7 @@ FROM_HEIGHT: Choices = (
     {},
     {"angle": 40.0, "speed": 20.0, "height": 30.0},
     {"angle": -60.0, "speed": 0.5, "height": 2.0, "g": 25.0},
+    {"angle": 80.0, "speed": 20.0, "height": 30.0, "g": 1.0},
 )
 
 
@@ -79,29 +83,41 @@ def _level_ground(parameters: Parameters) -> Iterator[Case]:
 
 
 def _from_height(parameters: Parameters) -> Iterator[Case]:
-    level = "kinematics/projectile-from-height"
-    yield Case(
+    case = partial(Case, level="kinematics/projectile-from-height", parameters=parameters)
+    landing = ContactEvent(event="contact", bodies=("ball", "sand"))
+    yield case(
         name="projectile from a height: range",
-        level=level,
-        parameters=parameters,
         quantity="ball.position.x",
-        at=LANDING,
+        at=landing,
         expected=lambda p, _: kinematics.projectile_distance(
-            p["speed"],
-            radians(p["angle"]),
-            kinematics.flight_time(p["speed"], radians(p["angle"]), p["g"], p["height"]),
+            p["speed"], radians(p["angle"]), _flight_time(p)
         ),
         tolerance=1e-12,
-        because=EXACT,
-        naive_misses=1e-3,
+        because=LOCATED,
+        naive_misses=4e-4,
     )
-    yield Case(
-        name="projectile from a height: speed on landing",
-        level=level,
-        parameters=parameters,
+    yield case(
+        name="projectile from a height: time of flight",
+        quantity="t",
+        at=landing,
+        expected=lambda p, _: _flight_time(p),
+        tolerance=1e-12,
+        because=LOCATED,
+        naive_misses=4e-4,
+    )
+    yield case(
+        name="projectile from a height: speed after the first half",
         quantity="ball.speed",
-        at=LANDING,
-        expected=lambda p, _: energy.landing_speed(p["speed"], p["g"], p["height"]),
+        at=Expression(HALF),
+        expected=lambda p, t: energy.landing_speed(
+            p["speed"],
+            p["g"],
+            -float(kinematics.projectile_height(p["speed"], radians(p["angle"]), p["g"], t[0])),
+        ),
         tolerance=1e-6,
         because="the speed is no polynomial of time: the cubic between steps is off by O(dt⁴)",
     )
+
+
+def _flight_time(p: Values) -> float:
+    return kinematics.flight_time(p["speed"], radians(p["angle"]), p["g"], p["height"])

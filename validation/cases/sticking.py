@@ -1,10 +1,12 @@
 """Perfectly inelastic collisions: what meets becomes one body."""
 
 from collections.abc import Iterator
+from functools import partial
 
+from sandbox.model.expressions import Expression
 from sandbox.model.level import ContactEvent, CrossingEvent
-from validation.case import Case, Choices
-from validation.formulas import momentum
+from validation.case import SECOND_ORDER, Case, Choices
+from validation.formulas import energy, momentum
 
 PAIRS: Choices = (
     {},
@@ -33,39 +35,41 @@ def cases() -> Iterator[Case]:
 def _pair() -> Iterator[Case]:
     level = "momentum/sticking"
     for parameters in PAIRS:
-        yield Case(
+        case = partial(Case, level=level, parameters=parameters)
+        yield case(
             name="sticking: velocity of the truck after it",
-            level=level,
-            parameters=parameters,
             quantity="truck.velocity.x",
             at=ContactEvent(event="contact", bodies=("cart", "truck")),
             expected=lambda p, _: momentum.common_velocity(p["m1"], p["m2"], p["v"]),
             tolerance=1e-12,
             because="two bodies on a line and one impulse: linear",
         )
-        yield Case(
+        yield case(
             name="sticking: angular momentum at every step",
-            level=level,
-            parameters=parameters,
             quantity="system.angular_momentum",
             expected=lambda p, _: -p["m1"] * p["v"] * (1.3 + p["b"]),
             tolerance=1e-13,
             because=INSIDE,
         )
-        yield Case(
+        yield case(
             name="sticking off centre: spin after it",
-            level=level,
-            parameters=parameters,
             quantity="puck.angular_velocity",
             at=MET,
             expected=lambda p, _: momentum.stuck_spin(p["m1"], p["m2"], p["v"], p["b"], 0.3),
             tolerance=3e-5,
+            order=SECOND_ORDER,
             because=CHORD,
         )
-        yield Case(
+        yield case(
+            name="sticking off centre: spin of the stone in the end",
+            quantity="stone.angular_velocity",
+            at=Expression(2),
+            expected=lambda p, _: momentum.stuck_spin(p["m1"], p["m2"], p["v"], p["b"], 0.3),
+            tolerance=3e-5,
+            because=CHORD,
+        )
+        yield case(
             name="sticking off centre: energy after it",
-            level=level,
-            parameters=parameters,
             quantity="system.kinetic_energy",
             at=MET,
             expected=lambda p, _: (
@@ -80,10 +84,9 @@ def _pair() -> Iterator[Case]:
 def _ballistic() -> Iterator[Case]:
     level = "momentum/ballistic-pendulum"
     for parameters in PENDULUMS:
-        yield Case(
+        case = partial(Case, level=level, parameters=parameters)
+        yield case(
             name="ballistic pendulum: velocity a step after the impact",
-            level=level,
-            parameters=parameters,
             quantity="block.velocity.x",
             at=HIT,
             expected=lambda p, _: momentum.ballistic_velocity(
@@ -93,13 +96,32 @@ def _ballistic() -> Iterator[Case]:
             because="the impact is exact; a step's swing is off by its angle's fourth power",
             naive_misses=1e-6,
         )
-        yield Case(
+        yield case(
+            name="ballistic pendulum: energy just after the impact",
+            quantity="system.kinetic_energy",
+            at=HIT,
+            expected=lambda p, _: energy.kinetic_energy(
+                (p["m"] + p["M"], momentum.common_velocity(p["m"], p["M"], p["v"]))
+            ),
+            tolerance=2e-5,
+            because="the impact is exact; what swings up in a step is (g dt / v)² and less",
+        )
+        yield case(
+            name="ballistic pendulum: tension just after the impact",
+            quantity="rod.tension",
+            at=HIT,
+            expected=lambda p, _: momentum.ballistic_tension(
+                p["m"], p["M"], p["v"], p["L"], p["g"]
+            ),
+            tolerance=1e-4,
+            because="as the energy",
+        )
+        yield case(
             name="ballistic pendulum: greatest height",
-            level=level,
-            parameters=parameters,
             quantity="block.position.y",
             at=HIGHEST,
             expected=lambda p, _: momentum.ballistic_height(p["m"], p["M"], p["v"], p["g"]),
             tolerance=2e-5,
+            order=SECOND_ORDER,
             because="second order: (ω dt)² of leapfrog's energy",
         )

@@ -1,10 +1,11 @@
 """Throws side by side: several angles, twice the speed, and one component at a time."""
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from math import pi, radians
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import ApexEvent, LandingEvent
+from sandbox.model.level import ApexEvent, ContactEvent, LandingEvent
 from validation.case import Case, Choices, Parameters
 from validation.formulas import kinematics
 
@@ -48,11 +49,10 @@ def cases() -> Iterator[Case]:
 
 def _range(ball: str, angle: Callable[[Values], float], parameters: Parameters) -> Iterator[Case]:
     level = "kinematics/complementary-angles"
-    landing = LandingEvent(event="landing", body=ball)
-    yield Case(
+    landing = ContactEvent(event="contact", bodies=(ball, "sand"))
+    case = partial(Case, level=level, parameters=parameters)
+    yield case(
         name=f"complementary angles: where the {ball} throw lands",
-        level=level,
-        parameters=parameters,
         quantity=f"{ball}.position.x",
         at=landing,
         # both the range at the angle of the low throw, for that is what the level claims
@@ -63,10 +63,8 @@ def _range(ball: str, angle: Callable[[Values], float], parameters: Parameters) 
         because=EXACT,
         naive_misses=5e-4,
     )
-    yield Case(
+    yield case(
         name=f"complementary angles: time of flight of the {ball} throw",
-        level=level,
-        parameters=parameters,
         quantity="t",
         at=landing,
         expected=lambda p, _: kinematics.flight_time(p["speed"], angle(p), p["g"]),
@@ -77,12 +75,10 @@ def _range(ball: str, angle: Callable[[Values], float], parameters: Parameters) 
 
 
 def _apex(ball: str, times: float, parameters: Parameters) -> Iterator[Case]:
-    level = "kinematics/doubled-speed"
+    case = partial(Case, level="kinematics/doubled-speed", parameters=parameters)
     apex = ApexEvent(event="apex", body=ball)
-    yield Case(
+    yield case(
         name=f"doubled speed: height of the {ball} ball",
-        level=level,
-        parameters=parameters,
         quantity=f"{ball}.position.y",
         at=apex,
         expected=lambda p, _: times**2 * kinematics.projectile_apex(p["speed"], pi / 2, p["g"]),
@@ -90,10 +86,8 @@ def _apex(ball: str, times: float, parameters: Parameters) -> Iterator[Case]:
         because=EXACT,
         naive_misses=2e-4,
     )
-    yield Case(
+    yield case(
         name=f"doubled speed: how long the {ball} ball rises",
-        level=level,
-        parameters=parameters,
         quantity="t",
         at=apex,
         expected=lambda p, _: times * kinematics.rise_time(p["speed"], p["g"]),
@@ -105,10 +99,9 @@ def _apex(ball: str, times: float, parameters: Parameters) -> Iterator[Case]:
 def _components(parameters: Parameters) -> Iterator[Case]:
     level = "kinematics/components"
     for body in ("ball", "horizontal"):
-        yield Case(
+        case = partial(Case, level=level, parameters=parameters)
+        yield case(
             name=f"components: {body}, across",
-            level=level,
-            parameters=parameters,
             quantity=f"{body}.position.x",
             expected=lambda p, t: kinematics.projectile_distance(
                 p["speed"], radians(p["angle"]), t
@@ -117,10 +110,8 @@ def _components(parameters: Parameters) -> Iterator[Case]:
             because="a sum of equal drifts; pymunk's own is as good",
         )
     for body in ("ball", "vertical"):
-        yield Case(
+        yield case(
             name=f"components: {body}, up",
-            level=level,
-            parameters=parameters,
             quantity=f"{body}.position.y",
             expected=lambda p, t: kinematics.projectile_height(
                 p["speed"], radians(p["angle"]), p["g"], t
@@ -149,12 +140,13 @@ def _fan(parameters: Parameters) -> Iterator[Case]:
             level="kinematics/best-angle",
             parameters=parameters,
             quantity=f"a{degrees}.position.x",
-            at=LandingEvent(event="landing", body=f"a{degrees}"),
+            at=ContactEvent(event="contact", bodies=(f"a{degrees}", "sand")),
             expected=lambda p, _, degrees=degrees: (  # type: ignore[misc]
-                kinematics.projectile_range(p["speed"], radians(degrees), p["g"])
+                (45 - degrees) / 600 * p["speed"] ** 2 / p["g"]
+                + kinematics.projectile_range(p["speed"], radians(degrees), p["g"])
             ),
             tolerance=3e-13,
-            because=EXACT,
+            because="the time of the impact is that at which the parabola meets the ground",
             naive_misses=5e-4,
         )
 

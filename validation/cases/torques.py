@@ -2,6 +2,7 @@
 
 from cmath import rect
 from collections.abc import Callable, Iterator
+from functools import partial
 from math import radians
 
 from sandbox.model.expressions import Array, Expression, Values
@@ -27,7 +28,7 @@ PINS: Choices = (
 BALANCED: Choices = ({}, {"m1": 5.0, "r1": 0.4, "m2": 5.0, "r2": 0.4, "g": 25.0})
 TIPPING: Choices = (
     {"r2": 1.2},
-    {"r2": 1.8, "g": 2.0},
+    {"m1": 1.0, "r2": 1.8, "g": 2.0},
     {"m1": 5.0, "r1": 1.8, "m2": 1.0, "r2": 0.4, "g": 25.0},
 )
 BEAM, HALF = 3.0, 2.0  # kg, m
@@ -50,7 +51,7 @@ def cases() -> Iterator[Case]:
                 parameters=parameters,
                 quantity=f"{door}.angle",
                 expected=_door(push),
-                tolerance=1e-12 if door in ("hinge", "along") else 2e-4,
+                tolerance=1e-12 if door in ("hinge", "along") else 1e-4,
                 because="no torque" if door in ("hinge", "along") else PINNED,
                 order=None if door in ("hinge", "along") else SECOND_ORDER,
                 naive_misses=None if door in ("hinge", "along") else 1e-3,
@@ -63,7 +64,7 @@ def cases() -> Iterator[Case]:
                 parameters=parameters,
                 quantity=f"{body}.angle",
                 expected=_spun(moment),
-                tolerance=3e-4 if body == "pinned" else 1e-12,
+                tolerance=1e-4 if body == "pinned" else 1e-12,
                 because=PINNED if body == "pinned" else EXACT,
                 order=SECOND_ORDER if body == "pinned" else None,
                 naive_misses=5e-4,
@@ -76,7 +77,7 @@ def cases() -> Iterator[Case]:
                 parameters=parameters,
                 quantity=f"{body}.angle",
                 expected=_spun(moment),
-                tolerance=1e-12 if body == "center" else 3e-4,
+                tolerance=1e-12 if body == "center" else 1e-4,
                 because=EXACT if body == "center" else PINNED,
                 order=None if body == "center" else SECOND_ORDER,
                 naive_misses=5e-4,
@@ -134,32 +135,29 @@ def _spun(moment: Moment) -> Expected:
 
 
 def _beam() -> Iterator[Case]:
-    level = "rotation/balance-beam"
+    beam = partial(Case, level="rotation/balance-beam")
     for parameters in BALANCED:
-        yield Case(
-            name="balance beam: level where m1 r1 = m2 r2",
-            level=level,
+        yield beam(
             parameters=parameters,
+            name="balance beam: level where m1 r1 = m2 r2",
             quantity="beam.angle",
             expected=lambda _p, _t: 0.0,
             tolerance=1e-12,
-            because="equal and opposite torques, to rounding",
+            because="equal and opposite torques, to rounding; pymunk's pin gives way to one",
+            naive_misses=1e-8,
         )
     for parameters in TIPPING:
-        yield Case(
+        case = partial(beam, parameters=parameters)
+        yield case(
             name="balance beam: net torque over moment",
-            level=level,
-            parameters=parameters,
             quantity="beam.angular_acceleration",
             at=Expression(0.0),
             expected=lambda p, _: _net(p) / _inertia(p),
             tolerance=1e-7,
             because="the first kick, from rest: Newton's method ends at 1e-9",
         )
-        yield Case(
+        yield case(
             name="balance beam: time until it hangs",
-            level=level,
-            parameters=parameters,
             quantity="t",
             at=HANGS,
             expected=lambda p, _: lagrange.tipping_time(_inertia(p), abs(_net(p))),
@@ -168,10 +166,8 @@ def _beam() -> Iterator[Case]:
             order=SECOND_ORDER,
             naive_misses=2e-4,
         )
-        yield Case(
+        yield case(
             name="balance beam: how fast it turns when it hangs",
-            level=level,
-            parameters=parameters,
             quantity="beam.angular_velocity",
             at=HANGS,
             expected=_turning,

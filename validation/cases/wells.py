@@ -4,12 +4,12 @@ from collections.abc import Iterator
 from functools import partial
 
 from sandbox.model.level import CrossingEvent
-from validation.case import SECOND_ORDER, Case, Choices, Parameters
+from validation.case import FOURTH_ORDER, SECOND_ORDER, Case, Choices, Parameters
 from validation.formulas import energy, kinematics, lagrange
 
-SLOPES: Choices = ({}, {"v": 8.0, "g": 4.0}, {"v": 3.0, "g": 25.0, "m": 0.2})
+SLOPES: Choices = ({}, {"v": 8.0, "g": 4.0, "m": 2.0}, {"v": 3.0, "g": 25.0, "m": 0.2})
 BOWLS: Choices = ({}, {"m": 0.5, "k": 20.0}, {"m": 2.0, "k": 5.0, "v": 1.0})
-FUNNELS: Choices = ({}, {"share": 0.5, "mu": 10.0}, {"share": 0.88, "mu": 5.0, "m": 2.0})
+FUNNELS: Choices = ({}, {"share": 0.5, "mu": 10.0, "m": 0.5}, {"share": 0.88, "mu": 5.0, "m": 2.0})
 
 
 def cases() -> Iterator[Case]:
@@ -74,14 +74,14 @@ def _bowl(parameters: Parameters) -> Iterator[Case]:
 
 
 def _funnel(parameters: Parameters) -> Iterator[Case]:
-    case = partial(Case, level="energy/well-one-over-r", parameters=parameters, tolerance=1e-4)
+    case = partial(Case, level="energy/well-one-over-r", parameters=parameters, tolerance=1e-6)
     yield case(
         name="well of 1/r: turning point",
         quantity="probe.position.x",
         at=_turn("probe"),
         expected=lambda p, _: energy.turning_distance(1.5, p["share"]),
-        order=SECOND_ORDER,
-        because="second order: what leapfrog loses at the start, 1.7e-5 at the most",
+        order=FOURTH_ORDER,
+        because="fourth order: what is lost at the start, 2e-8 at the most",
         naive_misses=2e-4,
     )
     yield case(
@@ -89,15 +89,15 @@ def _funnel(parameters: Parameters) -> Iterator[Case]:
         quantity="t",
         at=_turn("probe"),
         expected=lambda p, _: energy.turning_time(1.5, p["share"], p["mu"]),
-        order=SECOND_ORDER,
-        because="second order, 2.7e-5 at the most",
+        order=FOURTH_ORDER,
+        because="fourth order, 3e-8 at the most",
         naive_misses=2e-4,
     )
     yield case(
         name="well of 1/r: energy at every step",
         quantity="probe.energy",
         expected=lambda p, _: -p["m"] * p["mu"] / energy.turning_distance(1.5, p["share"]),
-        order=SECOND_ORDER,
-        because="second order, 1.7e-5 at the most",
+        order=FOURTH_ORDER,
+        because="fourth order, 2e-8 at the most",
         naive_misses=2e-4,
     )

@@ -1,24 +1,22 @@
 """`python -m validation cost`."""
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 
 import typer
-from rich.console import Console
-from rich.progress import track
 
 from sandbox.model import catalog
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import check_writable
+from validation import output
 from validation.cost.report import as_json, asked, asked_table, summed, table
 from validation.cost.run import sweeps
-from validation.cost.summary import headline
+from validation.cost.summary import failed
 from validation.cost.sweep import QUICK, Budget, Sweep
 from validation.environment import environment
 
 
 def measure(
-    names: Sequence[str], json_file: Path | None, output: Path | None, *, quick: bool
+    names: Sequence[str], json_file: Path | None, folder: Path | None, *, quick: bool
 ) -> list[str]:
     """Sweep levels, print the table, write what was asked for, and return the levels that failed.
 
@@ -32,24 +30,21 @@ def measure(
     for name in names:
         catalog.find(name)
     found = sweep_all(list(names) or catalog.textbook(), quick=quick)
-    console = Console(width=None if Console().is_terminal else 160)
-    console.print(table(found))
+    output.show(table(found))
     if any(sweep.requests for sweep in found):
-        console.print(asked_table(found))
+        output.show(asked_table(found))
         typer.echo(summed(found))
     if json_file:
-        write_atomically(json_file, json.dumps(content(found), indent=2, ensure_ascii=False) + "\n")
-        typer.echo(f"Written to {json_file}.")
-    if output:
+        output.write(content(found), json_file)
+    if folder:
         from validation.cost.figure import draw  # matplotlib takes its time
 
         for sweep in found:
-            draw(sweep, output)
-        typer.echo(f"Drawn in {output}.")
-    failed = [sweep.level for sweep in found if sweep.points and headline(sweep) is None]
-    for name in failed:
-        typer.echo(f"failed: {name}", err=True)
-    return failed
+            draw(sweep, folder)
+        typer.echo(f"Drawn in {folder}.")
+    wrong = failed(found)
+    output.complain(wrong)
+    return wrong
 
 
 def content(found: Sequence[Sweep]) -> dict[str, object]:
@@ -63,13 +58,5 @@ def content(found: Sequence[Sweep]) -> dict[str, object]:
 
 def sweep_all(names: Sequence[str], *, quick: bool) -> list[Sweep]:
     """Sweep levels, with progress on a terminal."""
-    console = Console(stderr=True)
-    progress = track(
-        sweeps(names, QUICK if quick else Budget()),
-        "Measuring what accuracy costs",
-        total=len(names),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    return list(progress)
+    found = sweeps(names, QUICK if quick else Budget())
+    return output.progress(found, "Measuring what accuracy costs", len(names))

@@ -13,7 +13,7 @@ from validation.cost.sweep import Point, Sweep
 
 LOOKS = {
     "leapfrog": ("#0072b2", "o", "-", "leapfrog (ours)"),
-    "yoshida": ("#009e73", "d", "-.", "fourth order (Yoshida)"),
+    "fourth-order": ("#009e73", "d", "-.", "fourth order"),
     "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (pymunk as it comes)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }

@@ -1,14 +1,14 @@
 """A sweep as JSON, and as a table."""
 
-import math
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
 
 from rich.table import Table
 
 from sandbox.model.level import Scheme
-from validation.cost.summary import ROUNDING, TARGETS, cost_to_reach, headline, order, pareto
+from validation.cost.summary import ROUNDING, TARGETS, cost_to_reach, headline, order, own, pareto
 from validation.cost.sweep import NAIVE, OURS, Point, Sweep
+from validation.output import finite
 
 HEADINGS = (
     "order",
@@ -31,27 +31,21 @@ def as_json(sweep: Sweep) -> dict[str, object]:
     return {
         "level": sweep.level,
         "judged_by": sweep.judged_by,
+        "failure": sweep.failure,
         "quantities": sweep.quantities,
         "own_rate": sweep.own_rate,
-        "points": [_finite(asdict(point)) for point in sweep.points],
+        "points": [finite(asdict(point)) for point in sweep.points],
         "order": order(sweep.points, OURS),
         "orders": {scheme: order(sweep.points, scheme) for scheme in _schemes(sweep.points)},
         "pareto": pareto(sweep.points),
         "to_reach": {f"{target:g}": cost_to_reach(ours, target) for target in TARGETS},
         "naive_to_reach": {f"{target:g}": cost_to_reach(naive, target) for target in TARGETS},
-        "headline": None if found is None else _finite(asdict(found)),
+        "headline": None if found is None else finite(asdict(found)),
     }
 
 
 def _schemes(points: Iterable[Point]) -> list[Scheme]:
     return list(dict.fromkeys(point.scheme for point in points))
-
-
-def _finite(figures: dict[str, object]) -> dict[str, object]:
-    return {
-        name: None if isinstance(value, float) and not math.isfinite(value) else value
-        for name, value in figures.items()
-    }
 
 
 def table(sweeps: Sequence[Sweep]) -> Table:
@@ -66,43 +60,38 @@ def table(sweeps: Sequence[Sweep]) -> Table:
 
 
 def _cells(sweep: Sweep) -> list[str]:
-    best = headline(sweep)
-    if best is None:
-        return [sweep.judged_by if not sweep.points else "does not run"]
-    power = order(sweep.points, OURS)
+    here, best = own(sweep), headline(sweep)
+    if here is None:
+        return [sweep.failure or ("does not run" if sweep.points else sweep.judged_by)]
+    beside = best and (f"{best.naive_error:.1e}", times(best.closer), times(best.cheaper))
     ours = [p for p in sweep.points if p.scheme != NAIVE]
     reached = (cost_to_reach(ours, target) for target in (1e-3, 1e-6, 1e-9))
     return [
-        order_in_words(best.error, power),
-        f"{best.error:.1e}",
-        milliseconds(best.seconds_per_second),
-        f"{best.naive_error:.1e}",
-        times(best.closer),
-        times(best.cheaper),
+        order_in_words(here.error, order(sweep.points, OURS)),
+        f"{here.error:.1e}",
+        milliseconds(here.seconds_per_second),
+        *(beside or ("never", "", "")),
         *("–" if price is None else milliseconds(price) for price in reached),
     ]
 
 
 def order_in_words(error: float, power: float | None) -> str:
-    """Return an order; `exact` if the error is rounding, a dash if too few runs show one."""
-    if power is None:
-        return "exact" if error <= ROUNDING else "–"
-    return f"{power:.2f}"
+    """Return an order; `exact` if the error is rounding, a dash if too few runs show one.
+
+    Rounding that adds up with the number of steps grows as they shrink: no order either.
+    """
+    if error <= ROUNDING and (power is None or power < 0):
+        return "exact"
+    return "–" if power is None else f"{power:.2f}"
 
 
 def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
     """Return all accuracies that were asked for as JSON takes them."""
     return [
         {
-            "level": request.level,
-            "target": request.target,
-            "setting": request.stepping and request.stepping.model_dump(),
-            "estimated": _number(request.estimated),
-            "delivered": _number(request.delivered),
-            "price": _number(request.price),
-            "cheapest_price": _number(request.cheapest),
+            **finite(asdict(request)),
+            "stepping": request.stepping and request.stepping.model_dump(),
             "honoured": request.honoured,
-            "said": request.said,
         }
         for sweep in sweeps
         for request in sweep.requests
@@ -137,10 +126,6 @@ def summed(sweeps: Sequence[Sweep]) -> str:
     beyond = sum(request.beyond for request in requests)
     told = f"{met} of {len(requests)} accuracies that were asked for were delivered"
     return f"{told}; of {beyond} it was said that they cannot be had, and the sweep has none either"
-
-
-def _number(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def milliseconds(seconds: float) -> str:

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from math import inf, nan
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy import calibrate
-from sandbox.physics.timing import STEPS, step_seconds
-from sandbox.physics.trace import count_steps, needed, simulate
+from sandbox.physics.timing import brief_costs
+from sandbox.physics.trace import needed, simulate
 from sandbox.physics.world import build
 from validation.cost.yardstick import Yardstick
 
@@ -79,8 +80,7 @@ def ask(
         yield Request(name, target, chosen.stepping, chosen.error, delivered)
 
 
-def price(level: Level, stepping: Stepping) -> float:
-    """Return what a second of simulated time costs [s]."""
-    steps = min(count_steps(build(level, stepping=stepping)), STEPS)
-    [seconds] = step_seconds([lambda: build(level, stepping=stepping).step], max(steps, 1))
-    return seconds * stepping.rate
+def prices(level: Level, *steppings: Stepping) -> list[float]:
+    """Return what a second of simulated time costs [s] with some settings, timed in turn."""
+    steps = brief_costs(*(partial(build, level, stepping=stepping) for stepping in steppings))
+    return [step * stepping.rate for step, stepping in zip(steps, steppings, strict=True)]

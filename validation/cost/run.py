@@ -2,11 +2,10 @@
 
 import os
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from functools import partial
-from multiprocessing import get_context
 
 from validation.cost.sweep import Budget, Sweep, errors, timed
+from validation.processes import spread
 
 
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:
@@ -14,7 +13,6 @@ def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:
 
     The errors come first, all of them, for timing a run beside others would time those as well.
     """
-    context = get_context("spawn")
-    with ProcessPoolExecutor(min(os.cpu_count() or 1, len(names)), context) as pool:
-        found = list(pool.map(partial(errors, budget=budget), names))
-    yield from map(timed, found)
+    found = dict(spread(partial(errors, budget=budget), names, os.cpu_count() or 1))
+    for number in range(len(names)):
+        yield timed(found[number])

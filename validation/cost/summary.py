@@ -78,12 +78,24 @@ def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
     return min(prices, default=None)
 
 
+def own(sweep: Sweep) -> Point | None:
+    """Return ours at the level's own rate, with the cheapest solver; None if none comes through."""
+    here = [p for p in sweep.points if p.scheme == OURS and p.rate == sweep.own_rate]
+    return min(
+        (p for p in here if isfinite(p.error)), key=lambda p: p.seconds_per_second, default=None
+    )
+
+
+def failed(sweeps: Iterable[Sweep]) -> list[str]:
+    """Return the levels that do not come through at their own rate."""
+    return [s.level for s in sweeps if s.failure or (s.points and own(s) is None)]
+
+
 def headline(sweep: Sweep) -> Headline | None:
     """Return how the sandbox compares with pymunk used naively; None if either does not run."""
-    here = [p for p in sweep.points if p.scheme == OURS and p.rate == sweep.own_rate]
+    ours = own(sweep)
     naive = [p for p in sweep.points if p.scheme == NAIVE and isfinite(p.error)]
-    ours = min(here, key=lambda p: (not isfinite(p.error), p.seconds_per_second), default=None)
-    if ours is None or not isfinite(ours.error) or not naive:
+    if ours is None or not naive:
         return None
     price, error = ours.seconds_per_second, max(ours.error, LEAST)
     affordable = [p.error for p in naive if p.seconds_per_second <= SAME * price]

@@ -2,21 +2,20 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from math import inf, nan
 from time import perf_counter
-from typing import get_args
 
 from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
-from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.calibration import BUDGET
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.timing import STEPS, step_seconds
-from sandbox.physics.trace import count_steps, needed, simulate
+from sandbox.physics.schemes import usable
+from sandbox.physics.trace import Trace, count_steps
 from sandbox.physics.world import build
-from validation.cost.requests import Request, ask, price
-from validation.cost.yardstick import Yardstick, yardstick
+from validation.cost.requests import Request, ask, prices
+from validation.cost.yardstick import Yardstick, run, yardstick
 
 RATES = tuple(15.0 * 2**i for i in range(10))
 """Hz, 15 to 7,680."""
@@ -82,10 +81,27 @@ class Point:
     callbacks: int
     failure: str | None = None
 
+    @property
+    def stepping(self) -> Stepping:
+        """The setting."""
+        return Stepping(rate=self.rate, iterations=self.iterations, scheme=self.scheme)
+
 
 @dataclass(frozen=True, slots=True)
 class Sweep:
-    """A level's points, without their prices as long as these are NaN."""
+    """A level's points, without their prices as long as these are NaN.
+
+    Attributes
+    ----------
+    level, own_rate
+        What was run, and the rate that it has by itself [Hz].
+    judged_by, quantities
+        What the errors are against, and those of what.
+    points, requests
+        The settings that were tried, and the accuracies that were asked for.
+    failure
+        Why the level does not run at its own rate; empty if it does.
+    """
 
     level: str
     judged_by: str
@@ -93,6 +109,7 @@ class Sweep:
     own_rate: float
     points: tuple[Point, ...]
     requests: tuple[Request, ...] = ()
+    failure: str = ""
 
 
 def errors(name: str, budget: Budget) -> Sweep:
@@ -101,7 +118,7 @@ def errors(name: str, budget: Budget) -> Sweep:
     try:
         stick = yardstick(level, level.defaults, budget.run)
     except SimulationError as error:
-        return Sweep(name, f"nothing: {error}", (), level.stepping.rate, ())
+        return Sweep(name, "nothing", (), level.stepping.rate, (), failure=str(error))
     if stick is None:
         return Sweep(name, "nothing: the level has no check", (), level.stepping.rate, ())
     points = tuple(_points(level, stick, budget))
@@ -110,39 +127,45 @@ def errors(name: str, budget: Budget) -> Sweep:
 
 
 def _points(level: Level, stick: Yardstick, budget: Budget) -> Iterator[Point]:
-    rates = sorted({*budget.rates, level.stepping.rate})
+    own = stick.own.stepping
     for scheme, iterations in _solvers(level):
-        seconds, last = 0.0, rates[0]
-        for rate in rates:
-            if seconds * rate / last > budget.run and rate != level.stepping.rate:
+        seconds, last = 0.0, inf
+        for rate in sorted({*budget.rates, own.rate}):
+            stepping = Stepping(rate=rate, iterations=iterations, scheme=scheme)
+            if stepping == own:
+                yield _seen(stick, stick.own)
+                continue
+            always = rate == own.rate and scheme == NAIVE
+            if seconds * rate / last > budget.run and not always:
                 continue
             start = perf_counter()
-            yield _point(level, stick, Stepping(rate=rate, iterations=iterations, scheme=scheme))
+            yield _point(level, stick, stepping)
             seconds, last = perf_counter() - start, rate
 
 
 def _solvers(level: Level) -> Iterator[tuple[Scheme, int]]:
-    """Yield the schemes, and the sweeps of the solver, that make a difference to a level."""
-    laws = build(level).scene.laws
-    for scheme in get_args(Scheme):
-        if scheme == "yoshida" and unsmooth(level):
-            continue
-        if scheme == "explicit-euler" and not laws:
-            continue  # without a law of force it is what pymunk does
-        for iterations in ITERATIONS if level.effects.contact else (level.stepping.iterations,):
-            yield scheme, iterations
+    """Return the schemes, and the sweeps of the solver, that make a difference to a level."""
+    own = level.stepping.iterations
+    sweeps = sorted({*ITERATIONS, own}) if level.effects.contact else [own]
+    return product(usable(level), sweeps)
 
 
 def _point(level: Level, stick: Yardstick, stepping: Stepping) -> Point:
-    nothing = float("nan")
-    setting = stepping.scheme, stepping.rate, stepping.iterations
     try:
-        trace = simulate(level, record=needed(level), stepping=stepping)
-        hooks = build(level, stepping=stepping).hooks
+        trace = run(level, level.defaults, stepping)
     except SimulationError as error:
-        return Point(*setting, nothing, nothing, 0, 0, str(error))
-    steps = len(trace.t) - 1
-    return Point(*setting, stick.error(trace), nothing, steps, hooks * steps)
+        return Point(
+            stepping.scheme, stepping.rate, stepping.iterations, nan, nan, 0, 0, str(error)
+        )
+    return _seen(stick, trace)
+
+
+def _seen(stick: Yardstick, trace: Trace) -> Point:
+    """Return what a run shows, without its price."""
+    s, world = trace.stepping, build(trace.level, stepping=trace.stepping)
+    steps = count_steps(world)
+    calls = world.hooks * steps
+    return Point(s.scheme, s.rate, s.iterations, stick.error(trace), nan, steps, calls)
 
 
 def timed(sweep: Sweep) -> Sweep:
@@ -155,15 +178,18 @@ def timed(sweep: Sweep) -> Sweep:
 
 def _priced(request: Request, points: Sequence[Point], level: Level) -> Request:
     """Return a request with its price, and that of the cheapest point that comes as close."""
-    good = (p.seconds_per_second for p in points if p.error <= request.target)
-    paid = price(level, request.stepping) if request.stepping else nan
-    return replace(request, price=paid, cheapest=min(good, default=inf))
+    good = (p for p in points if p.error <= request.target)
+    best = min(good, key=lambda point: point.seconds_per_second, default=None)
+    if request.stepping is None:
+        return replace(request, cheapest=best.seconds_per_second if best else inf)
+    if best is None:
+        return replace(request, price=prices(level, request.stepping)[0])
+    paid, cheapest = prices(level, request.stepping, best.stepping)
+    return replace(request, price=paid, cheapest=cheapest)
 
 
 def _timed(point: Point, level: Level) -> Point:
     if point.failure:
         return point
-    stepping = Stepping(rate=point.rate, iterations=point.iterations, scheme=point.scheme)
-    steps = max(min(count_steps(build(level, stepping=stepping)), STEPS), 1)
-    (seconds,) = step_seconds([lambda: build(level, stepping=stepping).step], steps)
-    return replace(point, seconds_per_second=seconds * point.rate)
+    [price] = prices(level, point.stepping)
+    return replace(point, seconds_per_second=price)

@@ -4,16 +4,19 @@ A check's formula may be an approximation itself, such as that of small swings. 
 small, comes closer to it than that; such a check is held against a much finer run instead.
 """
 
+from contextlib import suppress
 from dataclasses import dataclass
+from math import inf
 from time import perf_counter
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, Level, Stepping
-from sandbox.physics.checks import grade, relative_error, samples
+from sandbox.physics.accuracy.runs import SEEN, by_check, record
+from sandbox.physics.checks import grade, least_scale, relative_error, samples
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Trace, simulate
+from sandbox.physics.trace import Trace
 
 ROUNDING = 1e-9
 """An error below this, at a small step, is no approximation's."""
@@ -28,12 +31,14 @@ class Yardstick:
 
     Attributes
     ----------
-    reference
-        A run with a small step.
+    own, reference
+        A run at the level's own rate, and one with a small step; the same where that leaves nothing
+        but rounding.
     by_formula, by_reference
         The checks of the level that are held against their formulas, and against that run.
     """
 
+    own: Trace
     reference: Trace
     by_formula: tuple[int, ...]
     by_reference: tuple[int, ...]
@@ -83,8 +88,10 @@ def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     SimulationError
         If the level does not run at its own rate.
     """
-    coarse = simulate(level, values, stepping=_at(level, level.stepping.rate))
-    fine = _finer(level, values, coarse, budget)
+    start = perf_counter()
+    coarse = fine = run(level, values, _at(level, level.stepping.rate))
+    if any((result.error or 0.0) > ROUNDING for result in grade(coarse)):
+        fine = _finer(level, values, coarse, budget / (perf_counter() - start))
     by_formula: list[int] = []
     by_reference: list[int] = []
     for i, (before, after) in enumerate(zip(grade(coarse), grade(fine), strict=True)):
@@ -94,26 +101,37 @@ def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
         (by_formula if exact else by_reference).append(i)
     if not (by_formula or by_reference):
         return None
-    return Yardstick(fine, tuple(by_formula), tuple(by_reference))
+    return Yardstick(coarse, fine, tuple(by_formula), tuple(by_reference))
 
 
 def _at(level: Level, rate: float) -> Stepping:
     return Stepping(rate=rate, iterations=level.stepping.iterations)
 
 
-def _finer(level: Level, values: Values, coarse: Trace, budget: float) -> Trace:
-    """Return the finest run that the budget allows: 16 times finer, or else 8, 4 or 2 times."""
-    start = perf_counter()
-    finer = simulate(level, values, stepping=_at(level, 2 * coarse.stepping.rate))
-    seconds = perf_counter() - start
+def _finer(level: Level, values: Values, coarse: Trace, most: float) -> Trace:
+    """Return a run with a sixteenth of the step, or else an eighth, a quarter, at the least half.
+
+    It may take so many times as long as the coarse one. Every step is looked at, for others are
+    held against what lies between two looks.
+    """
+    rate = coarse.stepping.rate
     for times in (16, 8, 4):
-        if seconds * times / 2 > budget:
+        if times > most:
             continue
-        try:
-            return simulate(level, values, stepping=_at(level, times * coarse.stepping.rate))
-        except SimulationError:
-            continue
-    return finer
+        with suppress(SimulationError):
+            return run(level, values, _at(level, times * rate), inf)
+    return run(level, values, _at(level, 2 * rate), inf)
+
+
+def run(level: Level, values: Values, stepping: Stepping, seen: float = SEEN) -> Trace:
+    """Run a level and record what its checks need, looked at so often [Hz] or up to twice that.
+
+    A look costs more than a step. But if a check asks for an instant, every step is looked at: what
+    lies between two looks is off by how far they are apart.
+    """
+    wanted = [by_check(check, values) for check in level.checks]
+    instants = any(check.at is not None for check in level.checks)
+    return record(level, values, stepping, wanted, seen=inf if instants else seen)
 
 
 def _difference(check: Check, trace: Trace, reference: Trace) -> float | None:
@@ -123,4 +141,4 @@ def _difference(check: Check, trace: Trace, reference: Trace) -> float | None:
         return None
     t, measured = found
     expected: Array = wanted[1] if check.at else np.interp(t, *wanted)
-    return relative_error(measured, expected)[0]
+    return relative_error(measured, expected, least_scale(check, trace.values))[0]

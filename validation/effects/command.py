@@ -1,22 +1,20 @@
 """`effects`: the measurements, shown and written."""
 
-import json
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 
-import typer
-from rich.console import Console
-
-from sandbox.model.files import check_writable, write_atomically
-from validation.effects import costs
+from sandbox.model.files import check_writable
+from validation import output
+from validation.effects import costs, growth
 from validation.effects.costs import EffectCost, LevelCost
-from validation.effects.tables import effect_table, level_table
+from validation.effects.growth import Growth
+from validation.effects.tables import effect_table, growth_table, level_table
 from validation.environment import environment
 
 
 def measure(json_file: Path | None, *, quick: bool) -> None:
-    """Measure levels and effects, show two tables, and write the figures if asked to.
+    """Measure levels, effects and crowds, show three tables, and write the figures if asked to.
 
     Raises
     ------
@@ -25,26 +23,26 @@ def measure(json_file: Path | None, *, quick: bool) -> None:
     """
     if json_file:
         check_writable(json_file)
-    levels, effects = measured(quick=quick)
-    terminal = Console()
-    for table in (level_table(levels), effect_table(effects)):
-        Console(width=None if terminal.is_terminal else 160).print(table)
+    levels, effects, growths = measured(quick=quick)
+    output.show(level_table(levels), effect_table(effects), growth_table(growths))
     if json_file:
-        figures = content(levels, effects)
-        write_atomically(json_file, json.dumps(figures, indent=2, ensure_ascii=False) + "\n")
-        typer.echo(f"Written to {json_file}.")
+        output.write(content(levels, effects, growths), json_file)
 
 
-def measured(*, quick: bool) -> tuple[list[LevelCost], list[EffectCost]]:
-    """Measure every level of the catalog, and every effect."""
+def measured(*, quick: bool) -> tuple[list[LevelCost], list[EffectCost], list[Growth]]:
+    """Measure every level of the catalog, every effect, and the crowds."""
     levels = list(costs.level_costs(repeats=2 if quick else 5))
-    return levels, costs.effect_costs(costs.QUICK if quick else costs.COUNTS)
+    effects = costs.effect_costs(costs.QUICK if quick else costs.COUNTS)
+    return levels, effects, list(growth.growths(growth.QUICK if quick else growth.COUNTS))
 
 
-def content(levels: Sequence[LevelCost], effects: Sequence[EffectCost]) -> dict[str, object]:
+def content(
+    levels: Sequence[LevelCost], effects: Sequence[EffectCost], growths: Sequence[Growth]
+) -> dict[str, object]:
     """Return the figures as the JSON file holds them."""
     return {
         "environment": environment(),
         "levels": [asdict(cost) for cost in levels],
         "costs": [asdict(cost) for cost in effects],
+        "growth": [asdict(growth) for growth in growths],
     }

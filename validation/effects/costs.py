@@ -1,18 +1,19 @@
 """What effects cost: every level beside the bare engine, and every effect over many bodies."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from sandbox.model import catalog
-from sandbox.model.crowds import crowd, text
+from sandbox.model.crowds import crowd
 from sandbox.model.level import Level
 from sandbox.model.loading import load, parse
+from sandbox.model.writing import text
 from sandbox.physics.timing import STEPS, Step, step_seconds
 from sandbox.physics.trace import count_steps
-from sandbox.physics.world import build
+from sandbox.physics.world import World, build
 
 COUNTS = (1, 10, 100, 1000, 10_000)
 """Over how many bodies an effect's cost is measured."""
@@ -28,8 +29,12 @@ DECLARED: Mapping[str, object] = {
     "attraction": [{"mu": 1, "center": [-50, -50]}],
     "drag": {"linear": 0.1},
     "force": [{"body": "disc1", "force": [1, 0]}],
+    "thrust": [{"body": "disc1", "exhaust": [0, -1], "rate": 1e-3, "propellant": 0.5}],
+    "accretion": [{"body": "disc1", "rate": 1e-3}],
+    "belt": [{"body": "walls", "velocity": [0.1, 0]}],
+    "gravitation": {"constant": 1e-6, "softening": 1},
 }
-"""Every effect that is measured, as it is declared."""
+"""Every effect that is measured, as it is declared; what names a body acts on one."""
 
 LAWS = ("attraction", "drag", "force")
 """Those that are force laws, which share one hook."""
@@ -42,11 +47,23 @@ EFFECTS: Mapping[str, tuple[str, ...]] = {
     "rotation": ("contact", "rotation"),
     **{law: (law,) for law in LAWS},
     " + ".join(LAWS): LAWS,
+    "thrust": ("thrust",),
+    "accretion": ("accretion",),
+    "belt": ("contact", "friction", "belt"),
+    "gravitation": ("gravitation",),
 }
 """What is declared to measure an effect, or several that act together."""
 
-BASE = {"rotation": "contact", "friction": "contact", "restitution": "contact"}
+BASE = {
+    "rotation": "contact",
+    "friction": "contact",
+    "restitution": "contact",
+    "belt": "friction",
+}
 """Beside which an effect's cost is counted, if not beside a scene that declares nothing."""
+
+ALL_PAIRS: Mapping[str, tuple[int, int]] = {"gravitation": (2, 1000)}
+"""The fewest and the most bodies of what acts between every two: 10,000 take a second a step."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,13 +74,16 @@ class LevelCost:
     ----------
     level, effects, joints
         What runs, and what it declares.
+    ways
+        What of that makes pymunk's own effects call Python, a few words each.
     hooks
         How many Python callbacks a step makes.
     step_seconds
         What `World.step` costs [s].
     bare_step_seconds
         What `Space.step` costs in the same scene, built the same way, from which the hook is taken
-        out [s]: what pymunk computes by itself. Pairs with a coefficient of their own keep it.
+        out [s]: what pymunk computes by itself, its own springs and joints included. Pairs with a
+        coefficient of their own keep it.
     ratio
         The one over the other.
     """
@@ -71,6 +91,7 @@ class LevelCost:
     level: str
     effects: tuple[str, ...]
     joints: tuple[str, ...]
+    ways: tuple[str, ...]
     hooks: int
     step_seconds: float
     bare_step_seconds: float
@@ -110,7 +131,21 @@ def level_costs(names: Sequence[str] | None = None, repeats: int = 5) -> Iterato
         steps = max(min(count_steps(world), STEPS), 1)
         ours, bare = step_seconds([_stepping(level), _bare(level)], steps, repeats)
         joints = tuple(dict.fromkeys(joint.type for joint in level.joints.values()))
-        yield LevelCost(name, level.effects.declared, joints, world.hooks, ours, bare, ours / bare)
+        declared, ways = level.effects.declared, _ways(level)
+        yield LevelCost(name, declared, joints, ways, world.hooks, ours, bare, ours / bare)
+
+
+def _ways(level: Level) -> tuple[str, ...]:
+    """Return what makes pymunk's own effects call Python."""
+    contact, friction = level.effects.contact, level.effects.friction
+    taken = {
+        "located impacts": contact and contact.located,
+        "impacts in sequence": level.effects.in_sequence,
+        "located ends of slipping": friction and friction.located,
+        "static friction": any(body.static_friction for body in level.bodies.values()),
+        "friction of pairs": friction and friction.pairs,
+    }
+    return tuple(way for way, is_taken in taken.items() if is_taken)
 
 
 def _stepping(level: Level) -> Callable[[], Step]:
@@ -122,31 +157,43 @@ def _bare(level: Level) -> Callable[[], Step]:
 
     def start() -> Step:
         world = build(level)
-        space = world.scene.space
-        space.remove(*space.constraints)
-        dt = world.dt
+        unhook(world)
+        space, dt = world.scene.space, world.dt
         return lambda: space.step(dt)
 
     return start
 
 
+def unhook(world: World) -> None:
+    """Take the hook out of a world's space: the one joint without strength; pymunk's own stay."""
+    space = world.scene.space
+    space.remove(*(joint for joint in space.constraints if joint.max_force == 0))
+
+
 def effect_costs(counts: Sequence[int] = COUNTS, repeats: int = 5) -> list[EffectCost]:
     """Measure what effects add to a step: of a gas, over the number of its bodies."""
-    found: dict[str, list[float]] = {}
+    found: dict[str, dict[int, float]] = {}
     for count in counts:
-        whole = _gas(count)
-        scenes = {"nothing": (), **EFFECTS}
+        scenes = {"nothing": (), **_measurable(count)}
+        whole = _gas(count, {name for names in scenes.values() for name in names})
         steps = [build(_declaring(whole, names)).step for names in scenes.values()]
         starts = [lambda step=step: step for step in steps]  # they go on where they were
         seconds = step_seconds(starts, STEPS if count < 1000 else 20, repeats)
         for name, value in zip(scenes, seconds, strict=True):
-            found.setdefault(name, []).append(value)
-    return [_effect_cost(name, counts, found) for name in EFFECTS]
+            found.setdefault(name, {})[count] = value
+    return [_effect_cost(name, found) for name in EFFECTS if name in found]
 
 
-def _gas(count: int) -> Level:
-    """Return a gas that declares every effect."""
-    document = {**crowd("gas", count), "effects": DECLARED, "checks": []}
+def _measurable(count: int) -> dict[str, tuple[str, ...]]:
+    """Return what may act on so many bodies."""
+    ranges = {name: ALL_PAIRS.get(name, (1, count)) for name in EFFECTS}
+    return {n: EFFECTS[n] for n, (least, most) in ranges.items() if least <= count <= most}
+
+
+def _gas(count: int, effects: Collection[str]) -> Level:
+    """Return a gas that declares effects."""
+    declared = {name: said for name, said in DECLARED.items() if name in effects}
+    document = {**crowd("gas", count), "effects": declared, "checks": []}
     bodies: Mapping[str, Any] = document["bodies"]
     rubbing = {name: {**body, "friction": 0.5} for name, body in bodies.items()}
     return parse(text({**document, "bodies": rubbing}))
@@ -158,14 +205,11 @@ def _declaring(level: Level, names: Sequence[str]) -> Level:
     return level.model_copy(update={"effects": level.effects.model_copy(update=others)})
 
 
-def _effect_cost(
-    name: str, counts: Sequence[int], seconds: Mapping[str, Sequence[float]]
-) -> EffectCost:
+def _effect_cost(name: str, seconds: Mapping[str, Mapping[int, float]]) -> EffectCost:
+    counts, whole = zip(*seconds[name].items(), strict=True)
     base = seconds[BASE.get(name, "nothing")]
-    added = tuple(whole - part for whole, part in zip(seconds[name], base, strict=True))
-    return EffectCost(
-        name, tuple(counts), tuple(seconds[name]), added, exponent(counts, seconds[name])
-    )
+    added = tuple(seconds[name][count] - base[count] for count in counts)
+    return EffectCost(name, counts, whole, added, exponent(counts, whole))
 
 
 def exponent(counts: Sequence[int], seconds: Sequence[float]) -> float | None:

@@ -17,7 +17,7 @@ def diagram(costs: Sequence[EffectCost]) -> Figure:
         figure = Figure(figsize=(6.4, 4.4), layout="constrained")
         figure.suptitle("A step with an effect, over the number of bodies", fontsize=10)
         axes = figure.subplots()
-        looks = zip(costs, plots.COLOURS, plots.MARKERS, cycle(plots.DASHES), strict=False)
+        looks = zip(costs, *map(cycle, (plots.COLOURS, plots.MARKERS, plots.DASHES)), strict=False)
         for cost, color, marker, dashes in looks:
             axes.plot(
                 cost.bodies, [seconds * MICRO for seconds in cost.step_seconds],

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from rich.table import Table
 
 from validation.effects.costs import EffectCost, LevelCost
+from validation.effects.growth import Growth
 
 
 def level_table(costs: Sequence[LevelCost]) -> Table:
@@ -17,7 +18,7 @@ def level_table(costs: Sequence[LevelCost]) -> Table:
     for cost in costs:
         table.add_row(
             cost.level,
-            ", ".join((*cost.effects, *cost.joints)),
+            ", ".join((*cost.effects, *cost.joints, *cost.ways)),
             str(cost.hooks),
             _micro(cost.step_seconds),
             _micro(cost.bare_step_seconds),
@@ -30,13 +31,42 @@ def effect_table(costs: Sequence[EffectCost]) -> Table:
     """Return a row an effect: what it adds to a step, over numbers of bodies."""
     table = Table(title="What an effect adds to a step, over the number of bodies")
     table.add_column("effect", no_wrap=True)
-    for count in costs[0].bodies:
+    counts = sorted({count for cost in costs for count in cost.bodies})
+    for count in counts:
         table.add_column(f"{count:,}", justify="right", no_wrap=True)
     table.add_column("step ~ n^p", justify="right", no_wrap=True)
     for cost in costs:
+        added = dict(zip(cost.bodies, cost.seconds_per_step, strict=True))
+        cells = [_micro(added[count]) if count in added else "-" for count in counts]
         exponent = "-" if cost.exponent is None else f"{cost.exponent:.2f}"
-        table.add_row(cost.effect, *map(_micro, cost.seconds_per_step), exponent)
+        table.add_row(cost.effect, *cells, exponent)
     return table
+
+
+def growth_table(growths: Sequence[Growth]) -> Table:
+    """Return a row a crowd and a number of bodies: what a body costs, here and in pymunk."""
+    table = Table(title="What a body costs a step, over the number of bodies")
+    table.add_column("scene", no_wrap=True)
+    table.add_column("bodies", justify="right", no_wrap=True)
+    for whose in ("", "bare: "):
+        for heading in (f"{whose}contacts", "a body", "growth"):
+            table.add_column(heading, justify="right", no_wrap=True)
+    for growth in growths:
+        for row in rows(growth):
+            table.add_row(growth.scene, *row)
+    return table
+
+
+def rows(growth: Growth) -> list[tuple[str, ...]]:
+    """Return for each number of bodies: it; contacts, time and growth a body, ours and bare."""
+    ours = _cells(growth.contacts_per_body, growth.seconds_per_body)
+    bare = _cells(growth.bare_contacts_per_body, growth.bare_seconds_per_body)
+    return [(f"{n:,}", *a, *b) for n, a, b in zip(growth.bodies, ours, bare, strict=True)]
+
+
+def _cells(contacts: Sequence[float], seconds: Sequence[float]) -> list[tuple[str, str, str]]:
+    pairs = zip(contacts, seconds, strict=True)
+    return [(f"{c:.2f}", f"{s * 1e9:.0f} ns", f"{s / seconds[0]:.2f}") for c, s in pairs]
 
 
 def _micro(seconds: float) -> str:

@@ -1,6 +1,7 @@
 """Work, energy and potential wells: the chapter, section 5."""
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -209,15 +210,30 @@ def repelled_time(r: float, speed: float, k: float) -> float:
     return float(np.sqrt(a**3 / k)) * (u + float(np.sinh(u)))
 
 
+def trough_force(mass: float, drop: float, radius: float, g: float) -> float:
+    """Return the force of a wire at its lowest point on a bead that came from a height [N].
+
+    It carries the weight and bends the way, v² = 2 g h: m g (1 + 2 h / r); `radius` is that of the
+    wire's curvature there [m].
+    """
+    return mass * (g + landing_speed(0.0, g, drop) ** 2 / radius)
+
+
 def time_of_descent(x: Curve, y: Curve, g: float) -> float:
     """Return the time from rest at p = 0 down a smooth curve to p = 1 [s].
 
     T = ∫ ds / √(2 g (y(0) − y)), by Gauss and Legendre over q with p = q²: the integrand is smooth
     there, for the ball starts like q. Slopes are central differences.
     """
-    node, weight = np.polynomial.legendre.leggauss(400)
-    q, weight = (node + 1) / 2, weight / 2
+    q, weight = _gauss(400)
     p, h = q**2, 1e-6
     slope = np.hypot(x(p + h) - x(p - h), y(p + h) - y(p - h)) / (2 * h)
     drop = y(np.zeros(1)) - y(p)
     return float(np.sum(weight * slope * 2 * q / np.sqrt(2 * g * drop)))
+
+
+@cache
+def _gauss(count: int) -> tuple[Array, Array]:
+    """Return the points of Gauss and Legendre between 0 and 1, and their weights."""
+    node, weight = np.polynomial.legendre.leggauss(count)
+    return (node + 1) / 2, weight / 2

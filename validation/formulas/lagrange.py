@@ -260,6 +260,15 @@ def cycloid_height(t: ArrayLike, radius: float, g: float, start: float) -> Array
     return np.asarray(length**2 / (8 * radius))
 
 
+def cycloid_time(radius: float, g: float) -> float:
+    """Return how long a bead slides down a cycloid to its lowest point [s]: π √(R/g).
+
+    A quarter of the period of `cycloid_height`, from wherever it starts. From the cusp no wire is
+    quicker: Johann Bernoulli, Acta Eruditorum (1697).
+    """
+    return float(np.pi * np.sqrt(radius / g))
+
+
 def hoop_frequency(radius: float, rate: float, g: float, amplitude: float) -> float:
     """Return the angular frequency of a bead about its rest on a rotating hoop [rad/s].
 

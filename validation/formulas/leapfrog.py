@@ -6,25 +6,6 @@ keeps the angular momentum. From the two follows where an orbit turns.
 """
 
 
-def stopping_error(speed: float, mu: float, g: float, dt: float) -> float:
-    """Return by how much a stop by friction can be misplaced, of its way: (μ g dt / 2v)².
-
-    A time τ before the stop the body stands on a step, where it should be; friction takes all the
-    speed that it finds half a step later. If τ < dt/2, the way μ g τ² / 2 is missing, else it has
-    gone μ g (τ − dt/2) dt and is μ g (dt − τ)² / 2 short: μ g dt² / 8 at the most, of v² / (2 μ g).
-    """
-    return (mu * g * dt / (2 * speed)) ** 2
-
-
-def slip_error(mu: float, g: float, dt: float) -> float:
-    """Return by how much a body is misplaced whose slipping ends inside a step, at most [m].
-
-    As for a stop, with the speed at the point of contact in place of the speed; of what friction
-    takes from it, the share k / (1 + k) is the body's own, and it takes (1 + k) / k as much.
-    """
-    return mu * g * dt**2 / 8
-
-
 def far_end_error(near: float, e: float, mu: float, dt: float) -> float:
     """Return by how much the far end of an orbit from its near end is too far, of its distance.
 

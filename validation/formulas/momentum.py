@@ -168,6 +168,14 @@ def ballistic_height(clay: float, block: float, speed: float, g: float) -> float
     return common_velocity(clay, block, speed) ** 2 / (2 * g)
 
 
+def ballistic_tension(clay: float, block: float, speed: float, length: float, g: float) -> float:
+    """Return the tension of a ballistic pendulum's rod just after the impact [N].
+
+    It carries the weight and turns the common velocity v' round: (m + M) (g + v'² / l).
+    """
+    return (clay + block) * (g + common_velocity(clay, block, speed) ** 2 / length)
+
+
 def ballistic_velocity(
     clay: float, block: float, speed: float, length: float, g: float, t: float
 ) -> float:

@@ -148,6 +148,31 @@ def movable_pulley_acceleration(weight: float, wheel: float, g: float) -> float:
     return (2 * weight - wheel) * g / (4 * weight + wheel)
 
 
+def movable_pulley_tension(weight: float, wheel: float, g: float) -> float:
+    """Return the tension of a movable pulley's string [N].
+
+    The weight goes down twice as fast as the wheel goes up: m (g − 2 a).
+    """
+    return weight * (g - 2 * movable_pulley_acceleration(weight, wheel, g))
+
+
+def double_atwood_accelerations(
+    m1: float, wheel: float, m2: float, m3: float, g: float
+) -> tuple[float, float, float]:
+    """Return how m1, and m2 and m3 on the light string over the wheel, accelerate upwards [m/s²].
+
+    Lagrange's equations (the chapter, section 9) for the height x that the wheel has risen by and
+    y that m2 has risen by beside it, T = m1 ẋ²/2 + M ẋ²/2 + m2 (ẋ + ẏ)²/2 + m3 (ẋ − ẏ)²/2:
+
+        (m1 + M + m2 + m3) ẍ + (m2 − m3) ÿ = (m1 − M − m2 − m3) g
+        (m2 − m3) ẍ + (m2 + m3) ÿ = (m3 − m2) g
+    """
+    inertia = [[m1 + wheel + m2 + m3, m2 - m3], [m2 - m3, m2 + m3]]
+    weight = [(m1 - wheel - m2 - m3) * g, (m3 - m2) * g]
+    x, y = np.linalg.solve(inertia, weight)
+    return -float(x), float(x + y), float(x - y)
+
+
 def break_loose_time(limit: float, growth: float) -> float:
     """Return when a pull that grows from nothing, F = k t, overcomes static friction [s]: μs N / k.
 
@@ -177,6 +202,16 @@ def sticking_acceleration(angle: float, g: float, static: float, kinetic: float)
     return 0.0 if np.tan(angle) <= static else incline_acceleration(angle, g, kinetic)
 
 
+def sticking_friction(mass: float, angle: float, g: float, static: float, kinetic: float) -> float:
+    """Return the friction on a block on an incline that was at rest [N].
+
+    What is needed up to tan θ = μs, m g sin θ, and μk m g cos θ beyond it.
+    """
+    if np.tan(angle) <= static:
+        return mass * g * float(np.sin(angle))
+    return kinetic * incline_normal_force(mass, angle, g)
+
+
 def rocket_velocity(exhaust: float, mass: ArrayLike, start: float) -> Array:
     """Return what a rocket has gained since its mass was `start` [m/s]: u ln(m0/m).
 
@@ -202,6 +237,11 @@ def lift_off(exhaust: float, rate: float, start: float, g: float) -> float:
     μ u = (m0 − μ t) g, or at once.
     """
     return max(start / rate - exhaust / g, 0.0)
+
+
+def pad_force(exhaust: float, rate: float, start: float, g: float) -> float:
+    """Return what a rocket's pad holds up as it begins to burn [N]: m0 g − μ u, or nothing."""
+    return max(start * g - rate * exhaust, 0.0)
 
 
 def launch_velocity(exhaust: float, rate: float, start: float, g: float, t: ArrayLike) -> Array:

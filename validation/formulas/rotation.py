@@ -5,7 +5,7 @@ a sphere, 2/3 for a hollow sphere, and 0 for what slides without friction.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from validation.formulas.arrays import Array
 
@@ -126,6 +126,14 @@ def torque(arm: complex, force: complex) -> float:
     The chapter, section 8: the cross product r × F = |r| |F| sin φ.
     """
     return (arm.conjugate() * force).imag
+
+
+def rim_acceleration(radius: float, rate: ArrayLike, growth: float) -> NDArray[np.complex128]:
+    """Return how a point that circles an axis accelerates [m/s²], as outwards + i onwards.
+
+    −ω² r towards the axis and α r along the way; `growth` is α [rad/s²].
+    """
+    return np.asarray(radius * (-np.square(rate) + 1j * growth))
 
 
 def spun_angle(torque: float, moment: float, t: ArrayLike) -> Array:

@@ -1,6 +1,5 @@
 """`python -m validation report`."""
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -10,6 +9,7 @@ from rich.console import Console
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import check_writable, write_atomically
 from validation import plots
+from validation.output import save
 from validation.report import page, parts
 
 PAGE = "report.html"
@@ -42,8 +42,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
     found = page.report(contents, quick=quick)
     for command, content in contents.items():
         if isinstance(content, Mapping):
-            text = json.dumps(content, indent=2, ensure_ascii=False)
-            write_atomically(output / f"{command}.json", text + "\n")
+            save(content, output / f"{command}.json")
     if figures:
         _draw(found, output / FIGURES)
     write_atomically(output / PAGE, page.html(found))

@@ -4,15 +4,18 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from statistics import median
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
 from sandbox.model.catalog import find
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
 from validation.case import Outcome
+from validation.cost.requests import DEAR, Request
 from validation.cost.summary import ROUNDING, Headline, headline, order
 from validation.cost.sweep import NAIVE, OURS, Sweep
 from validation.effects.costs import LevelCost
+from validation.stability import report as stability
+from validation.stability.run import Outcome as Hard
 
 TITLES = {"newton": "Newton's laws", "lagrange": "Lagrangian mechanics"}
 """Of chapters that are not called as their folders are."""
@@ -115,9 +118,15 @@ def chapter(level: str) -> str:
     return TITLES.get(folder, folder.capitalize())
 
 
-def by_chapter(
-    things: Iterable[T], whose: Callable[[T], Outcome | Sweep]
-) -> list[tuple[str, list[T]]]:
+class OfLevel(Protocol):
+    """What is about a level."""
+
+    @property
+    def level(self) -> str:
+        """Its name."""
+
+
+def by_chapter(things: Iterable[T], whose: Callable[[T], OfLevel]) -> list[tuple[str, list[T]]]:
     """Return things chapter by chapter, each by the level of what it is about."""
     groups: dict[str, list[T]] = {}
     for thing in things:
@@ -240,4 +249,121 @@ def hooks(levels: Sequence[LevelCost]) -> Hooks:
         median([cost.ratio for cost in bare]) if bare else nothing,
         len(having),
         median([c.step_seconds - c.bare_step_seconds for c in having]) if having else nothing,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Requests:
+    """Accuracies that were asked for, and how they were answered.
+
+    Attributes
+    ----------
+    asked
+        All of them.
+    dear
+        How many times the cheapest setting one may cost.
+    """
+
+    asked: tuple[Request, ...]
+    dear: float = DEAR
+
+    @property
+    def met(self) -> int:
+        """How many are delivered at no more than that."""
+        return sum(request.honoured for request in self.asked)
+
+    @property
+    def beyond(self) -> int:
+        """Of how many it is said that they cannot be had, and the sweep has none either."""
+        return sum(request.beyond for request in self.asked)
+
+    @property
+    def unmet(self) -> tuple[Request, ...]:
+        """The others."""
+        return tuple(r for r in self.asked if not (r.honoured or r.beyond))
+
+    @property
+    def too_dear(self) -> int:
+        """How many are delivered at more than that."""
+        return sum(r.delivered <= r.target and not r.honoured for r in self.asked)
+
+    @property
+    def price(self) -> float:
+        """What one costs over the cheapest setting of the sweep: the median."""
+        ratios = [r.price / r.cheapest for r in self.asked if r.honoured and isfinite(r.cheapest)]
+        return median(ratios) if ratios else float("nan")
+
+    @property
+    def targets(self) -> "list[tuple[float, Requests]]":
+        """The same for each accuracy."""
+        targets = dict.fromkeys(request.target for request in self.asked)
+        return [(t, Requests(tuple(r for r in self.asked if r.target == t))) for t in targets]
+
+    @property
+    def chapters(self) -> "list[tuple[str, Requests]]":
+        """The same chapter by chapter."""
+        groups = by_chapter(self.asked, lambda request: request)
+        return [(title, Requests(tuple(group))) for title, group in groups]
+
+    @property
+    def levels(self) -> list[tuple[str, list[Request]]]:
+        """The requests of each level."""
+        groups: dict[str, list[Request]] = {}
+        for request in self.asked:
+            groups.setdefault(request.level, []).append(request)
+        return list(groups.items())
+
+
+GROUPS = {
+    "A": "exact, to rounding",
+    "B": "converging",
+    "C": "standing, holding together, or keeping their energy",
+    "D": "beyond pymunk's own solver",
+}
+"""What is claimed of the hard cases."""
+
+
+@dataclass(frozen=True, slots=True)
+class HardCases:
+    """Scenes that break engines, and how hard they can be made.
+
+    Attributes
+    ----------
+    cases, frontiers
+        Those that must hold, and those that are made harder until they break.
+    failed
+        What does not hold, and should.
+    out_of_reach
+        What is known not to hold, and why.
+    """
+
+    cases: tuple[Hard, ...]
+    frontiers: tuple[Hard, ...]
+    failed: tuple[str, ...]
+    out_of_reach: tuple[str, ...]
+
+    @property
+    def held(self) -> int:
+        """How many cases hold."""
+        return sum(case.passed for case in self.cases)
+
+    @property
+    def further(self) -> int:
+        """How many frontiers lie no nearer than pymunk's at the same cost."""
+        return sum((f.frontier or 0) >= (f.naive_frontier or 0) for f in self.frontiers)
+
+    @property
+    def groups(self) -> list[tuple[str, list[Hard]]]:
+        """The cases, by what is claimed of them."""
+        found = {name: [c for c in self.cases if c.group == name] for name in GROUPS}
+        return [(GROUPS[name], group) for name, group in found.items() if group]
+
+
+def hard_cases(outcomes: Sequence[Hard]) -> HardCases:
+    """Return what the hard cases say."""
+    return HardCases(
+        cases=tuple(o for o in outcomes if o.frontier is None),
+        frontiers=tuple(o for o in outcomes if o.frontier is not None),
+        failed=tuple(stability.failures(outcomes)),
+        out_of_reach=tuple(stability.out_of_reach(outcomes)),
     )

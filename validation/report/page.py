@@ -17,8 +17,11 @@ from validation.cost.summary import TARGETS, cost_to_reach
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
 from validation.effects.costs import EffectCost, LevelCost
+from validation.effects.growth import Growth
+from validation.effects.tables import rows
 from validation.report import digest, parts
 from validation.report.svg import inline
+from validation.stability import report as stability_report
 
 SHOWN = 4
 """How many diagrams are in sight at once; the others fold away."""
@@ -44,8 +47,11 @@ class Report:
     quick: bool
     cases: digest.Cases | None = None
     costs: digest.Costs | None = None
+    requests: digest.Requests | None = None
+    hard: digest.HardCases | None = None
     levels: list[LevelCost] | None = None
     effects: list[EffectCost] = field(default_factory=list)
+    growths: list[Growth] = field(default_factory=list)
     failures: dict[str, str] = field(default_factory=dict)
     environments: dict[str, Mapping[str, str]] = field(default_factory=dict)
     figures: dict[str, Figure] = field(default_factory=dict)
@@ -53,7 +59,8 @@ class Report:
     @property
     def passed(self) -> bool:
         """Whether every part was measured, and every case holds."""
-        return not self.failures and self.cases is not None and not self.cases.failed
+        failed = [part.failed for part in (self.cases, self.hard) if part is not None]
+        return not self.failures and not any(failed)
 
 
 def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool) -> Report:
@@ -76,12 +83,18 @@ def _add_cases(found: Report, content: parts.Content) -> None:
 
 def _add_costs(found: Report, content: parts.Content) -> None:
     found.costs = digest.costs(parts.sweeps(content))
+    found.requests = digest.Requests(tuple(parts.requests(content)))
     for sweep, _, _ in found.costs.rows:
         found.figures[figure_name(sweep.level)] = cost_figure.diagram(sweep)
 
 
+def _add_hard_cases(found: Report, content: parts.Content) -> None:
+    found.hard = digest.hard_cases(parts.hard_cases(content))
+
+
 def _add_effects(found: Report, content: parts.Content) -> None:
     found.levels, found.effects = parts.level_costs(content), parts.effect_costs(content)
+    found.growths = parts.growths(content)
     if found.effects:
         found.figures["effects"] = effects_figure.diagram(found.effects)
 
@@ -89,6 +102,7 @@ def _add_effects(found: Report, content: parts.Content) -> None:
 _ADDED: Mapping[str, Callable[[Report, parts.Content], None]] = {
     "run": _add_cases,
     "cost": _add_costs,
+    "stability": _add_hard_cases,
     "effects": _add_effects,
 }
 
@@ -110,9 +124,14 @@ def html(found: Report) -> str:
     environment.filters.update(
         sci=scientific,
         number=number,
+        target=target,
         micro=micro,
         percent=percent,
+        rows=rows,
+        foldable=foldable,
         price=price,
+        figure=stability_report.number,
+        further=stability_report.further,
         ratio=cost_report.times,
         times=times,
         share=digest.share,
@@ -134,10 +153,17 @@ def html(found: Report) -> str:
     )
 
 
+def foldable(level: str) -> Markup:
+    """Return the name of a level that may go on in the next line after its chapter."""
+    return Markup("/<wbr>").join(level.split("/"))
+
+
 def scientific(value: float | None) -> str:
     """Return an error in two digits; in words if there is none."""
     if value is None or value != value:
         return "–"
+    if not value:
+        return "0"
     return f"{value:.1e}" if isfinite(value) else "∞"
 
 
@@ -151,9 +177,18 @@ def percent(part: float) -> str:
     return f"{100 * part:.3g} %" if isfinite(part) else "∞"
 
 
+def target(error: float) -> str:
+    """Return an accuracy that is asked for: 1e-3."""
+    return f"{error:.0e}".replace("e-0", "e-")
+
+
 def micro(seconds: float) -> str:
-    """Return a time in µs."""
-    return f"{seconds * 1e6:.3g} µs".replace("-", "−") if isfinite(seconds) else "–"
+    """Return a time in µs, with as many decimals as tell something."""
+    if not isfinite(seconds):
+        return "–"
+    time = seconds * 1e6
+    decimals = 2 if abs(time) < 10 else 1 if abs(time) < 100 else 0
+    return f"{time:,.{decimals}f} µs".replace("-", "−")
 
 
 def times(ratio: float) -> str:
@@ -166,7 +201,9 @@ def times(ratio: float) -> str:
 
 def price(seconds: float | None) -> str:
     """Return the price of a second of the scene in ms."""
-    return "–" if seconds is None else cost_report.two_digits(seconds * 1e3)
+    return (
+        "–" if seconds is None or not isfinite(seconds) else cost_report.two_digits(seconds * 1e3)
+    )
 
 
 def _reach(sweep: Sweep, target: float) -> float | None:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from math import inf, nan
 from pathlib import Path
 from typing import Any, TypeVar
@@ -15,9 +15,14 @@ from validation import suite
 from validation.case import Case, Outcome
 from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
+from validation.cost.requests import Request
 from validation.cost.sweep import Sweep
 from validation.effects import command as effects
 from validation.effects.costs import EffectCost, LevelCost
+from validation.effects.growth import Growth
+from validation.stability import command as stability
+from validation.stability.run import Outcome as Hard
+from validation.stability.run import run
 
 SAMPLE = (
     "kinematics/projectile",
@@ -29,6 +34,22 @@ SAMPLE = (
     "lagrange/double-pendulum",
 )
 """The levels of which a quick report shows what accuracy costs."""
+
+HARD = (
+    "a cradle of five, 1 in, gap 0 m",
+    "a pendulum of 90° for 60 s",
+    "a stack of 15 boxes, 20 s",
+    "40 links, the ball 672 times a link",
+    "a bullet of 10 widths a step",
+    "a cradle that touches",
+)
+"""The hard cases and the frontier of a quick report."""
+
+OPTIONAL = {
+    "order", "stepping",
+    "beyond", "axis", "unit", "frontier", "naive_frontier", "previous", "rate", "naive_rate",
+}  # fmt: skip
+"""Figures that may be missing; others that JSON lacks are infinite or NaN."""
 
 T = TypeVar("T")
 
@@ -69,7 +90,17 @@ def _effects(quick: bool) -> Content:
     return effects.content(*effects.measured(quick=quick))
 
 
-PARTS = (Part("run", _cases), Part("cost", _cost), Part("effects", _effects))
+def _stability(quick: bool) -> Content:
+    found = [run(name, quick=True) for name in HARD] if quick else stability.measured(quick=False)
+    return stability.content(found)
+
+
+PARTS = (
+    Part("run", _cases),
+    Part("cost", _cost),
+    Part("stability", _stability),
+    Part("effects", _effects),
+)
 
 
 def collect(part: Part, source: Path | None, *, quick: bool) -> Content:
@@ -113,6 +144,22 @@ def sweeps(content: Content) -> list[Sweep]:
     return _validated(TypeAdapter(list[Sweep]), rows)
 
 
+def requests(content: Content) -> list[Request]:
+    """Return what `validation cost` asked for; raise as `outcomes` does."""
+    known = {field.name for field in fields(Request)}
+    rows = [
+        _filled({name: value for name, value in row.items() if name in known}, cheapest=inf)
+        for row in _rows(content, "requests")
+    ]
+    return _validated(TypeAdapter(list[Request]), rows)
+
+
+def hard_cases(content: Content) -> list[Hard]:
+    """Return the outcomes of `validation stability`; raise as `outcomes` does."""
+    rows = [_filled(row, figure=inf) for row in _rows(content, "cases")]
+    return _validated(TypeAdapter(list[Hard]), rows)
+
+
 def level_costs(content: Content) -> list[LevelCost]:
     """Return the levels of `validation effects`; raise as `outcomes` does."""
     return _validated(TypeAdapter(list[LevelCost]), _rows(content, "levels"))
@@ -121,6 +168,11 @@ def level_costs(content: Content) -> list[LevelCost]:
 def effect_costs(content: Content) -> list[EffectCost]:
     """Return the effects of `validation effects`; raise as `outcomes` does."""
     return _validated(TypeAdapter(list[EffectCost]), _rows(content, "costs"))
+
+
+def growths(content: Content) -> list[Growth]:
+    """Return the crowds of `validation effects`; raise as `outcomes` does."""
+    return _validated(TypeAdapter(list[Growth]), _rows(content, "growth"))
 
 
 def _rows(content: Content, key: str) -> list[dict[str, Any]]:
@@ -138,9 +190,8 @@ def _validated(adapter: TypeAdapter[T], rows: object) -> T:
 
 def _filled(row: Mapping[str, Any], **lost: float) -> dict[str, Any]:
     """Return a row with the figures that JSON does not know: infinite ones, and NaN."""
-    optional = {"order"}
     return {
-        name: lost.get(name, nan) if value is None and name not in optional else value
+        name: lost.get(name, nan) if value is None and name not in OPTIONAL else value
         for name, value in row.items()
     }
 

@@ -1,17 +1,18 @@
 """`python -m validation stability`."""
 
-import json
+from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 import typer
-from rich.console import Console
-from rich.progress import track
 
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import check_writable
+from validation import output
 from validation.environment import environment
+from validation.output import finite
 from validation.stability import history
 from validation.stability.families import all_cases, all_frontiers
-from validation.stability.report import as_json, failures, out_of_reach, standing, tables
+from validation.stability.report import failures, out_of_reach, standing, tables
 from validation.stability.run import Outcome, outcomes
 
 
@@ -25,24 +26,11 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
     """
     if json_file:
         check_writable(json_file)
-    names = [c.name for c in all_cases()] + [f.name for f in all_frontiers()]
-    console = Console(stderr=True)
-    progress = track(
-        outcomes(quick=quick),
-        "Hard cases",
-        total=len(names),
-        console=console,
-        transient=True,
-        disable=not console.is_terminal,
-    )
-    found = sorted(progress, key=lambda outcome: names.index(outcome.name))
-    for table in tables(found):
-        Console(width=None if Console().is_terminal else 160).print(table)
+    found = measured(quick=quick)
+    output.show(*tables(found))
     _tell(found)
     if json_file:
-        content = {"environment": environment(), "cases": [as_json(outcome) for outcome in found]}
-        write_atomically(json_file, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
-        typer.echo(f"Written to {json_file}.")
+        output.write(content(found), json_file)
     if update:
         frontiers = {
             o.name: (o.frontier, o.naive_frontier or 0.0) for o in found if o.frontier is not None
@@ -50,9 +38,20 @@ def measure(json_file: Path | None, *, quick: bool, update: bool) -> list[str]:
         history.update(frontiers)
         typer.echo(f"Frontiers written to {history.FILE}.")
     failed = failures(found)
-    for name in failed:
-        typer.echo(f"failed: {name}", err=True)
+    output.complain(failed)
     return failed
+
+
+def measured(*, quick: bool) -> list[Outcome]:
+    """Run all hard cases, and search for all frontiers."""
+    names = [c.name for c in all_cases()] + [f.name for f in all_frontiers()]
+    found = output.progress(outcomes(quick=quick), "Hard cases", len(names))
+    return sorted(found, key=lambda outcome: names.index(outcome.name))
+
+
+def content(found: Sequence[Outcome]) -> dict[str, object]:
+    """Return outcomes as the JSON file holds them."""
+    return {"environment": environment(), "cases": [finite(asdict(o)) for o in found]}
 
 
 def _tell(found: list[Outcome]) -> None:

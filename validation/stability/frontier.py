@@ -12,16 +12,13 @@ from time import process_time
 
 import numpy as np
 
-from sandbox.model.level import Level
+from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World, build
 from validation.stability.case import Frontier, figure_of, make, watch
 from validation.stability.figures import Run
 from validation.stability.naive import naive
-
-MOST = 100_000.0
-"""Hz, the highest rate of a level."""
 
 GALLOPS = 7
 """In how many leaps the search goes from the least difficulty to the greatest."""
@@ -128,7 +125,7 @@ def _entrant(
     if not alone:
         return lambda: build(level), rate, price * rate
     at_same_rate = step_cost(lambda: naive(level, rate))
-    steps = min(rate * price / at_same_rate, MOST)
+    steps = min(rate * price / at_same_rate, HIGHEST_RATE)
     return lambda: naive(level, steps), steps, at_same_rate * steps
 
 

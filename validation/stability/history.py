@@ -7,9 +7,13 @@ from pathlib import Path
 from typing import TypedDict
 
 from sandbox import __version__
-from sandbox.model.files import write_atomically
+from validation.output import save
 
 FILE = Path(__file__).parent / "frontiers.json"
+
+
+NOISE = 2.0
+"""The factor within which pymunk's frontiers vary, which rest on timings."""
 
 
 class Entry(TypedDict):
@@ -47,17 +51,25 @@ def moved_inward(figure: float, before: Entry | None, tolerance: float) -> bool:
 def update(found: Mapping[str, tuple[float, float]], file: Path = FILE) -> None:
     """Write down where frontiers lie now, those of the sandbox and of pymunk alone.
 
-    A frontier that has not moved gets no new entry.
+    A frontier that has not moved gets no new entry, unless pymunk's has by more than its timings.
     """
     history = read(file)
     today = datetime.now(UTC).date().isoformat()
     for name, (figure, naive) in found.items():
         before = last(history, name)
-        if before and abs(figure - before["figure"]) <= 1e-3 * figure:
+        if (
+            before
+            and _is_near(figure, before["figure"], 1.001)
+            and _is_near(naive, before["naive"], NOISE)
+        ):
             continue
         entry = Entry(date=today, version=__version__, figure=_short(figure), naive=_short(naive))
         history.setdefault(name, []).append(entry)
-    write_atomically(file, json.dumps(history, indent=2, ensure_ascii=False) + "\n")
+    save(history, file)
+
+
+def _is_near(figure: float, before: float, factor: float) -> bool:
+    return before / factor <= figure <= before * factor
 
 
 def _short(figure: float) -> float:

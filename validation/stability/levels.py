@@ -3,8 +3,8 @@
 from sandbox.model.catalog import root
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import parse
+from sandbox.model.writing import text
 from validation.stability.families import all_levels
-from validation.stability.scene import text
 
 FOLDER = root() / "hard"
 

@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import asdict
 
 from rich.table import Table
 
@@ -110,11 +109,3 @@ def out_of_reach(outcomes: Iterable[Outcome]) -> list[str]:
                 f"{o.beyond}"
             )
     return said
-
-
-def as_json(o: Outcome) -> dict[str, object]:
-    """Return an outcome as JSON takes it, without infinities and NaN."""
-    return {
-        name: None if isinstance(value, float) and not math.isfinite(value) else value
-        for name, value in asdict(o).items()
-    }

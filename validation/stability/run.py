@@ -2,10 +2,9 @@
 
 import os
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf, log2, nan
-from multiprocessing import get_context
 from time import perf_counter
 
 import numpy as np
@@ -14,6 +13,7 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level
 from sandbox.model.loading import choose, load
 from sandbox.physics.world import build
+from validation.processes import spread
 from validation.stability.case import Frontier, HardCase, figure_of, make, watch
 from validation.stability.families import all_cases, all_frontiers
 from validation.stability.figures import Run
@@ -22,6 +22,10 @@ from validation.stability.history import last, moved_inward, read
 
 HALVINGS = 2
 """How often the step is halved, down to the level's own, to see by which power the error falls."""
+
+
+LONG = 500_000
+"""How many steps of a case take longer than most frontiers."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,15 +83,20 @@ class Outcome:
 
 
 def outcomes(*, quick: bool) -> Iterator[Outcome]:
-    """Yield the outcomes of all cases and frontiers as they come in."""
-    cases = [case.name for case in all_cases()]
+    """Yield the outcomes of all cases and frontiers as they come in; the long ones begin first."""
+    steps = {case.name: _steps(case, quick=quick) for case in all_cases()}
     frontiers = [frontier.name for frontier in all_frontiers()]
-    workers = os.cpu_count() or 1
-    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        work = [pool.submit(run_frontier, name, quick=quick) for name in frontiers]
-        work += [pool.submit(run_case, name, quick=quick) for name in cases]
-        for done in as_completed(work):
-            yield done.result()
+    long = [name for name in steps if steps[name] >= LONG]
+    short = [name for name in steps if steps[name] < LONG]
+    names = [*long, *frontiers, *short]
+    for _, outcome in spread(partial(run, quick=quick), names, os.cpu_count() or 1):
+        yield outcome
+
+
+def run(name: str, *, quick: bool) -> Outcome:
+    """Run a case, or search for a frontier."""
+    is_case = any(case.name == name for case in all_cases())
+    return (run_case if is_case else run_frontier)(name, quick=quick)
 
 
 def run_case(name: str, *, quick: bool) -> Outcome:
@@ -95,7 +104,7 @@ def run_case(name: str, *, quick: bool) -> Outcome:
     case = next(case for case in all_cases() if case.name == name)
     begin = perf_counter()
     level = scene(case)
-    duration = (case.quick if quick else None) or case.duration or level.duration(level.defaults)
+    duration = _duration(case, level, quick=quick)
     order = None
     if case.special:
         figure, run, failure = case.special(level, duration), None, ""
@@ -109,6 +118,17 @@ def run_case(name: str, *, quick: bool) -> Outcome:
         cost=run.seconds if run else nan, order=order, seconds=perf_counter() - begin,
         failure=failure,
     )  # fmt: skip
+
+
+def _duration(case: HardCase, level: Level, *, quick: bool) -> float:
+    """Return how long a case runs [s]."""
+    return (case.quick if quick else None) or case.duration or level.duration(level.defaults)
+
+
+def _steps(case: HardCase, *, quick: bool) -> float:
+    """Return how many steps a case takes."""
+    level = scene(case)
+    return _duration(case, level, quick=quick) * (case.rate or level.stepping.rate)
 
 
 def scene(case: HardCase) -> Level:

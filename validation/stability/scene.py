@@ -1,7 +1,6 @@
 """Parts of which the hard cases' levels are made, as they stand in a file."""
 
-import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 Document = dict[str, Any]
@@ -88,18 +87,3 @@ def level(title: str, summary: str, reference: str, **parts: object) -> Document
     """Return a level of the format's first version."""
     head = {"format": 1, "title": title, "summary": summary, "reference": reference}
     return {"$schema": "../level.schema.json", **head, **parts}
-
-
-def text(document: Mapping[str, Any]) -> str:
-    """Return a level as JSON, with a line for each body, joint and check."""
-    parts = []
-    for key, value in document.items():
-        said = json.dumps(value, ensure_ascii=False)
-        if key in ("bodies", "joints"):
-            lines = [f"    {json.dumps(name)}: {json.dumps(part)}" for name, part in value.items()]
-            said = "{\n" + ",\n".join(lines) + "\n  }"
-        elif key == "checks":
-            lines = [f"    {json.dumps(part, ensure_ascii=False)}" for part in value]
-            said = "[\n" + ",\n".join(lines) + "\n  ]"
-        parts.append(f"  {json.dumps(key)}: {said}")
-    return "{\n" + ",\n".join(parts) + "\n}\n"

@@ -6,7 +6,8 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
-from sandbox.app import accounts, cards, diagram
+from sandbox.app import cards, diagram
+from sandbox.app.cards import accuracy
 from sandbox.app.load import Load
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
 from sandbox.app.session import Session
@@ -34,7 +35,7 @@ class AccuracyPage:
             container=sheet.container,
         )
         y += 18
-        ends = accounts.ends(pen, width, "fast", "exact")
+        ends = accuracy.ends(pen, width, "fast", "exact")
         y = below(sheet.image(ends, y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
@@ -94,7 +95,7 @@ class AccuracyPage:
 
     def _drawn_dial(self) -> pygame.Surface:
         here = self._studying.here
-        return accounts.asked(
+        return accuracy.asked(
             self._sheet.pen,
             self._sheet.width,
             self._studying.target,
@@ -116,11 +117,11 @@ class AccuracyPage:
 
     def _drawn_status(self) -> pygame.Surface:
         width = self._sheet.width - BUTTON[0] - 8
-        return accounts.status(
+        return accuracy.status(
             self._sheet.pen, (width, BUTTON[1]), self._studying.progress, self._studying.failure
         )
 
     def _drawn_rest(self) -> pygame.Surface:
         pen, width, session = self._sheet.pen, self._sheet.width, self._session
         splits = self._studying.splits(session)
-        return accounts.rest(pen, width, self._load.shares, session.level.checks, splits)
+        return accuracy.rest(pen, width, self._load.shares, session.level.checks, splits)

@@ -18,6 +18,7 @@ MARGIN = 12  # px
 SPEED = 58  # px, for the number between the two buttons
 
 ROOMY = 900  # px, the window's width from which on there is room for what is shown
+TIGHT = 560  # px, the width below which the clock takes the place of the speed
 
 LEFT: tuple[tuple[Command, str, int], ...] = (
     ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
@@ -37,10 +38,11 @@ class Controls:
         x = MARGIN
         for command, text, width in LEFT:
             x = self._button(command, text, x, width)
-        x += GAP
-        x = self._button("slower", "−", x, 32)
-        self._speed = pygame.Rect(x, 0, SPEED, 0)
-        x = self._button("faster", "+", x + SPEED, 32)
+        self._speed = pygame.Rect(0, 0, 0, 0)
+        if rect.width >= TIGHT:
+            x = self._button("slower", "−", x + GAP, 32)
+            self._speed = pygame.Rect(x, 0, SPEED, 0)
+            x = self._button("faster", "+", x + SPEED, 32)
         shown = RIGHT if rect.width >= ROOMY else RIGHT[-1:]
         right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
         self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
@@ -88,9 +90,10 @@ class Controls:
         surface.fill(theme.EDGE, (*self._rect.topleft, self._rect.width, 1))
         if session is None:
             return
-        speed = self._pen.write(f"{session.speed:g}×", 15, bold=True)
-        center = self._speed.centerx - GAP // 2, self._rect.centery
-        surface.blit(speed, speed.get_rect(center=center))
+        if self._speed.width:
+            speed = self._pen.write(f"{session.speed:g}×", 15, bold=True)
+            center = self._speed.centerx - GAP // 2, self._rect.centery
+            surface.blit(speed, speed.get_rect(center=center))
         self._draw_clock(surface, session)
 
     def _draw_clock(self, surface: pygame.Surface, session: Session) -> None:

@@ -1,17 +1,17 @@
 """The page of the effects: each a switch, and below what a change of them makes of the run."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import cards, whatif
+from sandbox.app import cards, whatif, wording
 from sandbox.app.companions import NONE
 from sandbox.app.grading import Ration
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
-from sandbox.app.panels.widgets import press
+from sandbox.app.panels.widgets import allow, press
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.variants import DEFAULTS
@@ -21,6 +21,11 @@ if TYPE_CHECKING:
 
 SWITCH = 28  # px, the height of a switch
 GAP = 6  # px
+SCALE = 24  # px, the width of a button beside a switch
+SCALES: Mapping[str, tuple[float, str]] = {
+    wording.MINUS: (0.5, "half as strong"),
+    "+": (2.0, "twice as strong"),
+}
 
 
 class EffectsPage:
@@ -30,11 +35,12 @@ class EffectsPage:
         self._sheet, self._session = sheet, session
         level, pen, width = session.original, sheet.pen, sheet.width
         self._switches: dict[str, UIButton] = {}
+        self._scales: dict[UIButton, tuple[str, float]] = {}
         y = below(sheet.image(cards.effects_intro(pen, width), MARGIN // 2)) + 2
         y = self._row_of(level.effects.declared, y)
         if added := whatif.addable(level):
             y = below(sheet.image(cards.label(pen, width, "try with"), y + 2)) + 2
-            y = self._row_of(added, y)
+            y = self._row_of(added, y, adjustable=True)
         reset = pygame.Rect(0, y + 4, 150, SWITCH)
         self._reset = sheet.button(reset, "Reset the effects", "play the level as it is declared")
         self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
@@ -42,16 +48,21 @@ class EffectsPage:
         self._told = sheet.image(self._drawn(), y + SWITCH + 14)
         self.update()
 
-    def _row_of(self, effects: Sequence[str], y: int) -> int:
+    def _row_of(self, effects: Sequence[str], y: int, *, adjustable: bool = False) -> int:
         """Put switches beside each other, as many as fit, and return where they end."""
         x = 0
         for name in effects:
             width = self._sheet.pen.write(name, 14).width + 26
-            if x and x + width > self._sheet.width:
+            scales = SCALES if adjustable and DEFAULTS[name] else {}
+            whole = width + len(scales) * SCALE
+            if x and x + whole > self._sheet.width:
                 x, y = 0, y + SWITCH + GAP
             rect = pygame.Rect(x, y, width, SWITCH)
             self._switches[name] = self._sheet.button(rect, name, self._tip(name))
-            x += width + GAP
+            for i, (sign, (times, tip)) in enumerate(scales.items()):
+                place = pygame.Rect(x + width + i * SCALE, y, SCALE, SWITCH)
+                self._scales[self._sheet.button(place, sign, tip)] = name, times
+            x += whole + GAP
         return y + SWITCH + GAP
 
     def _tip(self, effect: str) -> str:
@@ -64,23 +75,30 @@ class EffectsPage:
         """Return the switch of an effect."""
         return self._switches[effect]
 
+    def scale(self, effect: str, times: float) -> UIButton:
+        """Return the button that makes an effect so many times as strong."""
+        return next(b for b, said in self._scales.items() if said == (effect, times))
+
     @property
     def reset(self) -> UIButton:
         """The button that takes all changes back."""
         return self._reset
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Switch an effect, or all of them back; return why it cannot be, or an empty text."""
+        """Switch or scale an effect, or take all back; return why it cannot be, or no text."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
-        if name is None and event.ui_element is not self._reset:
+        scale = self._scales.get(event.ui_element)
+        if name is None and scale is None and event.ui_element is not self._reset:
             return None
         try:
-            if name is None:
-                whatif.change(self._session, NONE)
-            else:
+            if name is not None:
                 whatif.toggle(self._session, name)
+            elif scale is not None:
+                whatif.strengthen(self._session, *scale)
+            else:
+                whatif.change(self._session, NONE)
         except SandboxError as error:
             return str(error)
         return ""
@@ -90,10 +108,9 @@ class EffectsPage:
         acting = self._session.level.effects.declared
         for name, button in self._switches.items():
             press(button, name in acting)
-        if self._session.changes:
-            self._reset.enable()  # type: ignore[no-untyped-call]
-        else:
-            self._reset.disable()  # type: ignore[no-untyped-call]
+        for button, (name, _) in self._scales.items():
+            allow(button, name in self._session.changes.on)
+        allow(self._reset, bool(self._session.changes))
         self._sheet.replace(self._told, self._drawn())
         self._sheet.end(below(self._told) + 2)
 

@@ -1,103 +1,181 @@
-"""The list of levels, by chapter."""
+"""The list of levels, by chapter, and a field that finds some of them."""
 
 import json
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UIManager
-from pygame_gui.core import ObjectID
-from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
+from pygame_gui import (
+    UI_BUTTON_PRESSED,
+    UI_TEXT_ENTRY_CHANGED,
+    UI_TEXT_ENTRY_FINISHED,
+    UIManager,
+)
+from pygame_gui.core import ObjectID, UIContainer, UIElement
+from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer, UITextEntryLine
 
 from sandbox.app import theme
-from sandbox.app.panels.widgets import press, scroll
+from sandbox.app.panels.widgets import press, scroll, scrolled
 from sandbox.app.text import Pen
 from sandbox.model import catalog
-from sandbox.model.errors import SandboxError
 
 ROW = 28  # px
 HEADING = 34  # px
 MARGIN = 8  # px
+FIELD = 28  # px
 SCROLL_BAR = 22  # px
 
 
 class Entry(NamedTuple):
-    """A level that can be chosen: its file, its chapter, and what it is called."""
+    """A level that can be chosen: its file, its chapter, what it is called, and is found by."""
 
     path: Path
     chapter: str
     title: str
+    words: str
 
 
 def entries() -> list[Entry]:
     """Return the levels of the catalogue."""
     found = []
     for name in catalog.names():
-        try:
-            found.append(entry(catalog.find(name).resolve(), name.partition("/")[0]))
-        except SandboxError:
-            continue  # gone since it was listed
+        path = (catalog.root() / f"{name}.json").resolve()
+        if path.is_file():  # it may be gone since it was listed
+            found.append(entry(path, name.partition("/")[0]))
     return found
 
 
 def entry(path: Path, chapter: str) -> Entry:
     """Return the entry of a file, whatever is in it."""
     try:
-        title = str(json.loads(path.read_text(encoding="utf-8"))["title"])
-    except (OSError, ValueError, KeyError, TypeError, RecursionError):
-        title = path.stem  # why it cannot be read is told when it is opened
-    return Entry(path, chapter, title)
+        told = json.loads(path.read_text(encoding="utf-8"))
+        title, more = str(told["title"]), [str(told.get(k, "")) for k in ("summary", "reference")]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        title, more = path.stem, []  # why it cannot be read is told when it is opened
+    words = " ".join((chapter, path.stem.replace("-", " "), title, *more)).casefold()
+    return Entry(path, chapter, title, words)
 
 
 class LevelList:
-    """A column of buttons, one a level."""
+    """A column of buttons, one a level, below a field that finds those with some words in them.
+
+    Attributes
+    ----------
+    column
+        Holds all of it.
+    field
+        Where the words are typed.
+    """
 
     def __init__(
-        self, manager: UIManager, pen: Pen, rect: pygame.Rect, levels: Sequence[Entry]
+        self,
+        manager: UIManager,
+        pen: Pen,
+        rect: pygame.Rect,
+        levels: Sequence[Entry],
+        sought: str = "",
     ) -> None:
-        self._buttons: dict[UIButton, Path] = {}
-        self._container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
-        chapters = {level.chapter for level in levels}
-        height = len(chapters) * HEADING + len(levels) * ROW + 2 * MARGIN
-        width = rect.width - 2 * MARGIN - (SCROLL_BAR if height > rect.height else 0)
-        self._container.set_scrollable_area_dimensions((width + MARGIN, height))
-        y = MARGIN // 2
-        for chapter, group in groupby(levels, key=lambda level: level.chapter):
-            self._heading(manager, pen, chapter, y, width)
-            y += HEADING
-            for level in group:
-                self._button(manager, pen, level, pygame.Rect(MARGIN, y, width, ROW))
-                y += ROW
+        width = rect.width - 2 * MARGIN
+        self.column = UIContainer(rect, manager)
+        self.field = UITextEntryLine(
+            pygame.Rect(MARGIN, MARGIN, width, FIELD), manager, container=self.column,
+            initial_text=sought, placeholder_text="Find a level ( / )",
+        )  # fmt: skip
+        self.field.set_forbidden_characters(["/"])  # the key that leads here
+        top = FIELD + 2 * MARGIN
+        below = pygame.Rect(0, top, rect.width, max(rect.height - top, 1))
+        self._container = UIScrollingContainer(
+            below, manager, container=self.column, allow_scroll_x=False
+        )
+        self._width = width - SCROLL_BAR
+        self._none = self._image(manager, pen, "No level has these words.", theme.DIM, bold=False)
+        self._headings: dict[str, UIImage] = {}
+        self._buttons: dict[UIButton, Entry] = {}
+        for level in levels:
+            if level.chapter not in self._headings:
+                self._headings[level.chapter] = self._image(
+                    manager, pen, level.chapter.capitalize(), theme.ACCENT, bold=True
+                )
+            self._buttons[self._button(manager, pen, level)] = level
+        self._show()
 
-    def _heading(self, manager: UIManager, pen: Pen, chapter: str, y: int, width: int) -> None:
-        image = pygame.Surface((width, HEADING))
+    def _image(
+        self, manager: UIManager, pen: Pen, text: str, color: theme.Color, *, bold: bool
+    ) -> UIImage:
+        image = pygame.Surface((self._width, HEADING))
         image.fill(theme.PANEL)
-        image.blit(pen.write(chapter.capitalize(), 13, theme.ACCENT, True), (10, 12))
-        UIImage(pygame.Rect(MARGIN, y, width, HEADING), image, manager, container=self._container)
+        image.blit(pen.write(text, 13, color, bold), (10, 12))
+        return UIImage(image.get_rect(x=MARGIN), image, manager, container=self._container)
 
-    def _button(self, manager: UIManager, pen: Pen, level: Entry, rect: pygame.Rect) -> None:
-        shown = pen.shorten(level.title, rect.width - 18, 13)
-        button = UIButton(
-            rect, shown, manager, container=self._container, object_id=ObjectID(class_id="@level"),
+    def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
+        shown = pen.shorten(level.title, self._width - 18, 13)
+        return UIButton(
+            pygame.Rect(MARGIN, 0, self._width, ROW), shown, manager, container=self._container,
+            object_id=ObjectID(class_id="@level"),
             tool_tip_text=None if shown == level.title else level.title,
         )  # fmt: skip
-        self._buttons[button] = level.path
+
+    def _show(self) -> None:
+        """Put what is sought for in rows, and hide the rest."""
+        found, y = self.found, 0
+        chapters = {level.chapter for level in found}
+        self._put(self._none, y, shown=not found)
+        headed: set[str] = set()
+        for button, level in self._buttons.items():
+            if level.chapter not in headed:
+                headed.add(level.chapter)
+                y += self._put(self._headings[level.chapter], y, shown=level.chapter in chapters)
+            y += self._put(button, y, shown=level in found)
+        size = self._width + MARGIN, max(y, HEADING) + MARGIN
+        self._container.set_scrollable_area_dimensions(size)
+        scroll(self._container, 0)
+
+    def _put(self, element: UIElement, y: int, *, shown: bool) -> int:
+        """Show an element at a height, or hide it, and return what room it takes [px]."""
+        if not shown:
+            element.hide()  # type: ignore[no-untyped-call]
+            return 0
+        element.set_relative_position((MARGIN, y))
+        element.show()  # type: ignore[no-untyped-call]
+        return int(element.relative_rect.height)
+
+    @property
+    def sought(self) -> str:
+        """What is looked for."""
+        return str(self.field.get_text())
+
+    @property
+    def found(self) -> list[Entry]:
+        """The levels that have each of the words that are looked for."""
+        words = self.sought.casefold().split()
+        return [e for e in self._buttons.values() if all(word in e.words for word in words)]
+
+    def clear(self) -> None:
+        """Look for nothing any more."""
+        if self.sought:
+            self.field.set_text("")
+            self._show()
 
     def choose(self, path: Path | None) -> None:
         """Mark a level as the one that is played, and bring it into view."""
-        for button, other in self._buttons.items():
-            press(button, other == path)
-            if other == path:
-                scroll(self._container, button.relative_rect.y - self._container.rect.height / 2)
+        for button, level in self._buttons.items():
+            press(button, level.path == path)
+            if level.path == path and button.visible:
+                top, height = scrolled(self._container), self._container.rect.height
+                if not top <= button.relative_rect.y <= top + height - ROW:
+                    scroll(self._container, button.relative_rect.y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:
-        """Return the level that was clicked on, if one was."""
-        if event.type == UI_BUTTON_PRESSED:
-            return self._buttons.get(event.ui_element)
+        """Return the level that was clicked on, or the first that was found, if one was."""
+        if event.type == UI_BUTTON_PRESSED and event.ui_element in self._buttons:
+            return self._buttons[event.ui_element].path
+        if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.field:
+            self._show()
+        if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field and self.found:
+            return self.found[0].path
         return None
 
     def button(self, path: Path) -> UIButton:
         """Return the button of a level."""
-        return next(button for button, other in self._buttons.items() if other == path)
+        return next(button for button, level in self._buttons.items() if level.path == path)

@@ -18,8 +18,8 @@ OFFER = 220, 38  # px
 
 def draw_banner(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, text: str, color: Color
-) -> None:
-    """Draw a note at the top of an area."""
+) -> int:
+    """Draw a note at the top of an area, and return where it ends [px]."""
     lines = pen.paragraph(text, min(area.width - 60, 640), 14, theme.TEXT)
     width = max(line.width for line in lines) + 2 * PADDING + 6
     height = sum(line.height for line in lines) + 2 * PADDING - 6
@@ -32,6 +32,7 @@ def draw_banner(
     for line in lines:
         surface.blit(line, (box.x + PADDING + 3, y))
         y += line.height
+    return box.bottom
 
 
 def draw_help(surface: pygame.Surface, pen: Pen, area: pygame.Rect) -> None:

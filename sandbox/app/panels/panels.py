@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
+from pygame_gui.core import UIContainer
 
 from sandbox.app import theme
 from sandbox.app.keys import Command
@@ -51,6 +52,10 @@ class Panels:
         self._hidden: set[str] = set()
         self.graph = True
         self._advised: float | None = None
+        self.list: LevelList | None = None
+        self.side: SidePanel | None = None
+        self._listed: object = None  # what the list was built for
+        self._sought = ""
         self.page: Command = "level page"
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
@@ -69,15 +74,16 @@ class Panels:
     ) -> None:  # fmt: skip
         """Build everything, for the level of a session or for why there is none."""
         manager, pen = self.manager, self._pen
-        manager.clear_and_reset()  # type: ignore[no-untyped-call]
         manager.set_window_resolution(size)
         with_side = session is not None and "side" not in self._hidden
         layout = divide(size, levels="levels" not in self._hidden, side=with_side)
         self.layout: Layout = layout
-        self.list = LevelList(manager, pen, layout.levels, entries) if layout.levels.width else None
+        self._clear((size, layout.levels.width, tuple(entries)))
+        if self.list is None and layout.levels.width:
+            self.list = LevelList(manager, pen, layout.levels, entries, self._sought)
         if self.list is not None:
             self.list.choose(path)
-        self.side: SidePanel | None = None
+        self.side = None
         if session is not None and layout.side.width:
             self.side = SidePanel(
                 manager,
@@ -92,6 +98,32 @@ class Panels:
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
         self.offer: UIButton | None = None
+
+    def _clear(self, listed: object) -> None:
+        """Remove all but a list that is built for the same: making it takes a tenth of a second."""
+        self.manager.set_focus_set(None)
+        if self.list is not None and listed != self._listed:
+            self._sought, self.list = self.list.sought, None
+        self._listed = listed
+        kept = self.list.column if self.list is not None else None
+        root = self.manager.get_root_container()
+        assert isinstance(root, UIContainer)
+        for element in list(root.elements):
+            if element is not kept:
+                element.kill()  # type: ignore[no-untyped-call]
+
+    def seek(self) -> None:
+        """Let a person type what level to look for."""
+        if self.list is not None:
+            self.manager.set_focus_set(self.list.field.get_focus_set())
+
+    def let_go(self) -> None:
+        """Leave the field that is typed in as it was."""
+        if self.list is not None and self.list.field.is_focused:
+            self.list.clear()
+        if self.side is not None:
+            self.side.parameters.revert()
+        self.manager.set_focus_set(None)
 
     def advise(self, rate: float | None) -> None:
         """Offer to run again at a rate [Hz], or offer nothing."""
@@ -109,5 +141,6 @@ class Panels:
 
     @property
     def typing(self) -> bool:
-        """Whether a number is being typed."""
-        return self.side is not None and self.side.parameters.focused
+        """Whether a number is being typed, or what level to look for."""
+        seeking = self.list is not None and self.list.field.is_focused
+        return seeking or (self.side is not None and self.side.parameters.focused)

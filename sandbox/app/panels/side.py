@@ -152,7 +152,7 @@ class SidePanel:
     def _draw_energy(self) -> pygame.Surface:
         session = self._session
         if not self._graph:
-            return cards.ledger(self._pen, self._width, session.balance)
-        drawn = graph.energies(self._graph_size, session.history, session.duration)
-        now = session.energies()
-        return cards.energy(self._pen, self._width, session.start_energies, now, drawn)
+            return cards.ledger(self._pen, self._width, session.books.balance)
+        drawn = graph.energies(self._graph_size, session.books.history, session.duration)
+        now = session.books.energies
+        return cards.energy(self._pen, self._width, session.books.start, now, drawn)

@@ -11,6 +11,14 @@ def press(button: UIButton, on: bool) -> None:
         button.unselect()  # type: ignore[no-untyped-call]
 
 
+def allow(button: UIButton, possible: bool) -> None:
+    """Let a button be pressed, or not."""
+    if possible and not button.is_enabled:
+        button.enable()  # type: ignore[no-untyped-call]
+    elif not possible and button.is_enabled:
+        button.disable()  # type: ignore[no-untyped-call]
+
+
 def scroll(container: UIScrollingContainer, top: float) -> None:
     """Show what stands at a height of a container's content at its upper edge [px], or nearly."""
     bar = container.vert_scroll_bar

@@ -10,7 +10,8 @@ from sandbox.app.stage import lines
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 
-CORNER = 44, 62  # px, clear of the ruler and of banners
+CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
+GAP = 8  # px, below a banner of more lines
 SWATCH = 26  # px
 PADDING = 8  # px
 
@@ -33,13 +34,14 @@ def _lane(lane: race.Lane) -> str:
     return title if lane.error is None else f"{title}: error {wording.error(lane.error)}"
 
 
-def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row]) -> None:
-    """Draw a row for each run in the upper left corner."""
+def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:
+    """Draw a row for each run in the upper left corner, below where a banner ends [px]."""
     if not told:
         return
     texts = [pen.write(text, 14) for _, text in told]
     height = texts[0].height + 2
-    box = pygame.Rect(CORNER, (0, len(texts) * height + 2 * PADDING))
+    corner = CORNER[0], max(CORNER[1], banner + GAP)
+    box = pygame.Rect(corner, (0, len(texts) * height + 2 * PADDING))
     box.width = max(text.width for text in texts) + SWATCH + 10 + 2 * PADDING
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)

@@ -11,12 +11,13 @@ from sandbox.model.conditions import (
     massflow,
     numbers,
     shapes,
+    time,
     wires,
 )
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
 
-_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow, wires)
+_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow, time, wires)
 
 
 def conditions(level: Level) -> Iterator[Condition]:

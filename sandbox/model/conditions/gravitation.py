@@ -1,21 +1,31 @@
-"""Bodies that attract each other start apart."""
+"""Bodies start apart from what attracts them: from each other, and from fixed centres."""
 
 from collections.abc import Iterator, Mapping
 from functools import partial
+from math import dist
 
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.effects import Gravitation
+from sandbox.model.effects import Attraction, Gravitation
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
 from sandbox.model.shapes import Point, evaluate
 
+NEAR = 1e-9
+"""m, within which two places are one."""
+
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's attraction between bodies."""
+    """Yield what must hold of a level's attraction between bodies, and to fixed centres."""
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    for index, center in enumerate(level.effects.attraction or ()):
+        places = {name: level.bodies[name].position for name in dynamic}
+        names = names_in((center.center, center.power, *places.values()))
+        wrong = partial(_centre_fault, center, places)
+        yield Condition(("effects", "attraction", index, "center"), names, wrong)
     if pull := level.effects.gravitation:
-        pulled = pull.bodies or [n for n, b in level.bodies.items() if b.type == "dynamic"]
+        pulled = pull.bodies or dynamic
         places = {name: level.bodies[name].position for name in pulled}
         names = names_in((pull.softening, *places.values()))
         wrong = partial(_meeting_fault, pull, places)
@@ -33,4 +43,15 @@ def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Value
         if other != name:
             both = f"'{brief(other)}' and '{brief(name)}'"
             return f"{both} attract each other but start at one place; give them 'softening'"
+    return None
+
+
+def _centre_fault(pull: Attraction, places: Mapping[str, Point], values: Values) -> str | None:
+    """There is no force at a centre, unless it grows with the distance from there."""
+    if pull.power(values) <= -1:
+        return None
+    x, y = evaluate(pull.center, values)
+    for name, point in places.items():
+        if dist(evaluate(point, values), (x, y)) <= NEAR:
+            return f"'{brief(name)}' starts at the centre, where the attraction has no direction"
     return None

@@ -6,7 +6,7 @@ Nothing here knows a closed form: a run is held against itself with smaller step
 from sandbox.physics.accuracy.calibration import Offer, Setting, calibrate
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
 from sandbox.physics.accuracy.estimation import Estimate, estimate
-from sandbox.physics.accuracy.memory import calibrated, resolved
+from sandbox.physics.accuracy.memory import calibrated, keep, recalled, resolved
 from sandbox.physics.accuracy.runs import Watched
 
 __all__ = [
@@ -19,5 +19,7 @@ __all__ = [
     "calibrate",
     "calibrated",
     "estimate",
+    "keep",
+    "recalled",
     "resolved",
 ]

@@ -1,56 +1,50 @@
 """The cheapest setting that reaches an accuracy, found by short runs.
 
 Each scheme that is for the level climbs a ladder of rates, each twice the one before, until a run
-agrees with finer ones to the accuracy that is asked for, or the time for it is spent; then the
+agrees with finer ones to the accuracy that is asked for, or the time for all is spent; then the
 order by which its errors fall tells how far it has to go. The cheapest of all is taken.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import ceil, floor, inf, log2, log10
-from time import thread_time
+from math import floor
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import FINEST, HIGHEST_RATE, Level, Stepping
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.chaos import WILD, growth
+from sandbox.physics.accuracy.climbing import FEWEST, REAL_TIME, Climber, Progress, climb
 from sandbox.physics.accuracy.errors import AccuracyError
-from sandbox.physics.accuracy.ladder import FASTEST, SLOWEST, Ladder, climb, held_against
+from sandbox.physics.accuracy.ladder import (
+    SLOWEST,
+    Ladder,
+    foot,
+    held_against,
+    rounded,
+    step_prices,
+)
 from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
 from sandbox.physics.checks import applies
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.timing import step_seconds
-from sandbox.physics.trace import count_steps
+from sandbox.physics.limits import needs
 from sandbox.physics.world import build
 
 BUDGET = 0.8
 """s, for all runs of a calibration; the one that is under way is not cut short."""
 
-FIRST = 0.65
-"""The share of the budget that the first of two schemes may have."""
-
 FEW = 400
 """Steps of the first run, at the most: a long run begins with steps that no one would choose."""
 
-CAUTION = 0.7
-"""The share of the accuracy that a setting may use up by what is only expected of it."""
-
-REAL_TIME = 0.5
-"""s of computing for a second of the scene; the rest is for drawing it."""
-
-FINEST = 1e-14
-"""No run is that accurate: it is rounding."""
-
 LONGEST = 4.0
 """Hz, or up to twice that: the rate at which it begins at the least."""
+
+CAUTION = 0.7
+"""The share of the accuracy that a setting may use up by what is only expected of it."""
 
 MORE_SWEEPS = 4
 """By how much more often the solver sweeps in the runs that judge it."""
 
 _ENERGY = Watched("system.energy")
-
-Progress = Callable[[float, str], None]
-"""Is told which share is done, and what comes next."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +67,7 @@ class Offer:
 
     def __str__(self) -> str:
         s = self.stepping
-        price = f"{self.price * 1e3:.2g} ms of computing for a second of the scene"
+        price = f"{self.price * 1e3:.3g} ms of computing for a second of the scene"
         return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {price}"
 
 
@@ -100,6 +94,11 @@ class Setting:
     judged_by: str
     verified: bool
     in_real_time: Offer | None = None
+
+    @property
+    def playable(self) -> Offer:
+        """What is taken where somebody looks on."""
+        return self.in_real_time or self.chosen
 
     def __str__(self) -> str:
         told = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
@@ -149,41 +148,61 @@ def calibrate(
         raise AccuracyError(f"an accuracy of {target:g} is below rounding; {FINEST:g} is the least")
     checked = any(applies(check, values) for check in level.checks)
     judged_by = "its checks" if checked else "places and velocities"
-    ladders = _ladders(level, values, wanted, target, budget, progress, stop)
-    offers = _offers(level, values, ladders, target)
+    ladders, steps = _ladders(level, values, wanted, target, budget, progress, stop)
+    offers = _offers(ladders, steps, target)
     if (
         offers[0][1].error > target
-        and (times := growth(level, values, _seen(ladders), stop)) > WILD
+        and (times := growth(level, values, ladders[0].traces[-2].stepping, stop)) > WILD
     ):
         judged_by = f"its energy, for it is chaotic: a small change grows {times:.0e} times"
-        ladders = _ladders(level, values, (_ENERGY,), target, budget, progress, stop)
-        offers = _offers(level, values, ladders, target)
+        ladders, steps = _ladders(level, values, (_ENERGY,), target, budget, progress, stop)
+        offers = _offers(ladders, steps, target)
     verified, chosen = offers[0]
     if chosen.error > target:
         raise AccuracyError(
             f"an accuracy of {target:g} cannot be had; there is {chosen}, judged by {judged_by}"
         )
-    offer = None if chosen.price <= REAL_TIME else _affordable(level, values, ladders)
+    offer = None if chosen.price <= REAL_TIME else _affordable(ladders, steps)
     return Setting(target, chosen, judged_by, verified, offer)
 
 
-def _seen(ladders: list[Ladder]) -> Stepping:
-    """Return the finest setting that was run."""
-    return ladders[-1].traces[-1].stepping
-
-
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
-    """Yield what is tried, from its lowest rate on; the best judge of the others first."""
-    rate = level.stepping.rate
-    rate /= 2 ** floor(log2(max(rate, SLOWEST) / SLOWEST))
+    """Yield what is tried, from its lowest rate on; the best judge of the others first.
+
+    Where all is smooth it is below the lowest that is chosen, to see by how much that is better.
+    """
+    rate = foot(level.stepping.rate) / (1 if level.effects.contact else 2)
     while rate * level.duration(values) > FEW and rate > LONGEST:
         rate /= 2
+    lowest, floor = rate, _floor(level, values)
+    while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
+        rate *= 2
     start = Stepping(rate=rate, iterations=level.stepping.iterations)
     if not unsmooth(level):
-        yield start.model_copy(update={"scheme": "yoshida", "rate": rate / 2})
-    elif level.effects.contact:
-        yield start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
+        yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
+    elif contact := level.effects.contact:
+        judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
+        yield judge
+        if contact.located or level.effects.in_sequence:  # which has a price, too
+            naive = judge if level.effects.in_sequence else start  # rows at once are for sweeps
+            yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start
+
+
+def _floor(level: Level, values: Values) -> float:
+    """Return the rate that the start asks for [Hz]: runs below it can agree on what is wrong.
+
+    It is that after the shortest step, of a scheme that does not wait for piles to settle; 0 where
+    there is no such step.
+    """
+    try:
+        world = build(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
+        now = world.advance()
+    except SimulationError:
+        return 0.0
+    contact = level.effects.contact
+    found = needs(world.scene, now, (contact and contact.located) or ())
+    return max((need.rate for need in found), default=0.0)
 
 
 def _ladders(
@@ -194,40 +213,34 @@ def _ladders(
     budget: float,
     progress: Progress | None,
     stop: Stop,
-) -> list[Ladder]:
-    """Climb with each candidate, and hold all against the best."""
-    candidates = list(_candidates(level, values))
-    found: list[Ladder] = []
-    end = thread_time() + budget
-    for index, start in enumerate(candidates):
-        if progress:
-            progress(index / len(candidates), f"{start.scheme}, {start.iterations} sweeps")
-        left = end - thread_time()
-        share = left if start is candidates[-1] else left * FIRST
-        try:
-            ladder = climb(level, values, start, wanted, target * CAUTION, share, stop)
-        except SimulationError:
-            if start is candidates[-1] and not found:
-                raise
-            continue
-        if ladder:
-            found.append(ladder)
+) -> tuple[list[Ladder], tuple[float, ...]]:
+    """Climb with all candidates, hold all against the best, and time a step of each [s]."""
+    climbers = [
+        Climber(level, values, start, wanted, target * CAUTION)
+        for start in _candidates(level, values)
+    ]
+    climb(climbers, budget, stop, progress)
+    found = [climber.ladder for climber in climbers if climber.ladder]
+    if not found and (failure := climbers[-1].failure):
+        raise failure
     if not found:
         raise AccuracyError("the level takes too long to run for its accuracy to be found out")
     best, *others = sorted(found, key=lambda ladder: ladder.errors[-1])
     if level.effects.contact:
         best, *others = found  # only more sweeps of the solver show what it still owes
-    return [best, *(held_against(ladder, best, wanted) for ladder in others)]
+    ladders = [best, *(held_against(ladder, best, wanted) for ladder in others)]
+    return ladders, step_prices(level, values, ladders)
 
 
 def _offers(
-    level: Level, values: Values, ladders: list[Ladder], target: float
+    ladders: Sequence[Ladder], steps: Sequence[float], target: float
 ) -> list[tuple[bool, Offer]]:
     """Return what each ladder has to offer, and whether it was seen to be so good.
 
     What reaches the target comes first, the cheapest of it before all; then what is most accurate.
     """
-    found = [_offer(_step_seconds(level, values, ladder), ladder, target) for ladder in ladders]
+    pairs = zip(ladders, steps, strict=True)
+    found = [_offer(step, ladder, target) for ladder, step in pairs]
 
     def rank(offer: tuple[bool, Offer]) -> tuple[float, float]:
         return max(offer[1].error, target), offer[1].price
@@ -237,23 +250,22 @@ def _offers(
 
 def _offer(step: float, ladder: Ladder, target: float) -> tuple[bool, Offer]:
     """Return a ladder's cheapest setting, or its best, at a price a step [s]."""
+    last = ladder.traces[-1].stepping
     if good := ladder.cheapest(target):
         trace, error = good
         return True, Offer(trace.stepping, error, step * trace.stepping.rate)
-    rate = _rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
-    if rate <= FASTEST:
-        setting = ladder.traces[-1].stepping.at(rate)
-        return False, Offer(setting, ladder.error_at(rate), step * rate)
+    rate = rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
+    if rate <= HIGHEST_RATE:
+        return False, Offer(last.at(rate), ladder.error_at(rate), step * rate)
     runs = zip(ladder.traces, ladder.errors, strict=True)
     trace, error = min(runs, key=lambda run: run[1])
     return True, Offer(trace.stepping, error, step * trace.stepping.rate)
 
 
-def _affordable(level: Level, values: Values, ladders: list[Ladder]) -> Offer | None:
+def _affordable(ladders: Sequence[Ladder], steps: Sequence[float]) -> Offer | None:
     """Return the most accurate setting that runs in real time."""
     found = []
-    for ladder in ladders:
-        step = _step_seconds(level, values, ladder)
+    for ladder, step in zip(ladders, steps, strict=True):
         fastest = REAL_TIME / step
         runs = [
             Offer(trace.stepping, error, step * trace.stepping.rate)
@@ -267,19 +279,3 @@ def _affordable(level: Level, values: Values, ladders: list[Ladder]) -> Offer | 
             runs.append(Offer(setting, ladder.error_at(rate), step * rate))
         found += runs
     return min(found, key=lambda offer: offer.error, default=None)
-
-
-def _step_seconds(level: Level, values: Values, ladder: Ladder) -> float:
-    """Return what a step costs [s]."""
-    stepping = ladder.traces[-1].stepping
-    steps = min(count_steps(build(level, values, stepping)), 60)
-    [seconds] = step_seconds([lambda: build(level, values, stepping).step], max(steps, 1), 3)
-    return seconds
-
-
-def _rounded(rate: float) -> float:
-    """Return a rate rounded up to three digits [Hz]."""
-    if rate == inf:
-        return rate
-    unit = 10.0 ** (ceil(log10(rate)) - 3)
-    return ceil(rate / unit) * unit

@@ -7,14 +7,14 @@ from math import inf, log2
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
-from sandbox.physics.accuracy.runs import Stop, Watched, apart, never, record, scale, size, watched
+from sandbox.physics.accuracy.runs import Stop, Watched, apart, never, record, size, unit, watched
 from sandbox.physics.trace import Trace
 from sandbox.physics.world import build
 
 LEAST_ORDER = 0.5
 """Differences that fall more slowly than by this power of the step show no order."""
 
-ORDERS = {"leapfrog": 2, "yoshida": 4, "symplectic-euler": 1, "explicit-euler": 1}
+ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
 """The orders of the schemes; no error is expected to fall faster."""
 
 ROUNDING = 1e-15
@@ -92,25 +92,35 @@ def _estimate(traces: Sequence[Trace], item: Watched) -> Estimate | None:
     errors = extrapolated(traces, item)
     if errors is None:
         return None
-    largest = size(traces[-1], item)
     unit = traces[0].units[item.quantity]
-    off = errors.of[0]
-    return Estimate(
-        item.quantity,
-        item.at,
-        unit,
-        off / scale(largest, errors.of[-1]),
-        off,
-        errors.order,
-    )
+    return Estimate(item.quantity, item.at, unit, errors.relative[0], errors.of[0], errors.order)
 
 
 @dataclass(frozen=True, slots=True)
 class Errors:
-    """The errors of some runs in a quantity, each of half the step of the one before [unit]."""
+    """The errors of some runs in a quantity, each of half the step of the one before [unit].
+
+    Attributes
+    ----------
+    of
+        The errors.
+    order
+        By which power of the step they fall; None if none shows.
+    unit
+        What they are relative to; 1 where the value itself is zero.
+    rise
+        By which power of the rate they grow, where they are rounding; else 0.
+    """
 
     of: tuple[float, ...]
     order: float | None
+    unit: float
+    rise: float
+
+    @property
+    def relative(self) -> tuple[float, ...]:
+        """The errors as a check's."""
+        return tuple(error / self.unit for error in self.of)
 
 
 def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
@@ -130,7 +140,19 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
     order, jump = _order(differences, floor, ORDERS[traces[-1].stepping.scheme])
     last = jump / (2 ** (order or 1.0) - 1)
     whole = (apart(trace, traces[-1], item) for trace in traces[:-1])
-    return Errors((*(inf if w is None else w + last for w in whole), last), order)
+    rise = 0.0 if order else _rise(differences)
+    errors = (*(inf if w is None else w + last for w in whole), last)
+    return Errors(errors, order, unit(traces, item, last), rise)
+
+
+def _rise(differences: Sequence[float]) -> float:
+    """Return by which power of the rate differences grow, if they do each time.
+
+    No more than 2, that of an acceleration: the rounding of places over the square of the step.
+    """
+    last = differences[-3:]
+    grows = len(last) > 1 and last[0] > 0 and all(a < b < inf for a, b in pairwise(last))
+    return min(log2(last[-1] / last[0]) / (len(last) - 1), 2.0) if grows else 0.0
 
 
 def _order(differences: Sequence[float], floor: float, most: int) -> tuple[float | None, float]:

@@ -23,7 +23,8 @@ from sandbox.model.expressions import Values
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
-from sandbox.physics.accuracy.calibration import Progress, Setting, calibrate
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.climbing import Progress
 from sandbox.physics.accuracy.runs import Stop, never
 
 _SETTING = TypeAdapter(tuple[str, Setting])
@@ -63,11 +64,33 @@ def calibrated(
         If the level does not run at all.
     """
     values = level.defaults if values is None else values
-    key = _key(level, values, target)
-    path = folder() / f"{key}.json"
-    if found := _unkept.get(key) or _recalled(path, key):
+    if found := recalled(level, values, target):
         return found
     setting = calibrate(level, values, target, progress=progress, stop=stop)
+    keep(level, values, setting, tell)
+    return setting
+
+
+def recalled(level: Level, values: Values, target: float) -> Setting | None:
+    """Return the setting that was found for an accuracy before; None if none was."""
+    key = _key(level, values, target)
+    return _unkept.get(key) or _read(_path(key), key)
+
+
+def keep(
+    level: Level, values: Values, setting: Setting, tell: Callable[[str], None] | None = None
+) -> None:
+    """Keep a setting that was found, for the next time or, if that cannot be, for this process.
+
+    Parameters
+    ----------
+    level, values, setting
+        What was found, and for what.
+    tell
+        Is told why it is not kept longer.
+    """
+    key = _key(level, values, setting.target)
+    path = _path(key)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_atomically(path, _SETTING.dump_json((key, setting)))
@@ -75,7 +98,6 @@ def calibrated(
         _unkept[key] = setting
         if tell:
             tell(f"the setting is not kept for the next time: {error}")
-    return setting
 
 
 def resolved(level: Level, values: Values, stepping: Stepping) -> Stepping:
@@ -90,7 +112,11 @@ def folder() -> Path:
     return platformdirs.user_cache_path("mechanics-sandbox") / "accuracy"
 
 
-def _recalled(path: Path, key: str) -> Setting | None:
+def _path(key: str) -> Path:
+    return folder() / f"{key}.json"
+
+
+def _read(path: Path, key: str) -> Setting | None:
     """Return what a file holds; None if it is not what was written there."""
     try:
         if path.stat().st_size > LARGEST:

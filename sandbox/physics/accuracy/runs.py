@@ -2,15 +2,15 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from math import ceil, log2
+from math import log2
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import ContactEvent, Instant, Level, Stepping
+from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.checks import ZERO, applies, samples
+from sandbox.physics.checks import ZERO, applies, least_scale, samples
 from sandbox.physics.trace import Recorder, Trace, count_steps, needed_at
 from sandbox.physics.world import build
 
@@ -23,22 +23,34 @@ BLOCK = 50
 SEEN = 240.0
 """Hz, how often a run is looked at, or up to twice that: a look costs more than a step."""
 
+FADING = 0.5
+"""The share of itself that is left, at the most, of what fades as the step is halved."""
+
 SAME = 1e-9
 """Times that differ by this share are the same."""
 
 
 @dataclass(frozen=True, slots=True)
 class Watched:
-    """A quantity of which the error is estimated, at every step or at an instant."""
+    """A quantity of which the error is estimated, at every step or at an instant.
+
+    Its error is relative to its largest value, or to a scale if that is larger.
+    """
 
     quantity: str
     at: Instant | None = None
+    scale: float = 0.0
 
 
 def watched(level: Level, values: Values) -> tuple[Watched, ...]:
     """Return what the checks that apply measure; if there are none, where bodies are, how fast."""
-    checked = (Watched(c.quantity, c.at) for c in level.checks if applies(c, values))
+    checked = (by_check(check, values) for check in level.checks if applies(check, values))
     return tuple(dict.fromkeys(checked)) or tuple(_motion(level))
+
+
+def by_check(check: Check, values: Values) -> Watched:
+    """Return what a check looks at."""
+    return Watched(check.quantity, check.at, least_scale(check, values))
 
 
 def _motion(level: Level) -> Iterator[Watched]:
@@ -60,8 +72,21 @@ def record(
     stepping: Stepping,
     wanted: Sequence[Watched],
     stop: Stop = never,
+    seen: float = SEEN,
 ) -> Trace:
     """Run a level for its duration and record what is watched.
+
+    Parameters
+    ----------
+    level, values, stepping
+        The run.
+    wanted
+        What is watched.
+    stop
+        Is asked now and then whether to give up.
+    seen
+        How often it is looked at, or up to twice that [Hz]; at every step if that is less often, or
+        if what is watched depends on every step.
 
     Raises
     ------
@@ -73,18 +98,20 @@ def record(
     world = build(level, values, stepping)
     names = dict.fromkeys(name for item in wanted for name in needed_at(item.quantity, item.at))
     recorder = Recorder(world, names)
-    stride = 1 if any(_needs_all(level, item) for item in wanted) else _stride(stepping.rate)
-    for look in range(ceil(count_steps(world) / stride)):
+    all_ = any(_needs_all(level, item) for item in wanted)
+    stride = 1 if all_ else _stride(stepping.rate / seen)
+    steps = count_steps(world)
+    for look, step in enumerate(range(0, steps, stride)):
         if look % BLOCK == 0 and stop():
             raise Cancelled
-        world.advance(stride)
+        world.advance(min(stride, steps - step))
         recorder.note()
     return recorder.trace
 
 
-def _stride(rate: float) -> int:
-    """Return how many steps are taken at a time: a power of two, so that runs share instants."""
-    return 1 << int(log2(max(rate / SEEN, 1)))
+def _stride(steps: float) -> int:
+    """Return how many of them are taken at a time: a power of two, so that runs share instants."""
+    return 1 << int(log2(max(steps, 1)))
 
 
 def _needs_all(level: Level, item: Watched) -> bool:
@@ -109,9 +136,21 @@ def apart(one: Trace, other: Trace, item: Watched) -> float | None:
 
 
 def size(trace: Trace, item: Watched) -> float:
-    """Return the largest value of what is watched, in its unit."""
+    """Return what the errors of what is watched are relative to: its largest value, or its scale.
+
+    In its unit; 0 if it has neither.
+    """
     found = samples(trace, item.quantity, item.at)
-    return _largest(found[1]) if found else 0.0
+    return max(_largest(found[1]) if found else 0.0, item.scale)
+
+
+def unit(traces: Sequence[Trace], item: Watched, error: float) -> float:
+    """Return what an error of the last of some runs is relative to, each finer than that before.
+
+    Where the value itself fades as the step does, it is nothing but an error of zero: 1.
+    """
+    before, last = (size(trace, item) for trace in traces[-2:])
+    return 1.0 if last < FADING * before else scale(last, error)
 
 
 def scale(size: float, error: float) -> float:

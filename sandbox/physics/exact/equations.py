@@ -4,46 +4,69 @@ The plane is complex here: a point is x + iy, and dC = Re(conj(J) dz) + K dθ.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Plane
 
 
-class Coordinates(NamedTuple):
-    """Places or velocities of all bodies, the plane itself last: (n + 1,) each."""
+@dataclass(slots=True)  # not frozen: some are made in every step
+class Coordinates:
+    """Places or velocities of all N bodies, the plane itself last.
 
-    plane: Plane
-    angle: Array
+    Attributes
+    ----------
+    values
+        (3 N,), x and y of each body, then the angle of each.
+    """
+
+    values: Array
+
+    @classmethod
+    def of(cls, plane: Plane, angle: Array) -> "Coordinates":
+        """Return those of bodies in the plane and in the angle: (N,) each."""
+        return cls(np.concatenate((plane.view(float), angle)))
+
+    @property
+    def plane(self) -> Plane:
+        """In the plane: (N,)."""
+        return planes(self.values)
+
+    @property
+    def angle(self) -> Array:
+        """In the angle: (N,)."""
+        return angles(self.values)
 
 
 class Rows(NamedTuple):
-    """What rows add up to (m,), and their gradients (m, n + 1) in the plane and in the angles."""
+    """What rows add up to (m,), and their gradients in the coordinates (m, 3 N)."""
 
     total: Array
-    gradient: Plane
-    turning: Array | None
+    gradient: Array
 
 
-class Reply(NamedTuple):
-    """How the bodies answer a unit impulse of each row: (m, n + 1)."""
+def planes(values: Array) -> Plane:
+    """Return what of coordinates, or of gradients in them, is in the plane: (..., N)."""
+    return values[..., : values.shape[-1] // 3 * 2].view(complex)
 
-    plane: Plane
-    angle: Array | None
 
-    def to(self, impulse: Array, motion: Coordinates) -> Coordinates:
-        """Return the motion after impulses along the rows; a positive one pulls."""
-        return Coordinates(
-            motion.plane - impulse @ self.plane,
-            motion.angle if self.angle is None else motion.angle - impulse @ self.angle,
-        )
+def angles(values: Array) -> Array:
+    """Return what of coordinates, or of gradients in them, is in the angle: (..., N)."""
+    return values[..., values.shape[-1] // 3 * 2 :]
 
-    def answers(self, rows: Rows) -> Array:
-        """Return how fast each row shortens by a unit impulse of each: (m, m)."""
-        slope: Array = (rows.gradient.conj() @ self.plane.T).real
-        if rows.turning is not None and self.angle is not None:
-            slope += rows.turning @ self.angle.T
-        return slope
+
+@cache
+def order(count: int) -> NDArray[np.intp]:
+    """Return where the coordinates of bodies stand, body by body, without the plane: (n, 3)."""
+    body = np.arange(count)
+    places = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
+    places.setflags(write=False)
+    return places
 
 
 class Share(NamedTuple):

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,80 +54,73 @@ class Reaches:
         (n + 1,), of the bodies and the plane [1/(kg m²)].
     turns
         Whether angles count in any case.
-
-    Attributes
-    ----------
-    turns
-        Whether angles count.
     """
 
     def __init__(
         self, rows: Sequence[Row], shape: tuple[int, int], inverse_moment: Array, *, turns: bool
     ) -> None:
-        self._shape = shape
         count = shape[1]
+        self._shape = shape[0], 3 * count
         reaches = [(i, a, b) for i, row in enumerate(rows) for a, b in row.reaches]
         self._row = np.array([i for i, _, _ in reaches], dtype=np.intp)
-        self._a, self._point_a = _ends([a for _, a, _ in reaches], count)
-        self._b, self._point_b = _ends([b for _, _, b in reaches], count)
-        self._offset = self._point_b - self._point_a
-        self._into = np.concatenate((self._row * count + self._b, self._row * count + self._a))
-        self._apart = len(np.unique(self._into)) == len(self._into)
-        self._single = len(reaches) == len(rows) == shape[0]
+        self._body, self._point = _ends(
+            [a for _, a, _ in reaches] + [b for _, _, b in reaches], count
+        )
+        self._half = len(reaches)
+        self._offset = self._point[self._half :] - self._point[: self._half]
+        self._single = self._half == len(rows) == shape[0]
         self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
+        self._across = self._along.conj()
         self._component = self._along != 0
         self._has_lengths = not self._component.all()
         self._has_components = bool(self._component.any())
-        levers = np.abs(self._point_a) * inverse_moment[self._a]
-        levers += np.abs(self._point_b) * inverse_moment[self._b]
-        bodies = np.concatenate((self._a, self._b))
-        points = np.concatenate((self._point_a, self._point_b))
+        levers = np.abs(self._point) * inverse_moment[self._body]
         # without a lever a point that is off the centre still needs the angle, once it is not 0
-        self.turns = turns or bool(levers.any() or points[bodies < count - 1].any())
+        off = self._point[self._body < count - 1].any()
+        self._turns = turns or bool(levers.any() or off)
+        self._into = self._places(3 * count, count)
+        self._apart = len(np.unique(self._into)) == len(self._into)
+
+    def _places(self, width: int, count: int) -> NDArray[np.intp]:
+        """Return where in the gradients the ends belong: x and y of each, then the angles."""
+        start = np.tile(self._row, 2) * width
+        plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
+        return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
     def look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their gradients there."""
-        if not len(self._row):
-            turning = np.zeros(self._shape) if self.turns else None
-            return Rows(np.zeros(self._shape[0]), np.zeros(self._shape, dtype=complex), turning)
-        reach = place.plane[self._b] - place.plane[self._a]
-        if self.turns:
-            turn = np.exp(1j * place.angle)
-            arm_a, arm_b = self._point_a * turn[self._a], self._point_b * turn[self._b]
-            reach += arm_b - arm_a
+        gradient = np.zeros(self._shape)
+        if not self._half:
+            return Rows(np.zeros(self._shape[0]), gradient)
+        ends = place.plane[self._body]
+        if self._turns:
+            arm = self._point * np.exp(1j * place.angle)[self._body]
+            ends += arm
+            length, unit = self._measure(ends[self._half :] - ends[: self._half])
+            both = np.concatenate((-unit, unit))
+            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag))
         else:
-            reach += self._offset
-        length, unit = self._measure(reach)
-        gradient = self._scatter(unit, -unit)
+            length, unit = self._measure(ends[self._half :] - ends[: self._half] + self._offset)
+            slopes = np.concatenate((-unit, unit)).view(float)
+        if self._apart:
+            gradient.reshape(-1)[self._into] = slopes
+        else:
+            np.add.at(gradient.reshape(-1), self._into, slopes)
         total: Array = length
         if not self._single:
             total = np.bincount(self._row, length, self._shape[0]).astype(float)
-        if not self.turns:
-            return Rows(total, gradient, None)
-        lever = unit.conj() * 1j
-        turning = self._scatter((lever * arm_b).real, -(lever * arm_a).real)
-        return Rows(total, gradient, turning)
+        return Rows(total, gradient)
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:
         """Return the lengths or components of the pieces, and the directions they change in."""
         if not self._has_lengths:
-            return (reach * self._along.conj()).real, self._along
+            return (reach * self._across).real, self._along
         length = np.abs(reach)
         unit = reach / np.maximum(length, TINY)
         if self._has_components:
             unit = np.where(self._component, self._along, unit)
-            length = np.where(self._component, (reach * self._along.conj()).real, length)
+            length = np.where(self._component, (reach * self._across).real, length)
         return length, unit
-
-    def _scatter(self, of_b: NDArray[Any], of_a: NDArray[Any]) -> NDArray[Any]:
-        """Put what belongs to the ends of the reaches in the rows' columns of their bodies."""
-        into = np.zeros(self._shape, dtype=of_b.dtype)
-        both = np.concatenate((of_b, of_a))
-        if self._apart:
-            into.reshape(-1)[self._into] = both
-        else:
-            np.add.at(into.reshape(-1), self._into, both)
-        return into
 
 
 def _ends(anchors: Sequence[Anchor], count: int) -> tuple[NDArray[np.intp], Plane]:

@@ -12,14 +12,22 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 
 from collections.abc import Sequence
 from copy import copy
+from math import isfinite
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch, Booleans
 from sandbox.physics.errors import JointFailure
-from sandbox.physics.exact.equations import Condition, Coordinates, Equation, Reply, Rows
+from sandbox.physics.exact.equations import (
+    Condition,
+    Coordinates,
+    Equation,
+    Rows,
+    angles,
+    order,
+    planes,
+)
 from sandbox.physics.exact.reaches import Reaches, Row
 from sandbox.physics.exact.turning import Turn
 
@@ -27,8 +35,9 @@ MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
 """m, below which one more of Newton's steps leaves nothing but rounding."""
 
-PLANE, ANGLE = np.array([0, 1, 3, 4]), np.array([2, 5])
-"""The columns of a state that are places and velocities in the plane, and in the angle."""
+MOMENT = 1e-3
+"""The share of a drift over which directions are followed, before and after a step: its square is
+nothing, and what it is divided by not yet rounding."""
 
 TAUT = 1e-12
 """m, by which a rope that does not pull may be too long: the rounding of its length."""
@@ -46,10 +55,23 @@ class ExactJoints:
 
     Sums of lengths, the rows, are looked at together; the other equations one by one.
 
+    Parameters
+    ----------
+    rows, others
+        The equations, whose points of the plane are counted from the origin.
+    batch
+        Reads and writes the bodies.
+    inverse_mass, inverse_moment
+        (n,), 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+    origin
+        From where places are counted [m].
+
     Attributes
     ----------
     tension
         (m,), the force along each row in the last kick [N]; positive where it pulls.
+    parts
+        How many kicks a step has: the same one of the steps before tells what to expect of each.
     """
 
     def __init__(
@@ -59,15 +81,23 @@ class ExactJoints:
         batch: Batch,
         inverse_mass: Array,
         inverse_moment: Array,
+        origin: complex = 0j,
     ) -> None:
-        self._batch = batch
+        self._batch, self._origin = batch, origin
         # one body more: the plane itself, which nothing moves
-        self._inverse_mass = np.append(inverse_mass, 0.0)
         self._inverse_moment = np.append(inverse_moment, 0.0)
+        self._inverse = np.concatenate(
+            (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
+        )
+        self._order = order(len(inverse_mass))
+        start = 3 * len(self._inverse_moment)
+        self._of_state = np.concatenate((self._order, self._order + start), axis=1).ravel()
         self._lay_out(rows, others)
         self._length = np.array([equation.length for equation in (*rows, *others)])
         self._taut = ~self._pulls_only
-        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self.tension = np.zeros_like(self._length)
+        self.parts = 1
+        self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
         self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
         self._struck = False
         self._kick = self._drift = 0.0
@@ -77,13 +107,13 @@ class ExactJoints:
         equations: tuple[Condition, ...] = (*rows, *others)
         self._equations = rows, others
         self._joints = [equation.joint for equation in equations]
-        self._turn = np.array([isinstance(equation, Turn) for equation in equations], dtype=bool)
+        turns = [isinstance(equation, Turn) for equation in equations]
+        self._pulling, self._turning = (_by_joint(equations, turns, way) for way in (False, True))
         self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
         self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
         self._unilateral = bool(self._pulls_only.any())
-        shape = (len(equations), len(self._inverse_mass))
+        shape = (len(equations), len(self._inverse_moment))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
-        self._turns = self._reaches.turns
         self._others = list(enumerate(others, len(rows)))
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
@@ -95,7 +125,7 @@ class ExactJoints:
         lengths = [equation.length for equation in (*rows, *others)]
         self._length = np.insert(self._length, where, lengths)
         self._taut = np.insert(self._taut, where, values=True)
-        self._steady = self._guess = np.insert(self._steady, where, 0.0)
+        self._past = [np.insert(tension, where, 0.0) for tension in self._past]
         self._warm = np.insert(self._warm, where, 0.0)
         self._lay_out((*old_rows, *rows), (*old_others, *others))
         self._struck = True
@@ -104,17 +134,23 @@ class ExactJoints:
         """Return where everything is."""
         return self._coordinates()[0]
 
+    def at(self, place: Array) -> Coordinates:
+        """Return a place, (n, 3), as the equations have it: counted from the origin."""
+        found = _coordinates(place)
+        found.plane[:-1] -= self._origin
+        return found
+
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
-        parts = self.tension[self._of(name) & ~self._turn]
-        return float(parts[0] if len(parts) == 1 else np.hypot(*parts))
+        rows = self._pulling[name]
+        return float(self.tension[rows[0]] if len(rows) == 1 else np.hypot(*self.tension[rows]))
 
     def torque(self, name: str) -> float:
-        """Return the torque of a joint on its second body in the last kick [N m]."""
-        return -float(self.tension[self._of(name) & self._turn].sum())
+        """Return the torque of a joint on its second body in the last kick [N m].
 
-    def _of(self, name: str) -> NDArray[np.bool_]:
-        return np.array([joint == name for joint in self._joints])
+        0 of one that keeps no angle, or is solved elsewhere.
+        """
+        return -float(sum(self.tension[row] for row in self._turning.get(name, ())))
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
@@ -125,32 +161,32 @@ class ExactJoints:
         place, _ = self._coordinates()
         self._length = np.zeros_like(self._length)
         self._length = self._look(place).total - self._lengths(t)
-        self.tension = self._steady = self._guess = np.zeros_like(self._length)
+        self.tension = np.zeros_like(self._length)
+        self._past = []
         self._taut = ~self._pulls_only
         self._fresh = True
 
     def pull(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
-        place, _ = self._coordinates()
-        here = self._look(place)
-        self._warm = self._steady * self._kick
-        pulled = self._steady @ here.gradient
-        wrench[:, 0] -= pulled.real[:-1]
-        wrench[:, 1] -= pulled.imag[:-1]
-        if here.turning is not None:
-            wrench[:, 2] -= (self._steady @ here.turning)[:-1]
+        steady = self._past[0] if self._past else self.tension
+        self._warm = steady * self._kick
+        wrench += self.pulls(steady, self.place())
 
-    def stiff(self) -> Array:
-        """Return the gradients of what can push as well as pull: (m, n, 3)."""
-        return self.gradients()[~self._pulls_only]
+    def pulls(self, tension: Array, place: Coordinates) -> Array:
+        """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
+        return -(tension @ self._look(place).gradient)[self._order]
 
-    def gradients(self) -> Array:
-        """Return how the rows change with the places and angles of the bodies: (m, n, 3)."""
-        place, _ = self._coordinates()
-        here = self._look(place)
-        plane = here.gradient[:, :-1]
-        turning = np.zeros(plane.shape) if here.turning is None else here.turning[:, :-1]
-        return np.stack((plane.real, plane.imag, turning), axis=2)
+    def stiff(self, place: Array | None = None) -> Array:
+        """Return the gradients of what can push as well as pull, as below: (m, n, 3)."""
+        return self.gradients(place)[~self._pulls_only]
+
+    def gradients(self, place: Array | None = None) -> Array:
+        """Return how the rows change with the places and angles of the bodies: (m, n, 3).
+
+        Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
+        """
+        here = self._glance(self.place() if place is None else self.at(place))
+        return here.gradient[:, self._order]
 
     @property
     def pulls_only(self) -> Booleans:
@@ -163,6 +199,68 @@ class ExactJoints:
         changes = np.zeros(len(self._length), dtype=bool)
         changes[[row for row, _ in self._changing]] = True
         return changes
+
+    def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
+        """Return velocities and accelerations where the bodies are, and take up the forces there.
+
+        The mean of the velocities before and after a kick has a part of second order across the
+        joints; without it J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over a
+        kick, and of second order as well; that which acts at the step itself keeps J v = 0 on:
+
+            J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
+
+        Not for joints that change with time.
+
+        Parameters
+        ----------
+        mean
+            (n, 3), of the velocities [m/s, rad/s].
+        smooth
+            (n, 3), the accelerations by all else [m/s², rad/s²].
+        """
+        place, _ = self._coordinates()
+        gradient = self._glance(place).gradient
+        reply = gradient * self._inverse
+        slope, free = gradient @ reply.T, _coordinates(mean).values
+        moves = free - _solved(slope, gradient @ free) @ reply
+        way = MOMENT * abs(self._drift) * moves
+        ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
+        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self._drift))
+        driven = _coordinates(smooth).values
+        self.tension = _solved(slope, gradient @ driven + turning)
+        return moves[self._order], (driven - self.tension @ reply)[self._order]
+
+    def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
+        """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
+
+        Ropes stay slack or taut, and what changes with time pulls on as it did.
+
+        Parameters
+        ----------
+        place, velocity
+            (n, 3), where the drift would start [m, rad, m/s, rad/s].
+        pull
+            (n, 3), the accelerations by all else [m/s², rad/s²].
+
+        Raises
+        ------
+        JointFailure
+            If there are none.
+        """
+        if not self._joints:
+            return self.tension
+        half = self._drift / 2
+        begin = self.at(place)
+        with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
+            impulse, _, _ = self._newton(
+                begin,
+                _coordinates(velocity + pull * half),
+                self._look(begin).gradient * self._inverse,
+                self._length,
+                self.tension * half,
+                ~self._taut | self.changes,
+            )
+        return np.where(self._pulls_only, np.maximum(impulse, 0.0), impulse) / half
 
     def solve(self, until: float) -> None:
         """Find the impulses that keep the joints through the next drift, and apply them.
@@ -180,22 +278,17 @@ class ExactJoints:
         """
         if not self._joints:
             return
-        with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
-            place, motion = self._coordinates()
-            here = self._look(place)
-            reply = self._reply(here)
-            length = self._lengths(until)
-            if self._fresh:
-                self._check_independent(here, reply, length)
-            impulse, moved = self._settle(place, motion, reply, length)
-        velocity = np.empty((len(moved.plane) - 1, 3))
-        velocity[:, 0], velocity[:, 1] = moved.plane.real[:-1], moved.plane.imag[:-1]
-        velocity[:, 2] = moved.angle[:-1]
-        self._batch.set_velocity(velocity)
+        place, motion = self._coordinates()
+        here = self._look(place)
+        reply = here.gradient * self._inverse
+        length = self._lengths(until)
+        if self._fresh:
+            self._check_independent(here, reply, length)
+        impulse, moved = self._settle(place, motion, reply, length)
+        self._batch.set_velocity(moved[self._order])
         self.tension = (self._warm + impulse) / self._kick
-        self._guess = self._steady
-        if not self._struck:
-            self._guess, self._steady = 2 * self.tension - self._steady, self.tension
+        last = self._past[: 3 * self.parts - 1]
+        self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
         self._warm = np.zeros_like(impulse)
 
@@ -205,53 +298,76 @@ class ExactJoints:
         length = self._length.copy()
         for i, changing in self._changing:
             length[i] += changing(t)
+            if not isfinite(length[i]):
+                name = self._joints[i]
+                raise JointFailure(
+                    name, f"what '{name}' keeps has no finite value at t = {t:.3g} s"
+                )
         return length
 
     def _coordinates(self) -> tuple[Coordinates, Coordinates]:
         """Return where everything is and how it moves, the plane itself last."""
-        state = self._batch.state()
-        plane = np.zeros((len(state) + 1, 2), dtype=complex)
-        plane[:-1].view(float)[:] = state.take(PLANE, axis=1)
-        angle = np.zeros((len(state) + 1, 2))
-        angle[:-1] = state.take(ANGLE, axis=1)
-        return Coordinates(plane[:, 0], angle[:, 0]), Coordinates(plane[:, 1], angle[:, 1])
+        values = np.zeros((2, len(self._inverse)))
+        values.reshape(-1)[self._of_state] = self._batch.state().reshape(-1)
+        if self._origin:
+            planes(values[0])[:-1] -= self._origin
+        return Coordinates(values[0]), Coordinates(values[1])
 
     def _look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their gradients there."""
-        rows = self._reaches.look(place)
-        for row, equation in self._others:
+        return self._with_others(self._reaches.look(place), place, self._others)
+
+    def _glance(self, place: Coordinates) -> Rows:
+        """Return the same, and leave no trace: the next look is as if this had not been."""
+        others = [(row, copy(equation)) for row, equation in self._others]
+        return self._with_others(self._reaches.look(place), place, others)
+
+    def _with_others(
+        self, rows: Rows, place: Coordinates, others: Sequence[tuple[int, Equation]]
+    ) -> Rows:
+        if not others:
+            return rows
+        in_plane, in_angle = planes(rows.gradient), angles(rows.gradient)
+        for row, equation in others:
             rows.total[row], shares = equation.look(place)
             for body, plane, angle in shares:
-                rows.gradient[row, body] += plane
-                if rows.turning is not None:
-                    rows.turning[row, body] += angle
+                in_plane[row, body] += plane
+                in_angle[row, body] += angle
         return rows
 
-    def _reply(self, here: Rows) -> Reply:
-        return Reply(
-            here.gradient * self._inverse_mass,
-            None if here.turning is None else here.turning * self._inverse_moment,
-        )
-
-    def _check_independent(self, here: Rows, reply: Reply, length: Array) -> None:
+    def _check_independent(self, here: Rows, reply: Array, length: Array) -> None:
         """Refuse rows that repeat each other at the start, as far as they are taut."""
         self._fresh = False
         taut = np.flatnonzero(here.total - length > -1e-9)
         if not len(taut):
             return
-        slope = reply.answers(here)[np.ix_(taut, taut)]
+        slope = (here.gradient @ reply.T)[np.ix_(taut, taut)]
         if not slope.diagonal().all():
             raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
         self._independence, shares = _weakest(slope)
         if self._independence < SINGULAR:
             raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
+    def _expected(self) -> Array:
+        """Return what the tensions should be: on the parabola through the last three."""
+        match self._past[self.parts - 1 :: self.parts]:
+            case [last, before, first]:
+                return 3 * (last - before) + first
+            case [last, before]:
+                return 2 * last - before
+            case [last]:
+                return last
+        return np.zeros_like(self._length)
+
     def _settle(
-        self, place: Coordinates, motion: Coordinates, reply: Reply, length: Array
-    ) -> tuple[Array, Coordinates]:
+        self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
+    ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
+        guess = self._expected() * self._kick - self._warm
         for _ in range(MAX_ITERATIONS):
-            impulse, moved, excess = self._newton(place, motion, reply, length)
+            slack = ~self._taut if self._unilateral else None
+            start = guess if slack is None else np.where(slack, -self._warm, guess)
+            impulse, moved, excess = self._newton(place, motion, reply, length, start, slack)
             if not self._unilateral:
                 return impulse, moved
             pushes = self._pulls_only & self._taut & (self._warm + impulse < 0)
@@ -262,25 +378,26 @@ class ExactJoints:
         raise self._lost(int(np.argmax(self._pulls_only)))
 
     def _newton(
-        self, place: Coordinates, motion: Coordinates, reply: Reply, length: Array
-    ) -> tuple[Array, Coordinates, Array]:
-        """Return the impulses of the taut rows, the motion after them, and all rows' excess."""
+        self,
+        place: Coordinates,
+        motion: Coordinates,
+        reply: Array,
+        length: Array,
+        impulse: Array,
+        slack: Booleans | None,
+    ) -> tuple[Array, Array, Array]:
+        """Return the impulses, the velocities after them, and all rows' excess.
+
+        They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
+        of what `@` takes.)
+        """
         h = self._drift
-        slack = None if self._taut.all() else ~self._taut
-        impulse = self._guess * self._kick - self._warm
-        if slack is not None:
-            impulse[slack] = -self._warm[slack]
         for _ in range(MAX_ITERATIONS):
-            moved = reply.to(impulse, motion)
-            there = self._look(
-                Coordinates(
-                    place.plane + h * moved.plane,
-                    place.angle + h * moved.angle if self._turns else place.angle,
-                )
-            )
+            moved = motion.values - impulse.dot(reply)
+            there = self._look(Coordinates(place.values + h * moved))
             excess = there.total - length
-            wrong, slope = excess, reply.answers(there)
-            if slack is not None:
+            wrong, slope = excess, there.gradient.dot(reply.T)
+            if slack is not None and slack.any():
                 wrong = np.where(slack, 0.0, excess)
                 slope[slack] = 0.0
                 slope[slack, slack] = 1.0
@@ -288,15 +405,15 @@ class ExactJoints:
                 impulse = impulse + _solved(slope, wrong) / h
             except np.linalg.LinAlgError:
                 raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
-            if np.abs(wrong).max() <= QUADRATIC:
-                return impulse, reply.to(impulse, motion), excess
+            if wrong.dot(wrong) <= QUADRATIC**2:
+                return impulse, motion.values - impulse.dot(reply), excess
         raise self._lost(int(np.argmax(np.abs(wrong))))
 
     def _lost(self, row: int) -> JointFailure:
         """Say why there is no solution: the joints work against each other, or the step is long."""
         place, _ = self._coordinates()
         here, taut = self._look(place), np.flatnonzero(self._taut)
-        slope = self._reply(here).answers(here)[np.ix_(taut, taut)]
+        slope = self._answers(here)[np.ix_(taut, taut)]
         if slope.any() and np.isfinite(slope).all():
             independence, shares = _weakest(slope)
             if independence < LOCKED * self._independence:
@@ -304,34 +421,31 @@ class ExactJoints:
                 reason = f"'{name}' and the joints beside it are stretched: none can give way"
                 return JointFailure(name, reason)
         name = self._joints[row]
-        needed, now = self._needed(), 1 / self._drift
-        reason = (
-            f"nothing keeps '{name}' as it is through the next step;"
-            f" take a higher 'rate': {needed:,.0f}, not {now:g}"
-        )
-        return JointFailure(name, reason, needed)
+        reason = f"nothing keeps '{name}' as it is through the next step"
+        return JointFailure(name, reason, self._finer())
 
-    def _needed(self) -> float:
-        """Return the rate at which joints under this tension should hold [Hz].
+    def _answers(self, here: Rows) -> Array:
+        """Return how fast each row shortens by a unit impulse of each: (m, m)."""
+        return np.asarray(here.gradient * self._inverse @ here.gradient.T)
+
+    def _finer(self) -> float:
+        """Return how many times as many steps joints under this tension need.
 
         A taut chain swings across with up to ω² = 2 T (1/m_a + 1/m_b) / l; ω dt should be 1/2.
         """
         place, _ = self._coordinates()
         here = self._look(place)
-        replies = self._reply(here).answers(here).diagonal()
+        replies = self._answers(here).diagonal()
         with np.errstate(all="ignore"):
             square = 2 * np.abs(self.tension) * replies / np.abs(here.total)
         square = square[np.isfinite(square)]
         omega = float(np.sqrt(square.max(initial=0.0)))
-        return float(np.ceil(max(2 * omega, 2 / self._drift)))
+        return max(2 * omega * abs(self._drift), 2.0)
 
     def parting(self) -> tuple[str, float]:
         """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
         place, _ = self._coordinates()
-        total = self._reaches.look(place).total
-        for row, equation in self._others:
-            total[row], _ = copy(equation).look(place)  # who only looks leaves no trace
-        off = total - self._length
+        off = self._glance(place).total - self._length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
         off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more
         if not len(off):
@@ -343,6 +457,24 @@ class ExactJoints:
         name = self._joints[row]
         reason = f"'{name}' holds what is held already, or cannot hold it; leave it out"
         return JointFailure(name, reason)
+
+
+def _by_joint(
+    equations: Sequence[Condition], turns: Sequence[bool], way: bool
+) -> dict[str, list[int]]:
+    """Return for each joint which of its equations turn, or which do not."""
+    found: dict[str, list[int]] = {equation.joint: [] for equation in equations}
+    for row, (equation, turn) in enumerate(zip(equations, turns, strict=True)):
+        if turn == way:
+            found[equation.joint].append(row)
+    return found
+
+
+def _coordinates(rows: Array) -> Coordinates:
+    """Return places or velocities (n, 3) as equations have them, the plane itself last."""
+    values = np.zeros(3 * len(rows) + 3)
+    values[order(len(rows))] = rows
+    return Coordinates(values)
 
 
 def _weakest(slope: Array) -> tuple[float, Array]:

@@ -9,14 +9,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.model.accounts import does_work
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Array, Values
-from sandbox.model.shapes import evaluate
+from sandbox.model.joints import Spring
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.batch import in_place
 from sandbox.physics.laws.gravity import Gravity
 from sandbox.physics.laws.law import Law
 from sandbox.physics.massflow import Share, accretion_flows, thrust_flows
 
-__all__ = ["Gravity", "Law", "gravity", "laws"]
+__all__ = ["Gravity", "Law", "any_law", "gravity", "laws"]
 
 
 def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Gravity | None:
@@ -50,6 +54,12 @@ def laws(
     given = _Given(effects, values, names, mass, share, step)
     declared = (make for name, make in _MAKERS.items() if getattr(effects, name) is not None)
     return tuple(law for make in declared for law in make(given))
+
+
+def any_law(level: Level) -> bool:
+    """Whether a level has forces that pymunk does not apply by itself, springs among them."""
+    declared = any(name in _MAKERS for name in level.effects.declared)
+    return declared or any(isinstance(joint, Spring) for joint in level.joints.values())
 
 
 class _Given(NamedTuple):
@@ -93,17 +103,23 @@ def _drag(given: _Given) -> Iterator[Law]:
     from sandbox.physics.laws.drag import Drag
 
     if drag := given.effects.drag:
-        rows = _rows(drag.bodies, given.names, given.mass)
+        rows = in_place(_rows(drag.bodies, given.names, given.mass))
         yield Drag(drag.linear(given.values), drag.quadratic(given.values), rows)
 
 
 def _force(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.laws.push import Push
+    from sandbox.physics.laws.push import Push, Steady
 
+    steady: list[tuple[int, XY, XY]] = []
     for force in given.effects.force or ():
-        point = evaluate(force.at, given.values)
-        body, turns = given.names.index(force.body), force.frame == "body"
-        yield Push(force.force, given.values, body, point, turns)
+        point, body = evaluate(force.at, given.values), given.names.index(force.body)
+        if does_work(force):
+            yield Push(force.force, given.values, body, point, force.frame == "body")
+        else:
+            x, y = (component(given.values) for component in force.force)
+            steady.append((body, point, (x, y)))
+    if steady:
+        yield Steady.of(steady)
 
 
 def _thrust(given: _Given) -> Iterator[Law]:

@@ -1,12 +1,13 @@
 """Attraction to a fixed centre."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
+from sandbox.physics.batch import Integers, in_place
 from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
@@ -27,6 +28,13 @@ class Attraction:
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
     power: float = 2.0  # p
     share: Share = steady
+    _moving: slice | Integers = field(init=False)  # those that it acts on
+    _middle: Array = field(init=False)  # the centre [m]
+
+    def __post_init__(self) -> None:
+        """See what moves."""
+        object.__setattr__(self, "_moving", in_place(np.flatnonzero(self.mass)))
+        object.__setattr__(self, "_middle", np.array(self.center))
 
     @property
     def needs_velocity(self) -> bool:
@@ -35,21 +43,22 @@ class Attraction:
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −mu m r / |r|^(p + 1)."""
-        moving, mass = self.mass > 0, self.mass * self.share(motion.t)
-        r = motion.position[..., moving, :] - self.center
-        distance = np.hypot(r[..., 0], r[..., 1])
-        pull = -self.mu * mass[..., moving] / distance ** (self.power + 1)
-        wrench[..., moving, :2] += pull[..., None] * r
+        r, distance, strength = self._look(motion)
+        pull = strength / distance ** (self.power + 1)
+        wrench[..., self._moving, :2] -= pull[..., None] * r
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −mu m |r|^(1 − p) / (p − 1), or mu m ln |r|."""
-        moving, mass = self.mass > 0, self.mass * self.share(motion.t)
-        r = motion.position[..., moving, :] - self.center
+        _, distance, strength = self._look(motion)
         energy = np.zeros(motion.position.shape[:-1])
-        energy[..., moving] = (
-            self.mu * mass[..., moving] * self._well(np.hypot(r[..., 0], r[..., 1]))
-        )
+        energy[..., self._moving] = strength * self._well(distance)
         return energy
+
+    def _look(self, motion: Motion) -> tuple[Array, Array, Array]:
+        """Return of what moves r, |r| and mu m."""
+        r = motion.position[..., self._moving, :] - self._middle
+        strength = self.mu * self.mass * self.share(motion.t)
+        return r, np.hypot(r[..., 0], r[..., 1]), strength[..., self._moving]
 
     def _well(self, distance: Array) -> Array:
         """Return the integral of distance^(−p)."""

@@ -20,7 +20,7 @@ class Drag:
 
     linear: float  # kg/s
     quadratic: float  # kg/m
-    bodies: Integers  # those it acts on
+    bodies: slice | Integers  # those it acts on
 
     @property
     def needs_velocity(self) -> bool:

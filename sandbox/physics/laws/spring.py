@@ -40,12 +40,12 @@ class SpringForce:
 
     def stored(self, motion: Motion) -> Array:
         """Return k (l − l0)² / 2 [J]."""
-        (a, _, _), (b, _, _) = (end.look(motion) for end in self.ends)
+        (a, _), (b, _) = (end.find(motion) for end in self.ends)
         return np.asarray(self.stiffness * self._stretch(np.abs(b - a)) ** 2 / 2)
 
     def span(self, motion: Motion) -> tuple[Plane, Plane]:
         """Return where it begins and ends [m]: one that has let go keeps its length l0."""
-        (a, _, _), (b, _, _) = (end.look(motion) for end in self.ends)
+        (a, _), (b, _) = (end.find(motion) for end in self.ends)
         longest = self.length if self.pushes_only else np.inf
         length = np.maximum(np.abs(b - a), 1e-300)
         return a, a + (b - a) * np.minimum(1.0, longest / length)
@@ -53,13 +53,14 @@ class SpringForce:
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add the pull on both ends, and its torques."""
         pull, direction, arms = self._pull(motion)
+        forces = wrench[..., :2].view(complex)[..., 0]
         for end, arm, force in zip(
             self.ends, arms, (pull * direction, -pull * direction), strict=True
         ):
             if end.body is not None:
-                wrench[..., end.body, 0] += force.real
-                wrench[..., end.body, 1] += force.imag
-                wrench[..., end.body, 2] += (arm.conj() * force).imag
+                forces[..., end.body] += force
+                if end.point:
+                    wrench[..., end.body, 2] += (arm.conj() * force).imag
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return k (l − l0)² / 2, shared among the bodies at its ends."""
@@ -72,13 +73,17 @@ class SpringForce:
 
     def _pull(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
         """Return the tension, the direction from the first end to the second, and the arms."""
-        (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
+        if self.damping:
+            (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
+        else:  # how they move does not matter
+            (a, arm_a), (b, arm_b) = (end.find(motion) for end in self.ends)
         span = b - a
         length = np.abs(span)
         direction = span / np.maximum(length, 1e-300)  # none where the ends meet
-        stretching = ((moves_b - moves_a) * direction.conj()).real
         stretch = self._stretch(length)
-        pull = self.stiffness * stretch + self.damping * stretching
+        pull = self.stiffness * stretch
+        if self.damping:
+            pull = pull + self.damping * ((moves_b - moves_a) * direction.conj()).real
         if self.pushes_only:
             pull = np.where(stretch < 0, np.minimum(pull, 0.0), 0.0)
         return pull, direction, (arm_a, arm_b)

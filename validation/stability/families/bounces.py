@@ -102,7 +102,7 @@ def gas(count: int = 60) -> Document:
         f"A gas of {count} balls",
         "Elastic balls fly about between walls, and keep their energy.",
         MOMENTUM,
-        effects=BOUNCE,
+        effects={"contact": {}, "restitution": {"impacts": "sequence"}},
         bodies={**balls, "walls": _walls(half)},
         stepping={"rate": 240},
         duration=5,

@@ -1,6 +1,7 @@
 """Chains of rods: heavy loads, whipping, long swings."""
 
 from collections.abc import Iterator
+from itertools import product
 from math import atan2, cos, sin
 
 import numpy as np
@@ -150,6 +151,42 @@ def bridge(planks: int = 160, rate: float = 240) -> Document:
     )
 
 
+def net(count: int = 20, load: float = 100, rate: float = 2000) -> Document:
+    """Return a square net that hangs by two corners, with a load in the middle of its lower edge.
+
+    Its rods are pymunk's own: exact ones would be one dense system, 34 ms a step.
+    """
+    link, last = 0.5, count - 1
+    ends: dict[tuple[int, int], object] = {(0, 0): [0, 0], (0, last): [link * last, 0]}
+    knots: Document = {}
+    rods: Document = {}
+    for row, column in product(range(count), range(count)):
+        place = row, column
+        if place not in ends:
+            ends[place] = f"knot{row}_{column}"
+            heavy = load if place == (last, count // 2) else 1.0
+            knots[f"knot{row}_{column}"] = disc((link * column, -link * row), 0.1, heavy)
+        for before, way in (((row - 1, column), "down"), ((row, column - 1), "across")):
+            if before in ends:
+                held = {**rod(ends[before], ends[place]), "exact": False}
+                rods[f"rod{row}_{column}_{way}"] = held
+    return level(
+        f"A net of {count} by {count} joints",
+        "A net hangs by two of its corners, and a load of 100 knots pulls at its lower edge.",
+        LAGRANGE,
+        effects=GRAVITY,
+        bodies=knots,
+        joints=rods,
+        stepping={"rate": rate, "iterations": 20},
+        duration=min(2, WATCHED / rate),
+        checks=[
+            check("rod1_0_down.length", link, 0.01, "the rod at the corner"),
+            check(f"rod{last}_{count // 2}_down.length", link, 0.01, "the rod above the load"),
+        ],
+        view={"center": [0.5 * count * link, -0.5 * count * link], "width": 1.5 * count * link},
+    )
+
+
 def of_link(run: Run) -> float:
     """Return by how much a link is too long or short, of a link."""
     first = next(iter(run.level.joints.values()))
@@ -167,6 +204,7 @@ LEVELS = {
     "20-links-1e5": lambda: chain(20, 1e5, rate=10_000),
     "hanging-chain": catenary,
     "bridge-of-160": bridge,
+    "net-of-20": net,
 }
 
 
@@ -196,6 +234,10 @@ def cases() -> Iterator[HardCase]:
         name="a bridge of 160 links under a load", family=FAMILY, group="C",
         level="hard/bridge-of-160", criterion=KEEPS, figure=of_link, bound=HOLDS, duration=2,
         quick=0.3,
+    )  # fmt: skip
+    yield HardCase(
+        name="a net of 20 by 20 joints under a load", family=FAMILY, group="C",
+        level="hard/net-of-20", criterion=KEEPS, figure=of_link, bound=HOLDS, duration=2, quick=0.3,
     )  # fmt: skip
     yield HardCase(
         name="a chain of 40 links at rest", family=FAMILY, group="B", level="hard/hanging-chain",

@@ -216,8 +216,8 @@ def frontiers() -> Iterator[Frontier]:
     )  # fmt: skip
     yield Frontier(
         name="a heavy box on five", family=FAMILY, axis="mass ratio",
-        scene=lambda ratio: stack(6, ratio, 4000, 10), figure=drift, bound=RESTS, criterion=WITHIN,
-        start=10, end=1e6, duration=5, tolerance=2,
+        scene=lambda ratio: stack(6, ratio, 50_000, 10), figure=drift, bound=RESTS,
+        criterion=WITHIN, start=10, end=1e6, duration=5, tolerance=2,
     )  # fmt: skip
     yield Frontier(
         name="boxes made in each other", family=FAMILY, axis="overlap",

@@ -36,7 +36,7 @@ def arch(count: int = 17, inner: float = 4.0, outer: float = 5.0) -> Document:
         NEWTON,
         effects=pile(0.5),
         bodies={**wedges, "ground": ground(10, friction=0.775)},
-        stepping={"rate": 1000, "iterations": 10},
+        stepping={"rate": 2000, "iterations": 8},
         duration=3,
         checks=[check(f"{keystone}.position.y", high, 0.01, "height of the keystone")],
         view={"center": [0, 2.6], "width": 14},

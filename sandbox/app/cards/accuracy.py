@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pygame
 
 from sandbox.app import race, theme, wording
-from sandbox.app.cards import GAP, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check, Stepping

@@ -1,0 +1,57 @@
+"""What is told at the top of the stage: the most pressing of what there is to tell."""
+
+import pygame
+
+from sandbox.app import theme, whatif, wording
+from sandbox.app.panels import messages
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+
+NOTE = 5.0  # s, how long a passing note is shown
+
+
+class Banner:
+    """Passing notes, and how it stands with the run that is shown."""
+
+    def __init__(self) -> None:
+        self._note, self._left = "", 0.0
+        self._ended: tuple[object, str] = None, ""
+
+    def tell(self, text: str) -> None:
+        """Show a note for a while; an empty one takes the last away."""
+        self._note, self._left = text, NOTE
+
+    def update(self, seconds: float) -> None:
+        """Let time pass."""
+        self._left -= seconds
+
+    def draw(self, surface: pygame.Surface, pen: Pen, area: pygame.Rect, session: Session) -> int:
+        """Draw it at the top of an area, if there is anything to tell; return its end [px]."""
+        text, color = self._told(session)
+        return messages.draw_banner(surface, pen, area, text, color) if text else 0
+
+    def _told(self, session: Session) -> tuple[str, Color]:
+        if session.failure is not None:
+            return f"{session.failure} – R restarts", theme.FAILED
+        if session.waiting:
+            asked = wording.error(session.level.stepping.accuracy or 0.0)
+            text = f"Looking for the cheapest setting with an error of {asked} …"
+            return text, theme.NOTICE
+        if self._note and self._left > 0:
+            return self._note, theme.NOTICE
+        if session.at_end and not session.playing:
+            return self._complete(session), theme.ACCENT
+        return "", theme.NOTICE
+
+    def _complete(self, session: Session) -> str:
+        if session.changes:
+            return self._compared(session)
+        when = wording.seconds(session.duration)
+        return f"Run complete at {when} – R restarts, Space goes on"
+
+    def _compared(self, session: Session) -> str:
+        """Tell once for each run what the changed effects make of it."""
+        if self._ended[0] is not session.world:
+            self._ended = session.world, whatif.told(session, whatif.compared(session))
+        return self._ended[1]

@@ -1,0 +1,75 @@
+"""A column of text and pictures, and the words that every page has."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+
+GAP = 3  # px
+INDENT = 24  # px
+COLUMNS = (0.4, 0.4, 0.2)
+"""How wide measured, expected and error are."""
+
+
+class Card:
+    """A column of text and pictures that grows downwards."""
+
+    def __init__(self, pen: Pen, width: int) -> None:
+        self.pen = pen
+        self.width = width
+        self.y = 0
+        self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
+
+    def text(
+        self, text: str, size: int = 14, color: Color = theme.TEXT, bold: bool = False,
+        indent: int = 0,
+    ) -> None:  # fmt: skip
+        """Add a wrapped paragraph."""
+        for line in self.pen.paragraph(text, self.width - indent, size, color, bold):
+            self.put(line, indent)
+            self.y += line.height
+
+    def put(self, part: pygame.Surface, x: int, y: int = 0) -> None:
+        """Put a picture at the present height, without moving on."""
+        self._parts.append((part, (x, self.y + y)))
+
+    def heading(self, text: str) -> None:
+        """Add a heading under a line."""
+        line = pygame.Surface((self.width, 1))
+        line.fill(theme.EDGE)
+        self.put(line, 0)
+        self.y += 8
+        self.text(text, 14, theme.ACCENT, bold=True)
+        self.y += 4
+
+    def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
+        """Add a row of what was measured, what was expected, and the error."""
+        x = float(INDENT)
+        for (text, color), share in zip(cells, COLUMNS, strict=True):
+            self.put(self.pen.write(text, size, color), round(x))
+            x += share * (self.width - INDENT)
+        self.y += self.pen.height(size)
+
+    def drawn(self, background: Color = theme.PANEL) -> pygame.Surface:
+        """Return the card as it stands."""
+        surface = pygame.Surface((self.width, max(self.y, 1)))
+        surface.fill(background)
+        surface.blits(self._parts)
+        return surface
+
+
+def heading(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw a heading under a line."""
+    card = Card(pen, width)
+    card.heading(text)
+    return card.drawn()
+
+
+def label(pen: Pen, width: int, text: str) -> pygame.Surface:
+    """Draw a few words that introduce what follows."""
+    card = Card(pen, width)
+    card.text(text, 13, theme.DIM)
+    return card.drawn()

@@ -1,0 +1,125 @@
+"""How the checks of a level stand."""
+
+from collections.abc import Mapping, Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.grading import Reading
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.level import Check
+from sandbox.physics.study import Split
+
+NOTHING: Mapping[int, Split] = {}
+TOUCHED = "A hand has touched this run: the formulas no longer describe it."
+_COLORS: dict[str, Color] = {
+    "passed": theme.PASSED,
+    "failed": theme.FAILED,
+    "waiting": theme.WAITING,
+    "not applicable": theme.WAITING,
+}
+
+
+def checks(
+    pen: Pen,
+    width: int,
+    readings: Sequence[Reading],
+    disturbed: bool = False,
+    left_out: int = 0,
+    splits: Mapping[int, Split] = NOTHING,
+) -> pygame.Surface:
+    """Draw how the checks stand, and how many are left out.
+
+    Of a check whose numerical error is known, only the digits that survive it are shown.
+    """
+    card = Card(pen, width)
+    card.heading("Checks")
+    if disturbed:
+        card.text(TOUCHED, 14, theme.NOTICE)
+        card.text("Restart (R) to check again.", 13, theme.DIM)
+    elif not readings:
+        card.text("This level states no closed form.", 14, theme.DIM)
+    else:
+        card.columns([(name, theme.DIM) for name in ("measured", "expected", "error")], 12)
+        for index, reading in enumerate(readings):
+            card.y += GAP
+            _check(card, reading, splits.get(index))
+    if left_out:
+        card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
+    return card.drawn()
+
+
+def unjudged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the formulas say nothing of a run with other effects."""
+    card = Card(pen, width)
+    card.heading("Checks")
+    card.text("The effects are changed: the formulas do not describe this run.", 14, theme.NOTICE)
+    card.text("The tab Effects tells what differs (X).", 13, theme.DIM)
+    return card.drawn()
+
+
+def _check(card: Card, reading: Reading, split: Split | None) -> None:
+    result = reading.result
+    check = result.check
+    color = _COLORS[result.verdict]
+    card.put(_badge(result.verdict, color), 0, 2)
+    _check_title(card, check)
+    if result.verdict == "not applicable":
+        source = check.valid_if.source if check.valid_if else ""
+        card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=INDENT)
+    elif reading.measured is None:
+        card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
+    elif reading.expected is None or result.error is None:
+        ahead = reading.expected
+        expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
+        until = (wording.occasion(check), color)
+        now = wording.quantity(reading.measured, result.unit)
+        card.columns(((now, theme.DIM), (expected, theme.TEXT), until), 13)
+    else:
+        expected = wording.quantity(reading.expected, result.unit)
+        measured = (
+            wording.measured(reading.measured, reading.expected, result.unit)
+            if split is None
+            else wording.certain(reading.measured, split.off, result.unit)
+        )
+        error = wording.error(result.error)
+        card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
+        if split is not None:
+            off = wording.quantity(split.off, result.unit, 1)
+            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=INDENT)
+    if result.verdict == "failed" and result.t is not None:
+        worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
+        card.text(worst, 12, color, indent=INDENT)
+
+
+def _check_title(card: Card, check: Check) -> None:
+    """Write what is checked, and beside it, where there is room, the quantity's name."""
+    lines = card.pen.paragraph(check.label or check.quantity, card.width - INDENT, 14, bold=True)
+    name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)
+    for line in lines:
+        card.put(line, INDENT)
+        card.y += line.height
+    if lines[-1].width + name.width + 12 <= card.width - INDENT:
+        card.put(name, card.width - name.width, -lines[-1].height + 2)
+
+
+def _badge(verdict: str, color: Color) -> pygame.Surface:
+    """Draw a verdict as a sign, for it must not be told by its colour alone."""
+    sign = pygame.Surface((17, 17), pygame.SRCALPHA)
+    if verdict in ("passed", "failed"):
+        pygame.draw.aacircle(sign, color, (8, 8), 8)
+    else:
+        pygame.draw.aacircle(sign, color, (8, 8), 8, 2)
+    ink = theme.STAGE
+    if verdict == "passed":
+        pygame.draw.lines(sign, ink, False, [(4, 8), (7, 11), (12, 5)], 2)
+    elif verdict == "failed":
+        pygame.draw.line(sign, ink, (5, 5), (11, 11), 2)
+        pygame.draw.line(sign, ink, (11, 5), (5, 11), 2)
+    elif verdict == "waiting":
+        pygame.draw.lines(sign, color, False, [(8, 4), (8, 8), (11, 10)], 2)
+    else:
+        pygame.draw.line(sign, color, (5, 8), (11, 8), 2)
+    return sign

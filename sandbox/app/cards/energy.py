@@ -1,0 +1,81 @@
+"""Where the energy of a run is, and where it went."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.books import Energies
+from sandbox.app.cards.card import Card
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.physics.balance import Balance
+
+LABEL = 108  # px, left of a bar
+NUMBER = 92  # px, right of it
+
+
+def energy(
+    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface
+) -> pygame.Surface:
+    """Draw the energies above a graph of them, and what has become of their sum."""
+    card = Card(pen, width)
+    card.heading("Energy")
+    rows = (
+        ("kinetic", now.kinetic, theme.KINETIC),
+        ("potential", now.potential, theme.POTENTIAL),
+        ("total", now.total, theme.TOTAL),
+    )
+    _legend(card, rows)
+    card.put(graph, 0)
+    card.y += graph.height + 3
+    drift = now.total - start.total
+    relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
+    text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
+    card.put(pen.write("change", 13, theme.DIM), 0)
+    card.put(text, width - text.width)
+    card.y += text.height
+    return card.drawn()
+
+
+def ledger(pen: Pen, width: int, books: Balance) -> pygame.Surface:
+    """Draw as bars where the energy is, where it came from and went, and what has no cause."""
+    card = Card(pen, width)
+    card.heading("Energy")
+    rows = [
+        ("kinetic", books.kinetic, theme.KINETIC),
+        *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),
+        ("total", books.energy, theme.TOTAL),
+        *((f"work: {name}", value, theme.ACCENT) for name, value in books.work.items()),
+        *((f"lost: {name}", value, theme.NOTICE) for name, value in books.loss.items()),
+        ("unexplained", books.unexplained, theme.FAILED),
+    ]
+    scale = max(abs(value) for _, value, _ in rows)
+    for name, value, color in rows:
+        card.put(pen.write(name, 13, theme.DIM), 0)
+        text = pen.write(wording.quantity(value, "J", 4), 13)
+        card.put(text, width - text.width)
+        bar = _bar(max(width - LABEL - NUMBER, 20), value / scale if scale else 0.0, color)
+        card.put(bar, LABEL, 5)
+        card.y += pen.height(13) + 1
+    return card.drawn()
+
+
+def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
+    """Add the energies beside each other, in the colours of their lines."""
+    pen, column = card.pen, card.width // len(rows)
+    for i, (name, value, color) in enumerate(rows):
+        card.put(pen.write(name, 12, color), i * column)
+        card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
+    card.y += pen.height(12) + pen.height(13)
+
+
+def _bar(width: int, share: float, color: Color) -> pygame.Surface:
+    """Draw a bar from the middle: to the right if positive, to the left if negative."""
+    bar = pygame.Surface((width, 10))
+    bar.fill(theme.RAISED)
+    middle = width // 2
+    length = round(min(abs(share), 1.0) * middle)
+    bar.fill(color, (middle if share >= 0 else middle - length, 0, length, 10))
+    bar.fill(theme.AXIS, (middle, 0, 1, 10))
+    return bar

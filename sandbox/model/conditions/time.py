@@ -1,0 +1,85 @@
+"""What acts has a value as long as a run lasts, and rods change their length gradually."""
+
+from collections.abc import Iterator
+from functools import partial
+from math import ceil
+
+import numpy as np
+
+from sandbox.model.conditions.condition import Condition
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.joints import Rod
+from sandbox.model.level import Level
+from sandbox.model.locating import Path
+from sandbox.model.parts import expressions
+
+MOST = 1000
+"""Times at which a formula is looked at, at the most: those of the steps, if they are no more."""
+
+HALVINGS = 40
+"""How often a time is halved to see whether a length jumps in it."""
+
+JUMP = 1e-6
+"""The share of its length by which a rod still changes in a 10¹²th of a step if it jumps."""
+
+
+def conditions(level: Level) -> Iterator[Condition]:
+    """Yield what must hold of the formulas over time by which a scene moves."""
+    for path, formula in _formulas(level):
+        yield Condition(path, _names(formula, level), partial(_lost, formula, level))
+    for name, joint in level.joints.items():
+        if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
+            names, uneven = _names(joint.length, level), partial(_uneven, joint.length, level)
+            yield Condition(("joints", name, "length"), names, uneven)
+
+
+def _names(formula: Formula, level: Level) -> frozenset[str]:
+    return (formula.names | level.duration.names) - {formula.variable}
+
+
+def _formulas(level: Level) -> Iterator[tuple[Path, Formula]]:
+    for part in ("effects", "joints"):
+        for path, formula in expressions(getattr(level, part), (part,)):
+            if isinstance(formula, Formula) and formula.variable == "t":
+                yield path, formula
+
+
+def _times(level: Level, values: Values) -> Array:
+    duration = level.duration(values)
+    steps = ceil(min(duration * level.stepping.rate * (1 - 1e-9), MOST))
+    return np.linspace(0.0, duration, steps + 1)
+
+
+def _lost(formula: Formula, level: Level, values: Values) -> str | None:
+    """Say when a formula first has no value."""
+    times = _times(level, values)
+    try:
+        lost = ~np.isfinite(formula.over(values, times))
+    except ExpressionError as error:
+        return str(error)
+    if not lost.any():
+        return None
+    return f"'{brief(str(formula.source))}' has no finite value at t = {times[lost.argmax()]:.3g} s"
+
+
+def _uneven(length: Formula, level: Level, values: Values) -> str | None:
+    """Say when a rod is not longer than nothing any more, or changes its length all at once."""
+    times = _times(level, values)
+    long = length.over(values, times)
+    if not np.isfinite(long).all():
+        return None  # which is told by itself
+    if (gone := long <= 0).any():
+        first = gone.argmax()
+        return f"the rod is {long[first]:.3g} m long at t = {times[first]:.3g} s"
+    start, end = times[:-1], times[1:]
+    for _ in range(HALVINGS):
+        middle = (start + end) / 2
+        at_start, half, at_end = (length.over(values, t) for t in (start, middle, end))
+        later = np.abs(at_end - half) > np.abs(half - at_start)
+        start, end = np.where(later, middle, start), np.where(later, end, middle)
+    jump = np.abs(length.over(values, end) - length.over(values, start))
+    if not jump.max() > JUMP * long.max():
+        return None
+    far, t = jump.max(), end[jump.argmax()]
+    return f"the rod's length jumps by {far:.3g} m at t = {t:.3g} s; it must change gradually"

@@ -1,0 +1,66 @@
+"""What the bodies say fits what they are, and there are not too many of them."""
+
+from collections.abc import Iterator, Mapping
+
+from sandbox.model.errors import brief
+from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
+from sandbox.model.parts import Fault
+from sandbox.model.shapes import Polygon, Polyline, Shape
+
+MAX_SURFACES = 30_000
+"""How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
+
+_FORBIDDEN: Mapping[str, tuple[str, ...]] = {
+    "dynamic": (),
+    "kinematic": ("mass", "moment"),
+    "static": ("mass", "moment", "velocity", "angular_velocity"),
+}
+"""The fields that a type of body cannot have."""
+
+
+def fields_fit(level: Level) -> Iterator[Fault]:
+    """Bodies have what their type needs, and nothing that it cannot have."""
+    for name, body in level.bodies.items():
+        path = ("bodies", name)
+        if body.type == "dynamic" and body.mass is None:
+            yield Fault(path, "a dynamic body needs a mass")
+        for field in _FORBIDDEN[body.type]:
+            if given(body, field):
+                yield Fault((*path, field), f"a {body.type} body has no {field.replace('_', ' ')}")
+
+
+def rise_and_fall(level: Level) -> Iterator[Fault]:
+    """Refuse to wait for the apex of what keeps its velocity, or the landing of what stands."""
+    still: Mapping[str, tuple[str, ...]] = {"apex": ("static", "kinematic"), "landing": ("static",)}
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, ApexEvent | LandingEvent):
+            body = level.bodies.get(check.at.body)
+            if body and body.type in still[check.at.event]:
+                event = f"it never comes to its {check.at.event}"
+                rule = f"'{brief(check.at.body)}' is {body.type}: {event}"
+                yield Fault(("checks", index, "at", "body"), rule)
+
+
+def given(body: Body, field: str) -> bool:
+    """Whether a field says anything; its default may be written out."""
+    return bool(getattr(body, field) != type(body).model_fields[field].default)
+
+
+def not_too_many(level: Level) -> Iterator[Fault]:
+    """Bodies that touch have no more surfaces than pymunk holds in reasonable time."""
+    if level.effects.contact is None:
+        return
+    count = sum(_pieces(body.shape) for body in level.bodies.values())
+    if count > MAX_SURFACES:
+        rule = f"have {count:,} surfaces in all; {MAX_SURFACES:,} are the most that may touch"
+        yield Fault(("bodies",), rule)
+
+
+def _pieces(shape: Shape) -> int:
+    """Return of how many convex pieces a shape is made at the most."""
+    match shape:
+        case Polyline(points=corners):
+            return len(corners) - 1
+        case Polygon(vertices=corners):
+            return len(corners) - 2
+    return 1

@@ -1,0 +1,79 @@
+"""The effects that are declared have something to act on."""
+
+from collections.abc import Iterator
+
+from sandbox.model.consistency.bodies import given
+from sandbox.model.consistency.mentions import bodies_of_effects, lists_of_bodies
+from sandbox.model.consistency.surfaces import coefficients_fit, undeclared
+from sandbox.model.errors import brief
+from sandbox.model.expressions import NonNegative
+from sandbox.model.joints import Held, Motor, Weld, Winding, points
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault
+
+
+def laws_act(level: Level) -> Iterator[Fault]:
+    """Drags do something, and what a force acts on can move."""
+    drag = level.effects.drag
+    if drag and drag.linear == drag.quadratic == NonNegative(0):
+        yield Fault(("effects", "drag"), "needs 'linear' or 'quadratic' greater than 0")
+    for path, name in bodies_of_effects(level):
+        if name in level.bodies and (kind := level.bodies[name].type) != "dynamic":
+            yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
+    for path, bodies in lists_of_bodies(level):
+        if len(set(bodies)) < len(bodies):
+            yield Fault(path, "a body is named twice")
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    if level.effects.gravitation and len(dynamic) == 1:
+        rule = "bodies attract each other, but only one is dynamic; 'attraction' has a fixed centre"
+        yield Fault(("effects", "gravitation"), rule)
+
+
+def effects_used(level: Level) -> Iterator[Fault]:
+    """Effects that are declared have bodies to act on."""
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name in () if dynamic else level.effects.declared:
+        yield Fault(("effects", name), f"'{name}' is declared but no body is dynamic")
+    if level.effects.contact and dynamic and len(level.bodies) < 2:
+        yield Fault(("effects", "contact"), "'contact' is declared but there is only one body")
+    for kind in ("friction", "restitution"):
+        yield from coefficients_fit(level, kind)
+
+
+def rotation_used(level: Level) -> Iterator[Fault]:
+    """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
+    dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
+    turning = any(given(body, "angular_velocity") for body in dynamic.values())
+    if level.effects.rotation:
+        if not (turning or level.effects.contact or _levers(level)):
+            rule = "'rotation' is declared but nothing turns a body: no contact, no joint, no spin"
+            yield Fault(("effects", "rotation"), rule)
+        return
+    for name, body in dynamic.items():
+        for field in ("moment", "angular_velocity"):
+            if given(body, field):
+                yield undeclared(("bodies", name, field), field, "rotation")
+
+
+def _levers(level: Level) -> bool:
+    """Whether a joint turns a body, or one or a force acts on it away from its centre."""
+    if any(isinstance(joint, Motor | Weld | Winding) for joint in level.joints.values()):
+        return True
+    held = (end for joint in level.joints.values() for end in points(joint))
+    points_of_bodies = [end.at for end in held if isinstance(end, Held)]
+    points_of_bodies += [force.at for force in level.effects.force or ()]
+    return any(point != Held.model_fields["at"].default for point in points_of_bodies)
+
+
+def landscape_fits(level: Level) -> Iterator[Fault]:
+    """Landscapes belong to bodies that have energy, and their place has a name of its own."""
+    landscape = level.view.landscape
+    if landscape is None:
+        return
+    body = level.bodies.get(landscape.body)
+    if body and body.type != "dynamic":
+        rule = f"'{brief(landscape.body)}' is {body.type}, so it has no energy to draw"
+        yield Fault(("view", "landscape", "body"), rule)
+    if (place := landscape.potential.variable) in level.parameters:
+        rule = f"'{place}' is the place in the landscape's potential; choose another name"
+        yield Fault(("parameters", place), rule)

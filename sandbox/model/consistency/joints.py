@@ -1,0 +1,76 @@
+"""What the joints hold can be held by them."""
+
+from collections.abc import Iterator
+
+from sandbox.model.consistency.mentions import bodies_of_flows
+from sandbox.model.errors import brief
+from sandbox.model.joints import (
+    Joint,
+    Own,
+    Rod,
+    Spring,
+    Wire,
+    bodies_of,
+    body_of,
+    is_exact,
+    points,
+)
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault
+
+
+def something_to_hold(level: Level) -> Iterator[Fault]:
+    """Joints hold something that moves, and tie nothing to itself."""
+    for name, joint in level.joints.items():
+        path = ("joints", name, "ends")
+        held = [level.bodies[body] for body in bodies_of(joint) if body in level.bodies]
+        moves = any(body.type == "dynamic" for body in held)
+        if isinstance(joint, Wire):
+            if not moves:
+                yield Fault(("joints", name, "bead"), "the bead must be a dynamic body")
+        elif same := _twice(joint):
+            yield Fault(path, f"'{brief(same)}' is tied to itself; two different bodies are needed")
+        elif not moves:
+            yield Fault(path, "at least one end must be a dynamic body")
+    if "s" in level.parameters and any(isinstance(j, Wire) for j in level.joints.values()):
+        yield Fault(("parameters", "s"), "'s' runs along the wires; choose another name")
+
+
+def own_apart(level: Level) -> Iterator[Fault]:
+    """Joints of pymunk's own do not change with time, and share no body with exact ones."""
+    exact = {b for joint in level.joints.values() if is_exact(joint) for b in bodies_of(joint)}
+    if level.effects.sticking:
+        exact.update(body for pair in level.effects.sticking.pairs for body in pair.bodies)
+    moving = {name for name, body in level.bodies.items() if body.type == "dynamic"}
+    for name, joint in level.joints.items():
+        if not isinstance(joint, Own) or joint.exact:
+            continue
+        path = ("joints", name, "exact")
+        formula = joint.length if isinstance(joint, Rod) else getattr(joint, "rate", None)
+        if formula is not None and "t" in formula.names:
+            yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
+        for body in moving.intersection(bodies_of(joint)) & exact:
+            rule = f"'{brief(body)}' is held exactly, too; let all that holds it be exact, or none"
+            yield Fault(path, rule)
+        if level.effects.in_sequence:
+            yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
+
+
+def _twice(joint: Joint) -> str | None:
+    """Return the body that a joint ties to itself, if it does.
+
+    A string may run over several pegs of one body.
+    """
+    path = [body_of(end) for end in points(joint)]
+    pairs = [path[:2], path[-2:], (path[0], path[-1])]
+    return next((a for a, b in pairs if a is not None and a == b), None)
+
+
+def constant_masses(level: Level) -> Iterator[Fault]:
+    """Exact joints are solved with the masses of the start, so they hold nothing that changes."""
+    changing = {name for _, name in bodies_of_flows(level)}
+    for name, joint in level.joints.items():
+        for body in changing.intersection(bodies_of(joint)):
+            if not isinstance(joint, Spring):
+                rule = f"'{brief(body)}' changes its mass, so only a spring can hold it"
+                yield Fault(("joints", name, "ends"), rule)

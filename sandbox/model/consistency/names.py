@@ -1,0 +1,89 @@
+"""The names in a level: each is used, and leads to something that exists."""
+
+from collections.abc import Iterator
+from keyword import iskeyword
+
+from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
+from sandbox.model.errors import brief
+from sandbox.model.expressions import RESERVED, Formula
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault, expressions
+from sandbox.model.quantities import QuantityError, quantity
+from sandbox.model.suggest import suggestion
+
+
+def parameters_fit(level: Level) -> Iterator[Fault]:
+    """Parameters have values in their ranges, and change something in the scene."""
+    scene, formulas = _used(level, scene=True), _used(level, scene=False)
+    for name, parameter in level.parameters.items():
+        path = ("parameters", name)
+        if name in RESERVED or iskeyword(name):
+            yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
+        if parameter.min > parameter.max:
+            yield Fault((*path, "min"), f"must not be greater than 'max', {parameter.max:g}")
+        elif not parameter.min <= parameter.value <= parameter.max:
+            bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
+            yield Fault((*path, "value"), f"must lie {bounds}")
+        if name not in scene | formulas:
+            yield Fault(path, f"'{name}' is declared but nothing uses it")
+        elif name not in scene:
+            only = f"only checks, ghosts or the landscape use '{name}'"
+            rule = f"{only}, so it changes nothing in the scene"
+            yield Fault(path, rule)
+
+
+def _used(level: Level, *, scene: bool) -> set[str]:
+    """Return the names that the scene uses, or that only tell what it should do."""
+    told = ("checks", "ghosts", "view")
+    used = (
+        e.names
+        for path, e in expressions(level)
+        if (isinstance(e, Formula) and path[0] in told) is not scene
+    )
+    return set().union(*used)
+
+
+def known_names(level: Level) -> Iterator[Fault]:
+    """Expressions use parameters that exist, and nothing has a name that is taken."""
+    for path, expression in expressions(level):
+        known = [*level.parameters, *filter(None, [expression.variable])]
+        for name in sorted(expression.names.difference(known)):
+            if name == "t":
+                yield Fault(path, "the time 't' has no meaning here")
+            else:
+                yield Fault(path, f"unknown parameter '{name}'{suggestion(name, known)}")
+    for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
+        for name in names:
+            if name in ("system", "t"):
+                yield Fault((kind, name), f"the name '{name}' is taken")
+            elif kind == "joints" and name in level.bodies:
+                yield Fault((kind, name), f"'{name}' is already the name of a body")
+
+
+def timeless_conditions(level: Level) -> Iterator[Fault]:
+    """Conditions of checks hold for a whole run or not at all."""
+    for index, check in enumerate(level.checks):
+        if check.valid_if and "t" in check.valid_if.names:
+            rule = "is a condition over the parameters; it cannot depend on the time 't'"
+            yield Fault(("checks", index, "valid_if"), rule)
+
+
+def known_bodies(level: Level) -> Iterator[Fault]:
+    """Bodies that are named exist, and pairs are of two."""
+    for path, name in named_bodies(level):
+        if name not in level.bodies:
+            yield Fault(path, f"unknown body '{brief(name)}'{suggestion(name, level.bodies)}")
+    for path, names in couples(level):
+        if names[0] == names[1]:
+            yield Fault(
+                path, f"'{brief(names[0])}' is named twice; two different bodies are needed"
+            )
+
+
+def known_quantities(level: Level) -> Iterator[Fault]:
+    """Quantities that are named can be measured."""
+    for path, name in named_quantities(level):
+        try:
+            quantity(name, level)
+        except QuantityError as error:
+            yield Fault(path, str(error))

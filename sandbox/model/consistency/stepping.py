@@ -1,0 +1,29 @@
+"""How time advances fits what is simulated."""
+
+from collections.abc import Iterator
+
+from sandbox.model.level import FINEST, Level
+from sandbox.model.parts import Fault
+from sandbox.model.schemes import unsmooth
+
+
+def scheme_fits(level: Level) -> Iterator[Fault]:
+    """Fourth order: only where all forces are smooth."""
+    if level.stepping.scheme == "fourth-order" and (rule := unsmooth(level)):
+        yield Fault(("stepping", "scheme"), rule)
+
+
+def accuracy_alone(level: Level) -> Iterator[Fault]:
+    """Refuse a setting that is chosen and asked for by its accuracy as well."""
+    if level.stepping.accuracy is not None:
+        for name in sorted(level.stepping.model_fields_set - {"accuracy"}):
+            rule = "is chosen beside an 'accuracy' that is asked for; leave one of the two out"
+            yield Fault(("stepping", name), rule)
+
+
+def accuracy_within_reach(level: Level) -> Iterator[Fault]:
+    """Refuse an accuracy that no run can have."""
+    asked = level.stepping.accuracy
+    if asked is not None and asked < FINEST:
+        rule = f"an accuracy of {asked:g} is below rounding; {FINEST:g} is the least"
+        yield Fault(("stepping", "accuracy"), rule)

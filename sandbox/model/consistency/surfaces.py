@@ -1,0 +1,173 @@
+"""What concerns bodies that touch is declared, is used, and fits together."""
+
+from collections.abc import Iterator, Sequence
+
+from sandbox.model.consistency.bodies import given
+from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, named_quantities
+from sandbox.model.effects import Pair
+from sandbox.model.errors import brief
+from sandbox.model.joints import bodies_of, is_exact
+from sandbox.model.level import Body, ContactEvent, Level, is_alone
+from sandbox.model.locating import Path
+from sandbox.model.parts import Fault
+from sandbox.model.shapes import Disc, Hoop
+
+
+def contact_declared(level: Level) -> Iterator[Fault]:
+    """Whatever waits for bodies to touch needs bodies that can."""
+    contact = level.effects.contact
+    if contact:
+        if contact.piles and contact.slop is not None:
+            rule = "'piles' choose the overlap that is left alone; leave out one of the two"
+            yield Fault(("effects", "contact", "slop"), rule)
+        return
+    for path, name in named_quantities(level):
+        if ".contact." in name:
+            yield undeclared(path, name, "contact")
+    for index, check in enumerate(level.checks):
+        if isinstance(check.at, ContactEvent):
+            yield undeclared(("checks", index, "at", "event"), "contact", "contact")
+
+
+def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
+    """Friction and restitution: declared if used, used if declared, and only with contact."""
+    effect = coefficients(level).get(kind)
+    given = [name for name, body in level.bodies.items() if getattr(body, kind) is not None]
+    if kind == "friction":
+        yield from _static_alone(level)
+    if effect is None:
+        yield from (undeclared(("bodies", name, kind), kind, kind) for name in given)
+        return
+    if level.effects.contact is None:
+        yield Fault(("effects", kind), f"'{kind}' needs the effect 'contact'")
+    if kind == "friction" and level.effects.in_sequence:
+        rule = "impacts in 'sequence' do not rub; leave out 'friction', or let them be 'together'"
+        yield Fault(("effects", "restitution", "impacts"), rule)
+    paired = {name for pair in effect.pairs for name in pair.bodies}
+    if not given and not paired:
+        yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")
+        return
+    known = paired.union(given)
+    for name in level.bodies:
+        if name not in known:
+            yield Fault(
+                ("bodies", name),
+                f"needs a '{kind}' coefficient, for the level declares '{kind}'"
+                " (1 leaves the other body's as it is, 0 is none)",
+            )
+    yield from _repeated_pairs(effect.pairs, kind, "has a coefficient already")
+
+
+def _static_alone(level: Level) -> Iterator[Fault]:
+    for name, body in level.bodies.items():
+        if body.static_friction is not None and body.friction is None:
+            rule = "needs 'friction' beside it, the coefficient while the body slips"
+            yield Fault(("bodies", name, "static_friction"), rule)
+
+
+def sticking_fits(level: Level) -> Iterator[Fault]:
+    """Sticking: of bodies that touch, one of which can move."""
+    sticking = level.effects.sticking
+    if sticking is None:
+        return
+    if level.effects.contact is None:
+        yield Fault(("effects", "sticking"), "'sticking' needs the effect 'contact'")
+    if level.effects.in_sequence:
+        rule = "what sticks cannot be declared with impacts in 'sequence'"
+        yield Fault(("effects", "sticking"), rule)
+    located = (level.effects.contact and level.effects.contact.located) or ()
+    for name in {name for pair in sticking.pairs for name in pair.bodies}.intersection(located):
+        rule = (
+            f"'{brief(name)}' sticks at its first touch; such an impact cannot be located in time"
+        )
+        yield Fault(("effects", "contact", "located", located.index(name)), rule)
+    for index, pair in enumerate(sticking.pairs):
+        held = [level.bodies[body] for body in pair.bodies if body in level.bodies]
+        if len(held) == 2 and not any(body.type == "dynamic" for body in held):
+            path = ("effects", "sticking", "pairs", index)
+            yield Fault(path, "at least one of the two must be a dynamic body")
+    yield from _repeated_pairs(sticking.pairs, "sticking", "is named already")
+
+
+def located_slips_fit(level: Level) -> Iterator[Fault]:
+    """Bodies whose slipping is located in time hang on nothing that contacts settle with late."""
+    friction = level.effects.friction
+    flows = {body for _, body in bodies_of_flows(level)}
+    for index, body in enumerate((friction and friction.located) or ()):
+        path = ("effects", "friction", "located", index)
+        if body in flows:
+            rule = f"'{brief(body)}' changes its mass, so where slipping ends cannot be located"
+            yield Fault(path, rule)
+        for name, joint in level.joints.items():
+            if body in bodies_of(joint) and is_exact(joint) and not is_alone(name, level):
+                rule = (
+                    f"'{brief(body)}' is held by '{brief(name)}'; where slipping ends can be"
+                    " located for bodies that are free, on springs, or on one string over pegs"
+                )
+                yield Fault(path, rule)
+
+
+def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
+    """Impacts that pymunk does not solve are solved with the masses of the start."""
+    changing = sorted({name for _, name in bodies_of_flows(level)})
+    if not changing:
+        return
+    contact, told = level.effects.contact, brief(changing[0])
+    if level.effects.in_sequence:
+        rule = f"'{told}' changes its mass; those that collide in 'sequence' must keep theirs"
+        yield Fault(("effects", "restitution", "impacts"), rule)
+    if contact and contact.located:
+        rule = f"'{told}' changes its mass; where impacts are located, all bodies must keep theirs"
+        yield Fault(("effects", "contact", "located"), rule)
+
+
+def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
+    """Pairs that stick at their first touch have no coefficient of restitution."""
+    effects = level.effects
+    if effects.sticking is None or effects.restitution is None:
+        return
+    stuck = [set(pair.bodies) for pair in effects.sticking.pairs]
+    for index, pair in enumerate(effects.restitution.pairs):
+        if set(pair.bodies) in stuck:
+            rule = "the two stick at their first touch, so they do not bounce; leave out one"
+            yield Fault(("effects", "restitution", "pairs", index), rule)
+
+
+def belts_fit(level: Level) -> Iterator[Fault]:
+    """Belts carry by friction, and have straight sides that do not turn."""
+    seen: set[str] = set()
+    for index, belt in enumerate(level.effects.belt or ()):
+        path = ("effects", "belt", index, "body")
+        for needed in ("contact", "friction"):
+            if getattr(level.effects, needed) is None:
+                yield Fault(path[:-1], f"'belt' needs the effect '{needed}'")
+        if belt.body in seen:
+            yield Fault(path, f"'{brief(belt.body)}' is a belt already")
+        seen.add(belt.body)
+        if body := level.bodies.get(belt.body):
+            yield from (Fault(path, rule) for rule in _no_belt(belt.body, body))
+
+
+def _no_belt(name: str, body: Body) -> Iterator[str]:
+    """Yield why a body can be no belt."""
+    if body.type == "dynamic":
+        yield f"'{brief(name)}' is dynamic, but a belt stands still or moves as told"
+    if isinstance(body.shape, Disc | Hoop):
+        yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
+    if body.type == "kinematic" and given(body, "angular_velocity"):
+        yield f"'{brief(name)}' turns, but a belt keeps its direction"
+
+
+def undeclared(path: Path, used: str, effect: str) -> Fault:
+    """Say that something is used whose effect is not declared."""
+    return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
+
+
+def _repeated_pairs(pairs: Sequence[Pair], kind: str, told: str) -> Iterator[Fault]:
+    seen: set[frozenset[str]] = set()
+    for index, pair in enumerate(pairs):
+        bodies = frozenset(pair.bodies)
+        if bodies in seen:
+            path = ("effects", kind, "pairs", index)
+            yield Fault(path, f"the pair {' and '.join(map(brief, pair.bodies))} {told}")
+        seen.add(bodies)

@@ -1,0 +1,47 @@
+"""The text that a level was read from, so that it can be told where a part of it stands."""
+
+from functools import cached_property
+
+from sandbox.model import locating
+from sandbox.model.errors import brief
+from sandbox.model.locating import Path, Value
+
+
+class Origin:
+    """A JSON text, and where everything in it stands.
+
+    All are equal: levels that say the same are, wherever they were read.
+
+    Parameters
+    ----------
+    text
+        The JSON.
+    source
+        Where it came from, for the messages.
+    """
+
+    def __init__(self, text: str, source: str) -> None:
+        self.text = text
+        self.source = source
+
+    def __eq__(self, other: object) -> bool:
+        return True
+
+    def __hash__(self) -> int:
+        return 0
+
+    @cached_property
+    def values(self) -> dict[Path, Value]:
+        """Every value of the text, by its path."""
+        return {value.path: value for value in locating.values(self.text)}
+
+    def nearest(self, path: Path) -> Value:
+        """Return what stands at a path, or what is around it if it is missing."""
+        while path not in self.values:
+            path = path[:-1]
+        return self.values[path]
+
+    def place(self, path: Path) -> str:
+        """Return the file, line and column of a part, and its path, as messages begin."""
+        line, column = locating.position(self.text, self.nearest(path).start)
+        return f"{self.source}:{line}:{column}: {'.'.join(brief(str(step)) for step in path)}"

@@ -1,0 +1,207 @@
+"""What an impact of two bodies does, wherever in time it comes.
+
+Impulses along the normal, at the points where the bodies touch, turn their approach into e times as
+fast a parting (Newton's law of restitution); friction takes what Coulomb's law allows; exact joints
+pass both on to what hangs on them. What would part for less than half a step rests from there on.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Booleans
+from sandbox.physics.build import Scene
+from sandbox.physics.motion import momentum
+from sandbox.physics.outline import surfaces
+from sandbox.physics.pileup import answers, pushes
+from sandbox.physics.sweep import Hit, Path
+
+SWEEPS = 200
+"""How often the impulses at the points of an impact are gone through."""
+
+STILL = 1e-15
+"""The share of the impulses by which they may still change."""
+
+
+class Impact(NamedTuple):
+    """One impact of two bodies.
+
+    Attributes
+    ----------
+    bodies
+        Their indices.
+    time
+        Since the step before [s].
+    normal
+        The unit vector from the first to the second.
+    points
+        Where they touched [m].
+    impulse
+        What the second got; the first got the opposite [N s].
+    told, driven
+        The works of a body that nothing moves, but that moves as told, and of belts [J].
+    rubbed, pressed
+        The works of friction, and of what presses the bodies apart [J].
+    given
+        The momentum and, about the origin, the angular momentum that it gave, (3,)
+        [kg m/s, kg m²/s].
+    """
+
+    bodies: tuple[int, int]
+    time: float
+    normal: complex
+    points: tuple[complex, ...]
+    impulse: complex
+    told: float
+    driven: float
+    rubbed: float
+    pressed: float
+    given: Array
+
+
+class Bounce(NamedTuple):
+    """What an impact does to n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), which bodies an impulse reached.
+    jump
+        (n, 3), how their velocities jump [m/s, rad/s].
+    held
+        (n, 3), how accelerations change from there on where bodies rest on each other
+        [m/s², rad/s²].
+    impact
+        The same as it is told.
+    """
+
+    struck: Booleans
+    jump: Array
+    held: Array
+    impact: Impact
+
+
+class Coefficients(NamedTuple):
+    """Of the pairs of n bodies: (n, n) each."""
+
+    restitution: Array
+    friction: Array
+
+
+class Collision:
+    """Lets bodies bounce off each other; n bodies.
+
+    Parameters
+    ----------
+    coefficients
+        Of the pairs.
+    scene
+        Their masses, and the joints that hold together what collides; see `Sequence`.
+    dt
+        The time step [s].
+    """
+
+    def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
+        self._coefficients, self._dt = coefficients, dt
+        self._running = surfaces(scene.bodies.values())
+        self._mass, self._agility = scene.mass, scene.agility
+        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._joints = scene.joints.together
+
+    def bounce(self, path: Path, hit: Hit) -> Bounce:
+        """Return what comes of a hit.
+
+        What would part for less than half a step does not part: it rests from there on. Points
+        that part already are left out where holding them would give energy: if they are driven
+        together, that is the next impact.
+        """
+        place, velocity = path.at(hit.time)
+        e, mu = (float(table[hit.bodies]) for table in self._coefficients)
+        gradient, count = _gradient(hit, place, rubs=mu > 0), len(hit.points)
+        stiff = self._joints.stiff(place) if self._joints else None
+        answer = answers(gradient, self._agility, stiff)
+        matrix = np.einsum("knc,lnc->kl", answer, gradient)
+        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
+        runs[:count] = 0.0  # what runs lies along a surface
+        rates = np.einsum("knc,nc->k", gradient, velocity) + runs
+        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(hit.time))
+        leaves = -e * np.minimum(rates[:count], 0.0)
+        rests = bool((leaves <= np.maximum(-pulls, 0.0) * (self._dt / 2)).all())
+        if rests:
+            leaves[:] = 0.0
+        impulse = _impulses(matrix, rates, leaves, mu)
+        works = impulse * (rates + matrix @ impulse / 2)
+        coming = np.flatnonzero(rates[:count] < 0)
+        if len(coming) < count and works[:count].sum() > 0:
+            return self.bounce(path, hit._replace(points=tuple(hit.points[k] for k in coming)))
+        jump, given = np.tensordot(impulse, answer, 1), np.tensordot(impulse, gradient, 1)
+        held = np.zeros_like(jump)
+        if rests:
+            holds = _impulses(matrix[:count, :count], pulls, np.zeros(count), 0.0)
+            held = np.tensordot(holds, answer[:count], 1)
+            lasts = (self._dt - hit.time) - self._dt / 2
+            given += np.tensordot(holds, gradient[:count], 1) * lasts
+        impact = Impact(
+            hit.bodies,
+            hit.time,
+            hit.normal,
+            hit.points,
+            hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
+            -float(np.sum((given * velocity)[self._mass == 0])),
+            -float(impulse @ runs),
+            float(works[count:].sum()),
+            float(works[:count].sum()),
+            momentum(self._inertia * jump, place),
+        )
+        struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
+        return Bounce(struck, jump, held, impact)
+
+
+def _gradient(hit: Hit, place: Array, *, rubs: bool) -> Array:
+    """Return how fast velocities take the points of an impact apart, and along: (k, n, 3)."""
+    directions = [hit.normal] * len(hit.points)
+    points = list(hit.points)
+    if rubs:
+        directions += [1j * d for d in directions]
+        points *= 2
+    gradient = np.zeros((len(points), *place.shape))
+    for row, (point, way) in enumerate(zip(points, directions, strict=True)):
+        for body, sign in zip(hit.bodies, (-1, 1), strict=True):
+            arm = point - complex(*place[body, :2].tolist())
+            turning = arm.real * way.imag - arm.imag * way.real
+            gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
+    return gradient
+
+
+def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:
+    """Return the impulses at the points of an impact: pushes, and then friction: (k,) [N s].
+
+    Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
+    times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto: Sequential
+    Impulses, GDC 2006); the pushes at once, for one after the other those of points that are close
+    come to terms late.
+
+    Parameters
+    ----------
+    matrix
+        (k, k), how fast each point parts, or slips, by a unit impulse at each.
+    rates
+        (k,), how fast they do so.
+    leaves
+        How fast each point shall part.
+    mu
+        The coefficient of friction.
+    """
+    impulse, count = np.zeros(len(rates)), len(leaves)
+    for _ in range(SWEEPS if len(rates) > count else 1):
+        before = impulse.copy()
+        lacks = leaves - rates[:count] - matrix[:count, count:] @ impulse[count:]
+        impulse[:count] = pushes(matrix[:count, :count], -lacks)
+        for row in range(count, len(rates)):
+            slip = rates[row] + matrix[row] @ impulse
+            most = mu * impulse[row - count]
+            impulse[row] = min(max(impulse[row] - slip / matrix[row, row], -most), most)
+        if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
+            break
+    return impulse

@@ -1,0 +1,111 @@
+"""A kick of bodies that stand still: the first, and any that must be found before it is given.
+
+pymunk solves contacts, and strings after them, in turn: one kick leaves them a little at odds. So
+bodies are held where they are and kicked again and again from the same velocities, each time from
+the impulses found before, until nothing changes any more.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Batch
+from sandbox.physics.joints import Joints
+
+MAX_KICKS = 500
+"""How often a kick is repeated while contacts and strings come to terms."""
+
+PATIENCE = 50
+"""After how many kicks that settle nothing each is given twice as many sweeps of the solver."""
+
+UNSETTLED = 1000
+"""How many times the rounding velocities must still change for that."""
+
+MAX_SWEEPS = 5000
+"""How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
+
+
+class Settling:
+    """Kicks the bodies of a space that are held where they are; n of them.
+
+    Parameters
+    ----------
+    space, bodies, batch, joints
+        Of the scene.
+    touching
+        Whether there are contacts at all: without any, nothing has to settle.
+    finish
+        Does what belongs after a kick of pymunk's, and raises what has gone wrong in it.
+    """
+
+    def __init__(
+        self,
+        space: pymunk.Space,
+        bodies: Sequence[pymunk.Body],
+        batch: Batch,
+        joints: Joints,
+        finish: Callable[[], None],
+        *,
+        touching: bool,
+    ) -> None:
+        self._space, self._batch, self._joints, self._finish = space, batch, joints, finish
+        self._moving = [b for b in bodies if b.body_type != pymunk.Body.STATIC]
+        self._holding = False
+        self._most = MAX_KICKS if touching else 1
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Hold all bodies where they are, whatever is stepped."""
+        if self._holding:
+            yield
+            return
+        self._holding = True
+        bias, self._space.collision_bias = self._space.collision_bias, 1.0
+        for body in self._moving:
+            body.position_func = _stay
+        try:
+            yield
+        finally:
+            for body in self._moving:
+                body.position_func = pymunk.Body.update_position
+            self._space.collision_bias = bias
+            self._holding = False
+
+    def kick(self, start: Array, length: float, drift: float, pull: Array) -> Array:
+        """Kick bodies that are held, and return their velocities after it: (n, 3).
+
+        Parameters
+        ----------
+        start
+            (n, 3), the velocities before it [m/s, rad/s].
+        length, drift
+            How long it is, and the drift that would follow, through which joints hold [s].
+        pull
+            (n, 3), about how strong gravity and force laws are [m/s², rad/s²].
+        """
+        self._joints.time(length, drift)
+        swept = self._space.iterations
+        pulled = length * np.abs(pull).max(initial=0.0)
+        close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
+        after = np.full_like(start, np.inf)  # at least two kicks are compared
+        for count in range(self._most):
+            previous = after
+            self._batch.set_velocity(start)
+            self._space.step(length)
+            self._finish()
+            after = self._batch.velocity()
+            change = np.abs(after - previous).max(initial=0.0)
+            if change <= close:
+                break
+            if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
+                most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
+                self._space.iterations = max(min(2 * self._space.iterations, most), swept)
+        self._space.iterations = swept
+        return after
+
+
+def _stay(_body: pymunk.Body, _dt: float) -> None:
+    """Move nothing."""

@@ -1,0 +1,97 @@
+"""A level is found by what it is about, among many."""
+
+import pygame
+import pytest
+from pygame_gui.core import UIElement
+
+from sandbox.app.panels.levels import LevelList
+from sandbox.model import catalog
+from tests.app.person import Person
+
+pytestmark = pytest.mark.all_levels
+
+
+@pytest.fixture
+def player(person: Person) -> Person:
+    person.window.open_level("newton/atwood")
+    person.wait()
+    return person
+
+
+def listed(player: Person) -> LevelList:
+    assert player.window.panels.list is not None
+    return player.window.panels.list
+
+
+def titles(player: Person) -> set[str]:
+    return {level.title for level in listed(player).found}
+
+
+def test_words_find_levels_by_what_they_are_about(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("helix")
+
+    assert listed(player).sought == "helix"
+    assert [level.path.stem for level in listed(player).found] == ["helix", "four-slides"]
+
+
+def test_what_is_not_sought_is_hidden(player: Person) -> None:
+    other = listed(player).button(catalog.find("kinematics/free-fall"))
+    assert shown(other)
+
+    player.press(pygame.K_SLASH, "/")
+    player.type("pendulum")
+
+    assert not shown(other)
+    assert shown(listed(player).button(catalog.find("lagrange/simple-pendulum")))
+
+
+def shown(button: UIElement) -> bool:
+    return bool(button.visible)
+
+
+def test_enter_opens_the_first_that_is_found_and_leaves_the_field(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("resonance")
+    player.press(pygame.K_RETURN)
+
+    assert player.session.level.title == listed(player).found[0].title
+    player.press(pygame.K_SPACE, " ")
+    assert player.session.playing
+
+
+def test_escape_shows_all_again_and_does_not_quit(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("skater")
+    assert len(titles(player)) < 10
+
+    player.press(pygame.K_ESCAPE)
+
+    assert len(listed(player).found) == len(catalog.names())
+    assert player.window.open
+
+
+def test_what_is_sought_stays_while_levels_and_sizes_change(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("orbit")
+    found = titles(player)
+
+    player.click(listed(player).button(listed(player).found[1].path).rect)
+    assert titles(player) == found
+
+    player.press(pygame.K_l, "l")
+    player.press(pygame.K_l, "l")
+    assert titles(player) == found
+
+
+def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
+    before = player.window.surface.copy()
+    player.press(pygame.K_SLASH, "/")
+    player.type("xyzzy")
+    player.press(pygame.K_RETURN)
+
+    assert listed(player).found == []
+    assert player.session.level.title == "Atwood machine"
+    area = pygame.Rect(10, 45, 200, 30)
+    after = player.window.surface
+    assert before.subsurface(area).get_buffer().raw != after.subsurface(area).get_buffer().raw

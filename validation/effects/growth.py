@@ -1,0 +1,63 @@
+"""How the cost of a body grows with the number of bodies, here and in pymunk as it comes."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from sandbox.model.crowds import crowd
+from sandbox.model.loading import parse
+from sandbox.model.writing import text
+from sandbox.physics.timing import step_seconds
+from sandbox.physics.world import build
+from validation.case import naive
+
+COUNTS: Mapping[str, Sequence[int]] = {"gas": (100, 1000, 10_000), "pile": (100, 1000, 5000)}
+"""Over how many bodies; pymunk takes half a minute to let go of a pile of 10,000."""
+
+QUICK: Mapping[str, Sequence[int]] = {kind: counts[:2] for kind, counts in COUNTS.items()}
+
+FALLS = 90
+"""Steps after which what falls lies in a heap."""
+
+
+@dataclass(frozen=True, slots=True)
+class Growth:
+    """What a body of a scene costs a step, over their number.
+
+    Attributes
+    ----------
+    scene
+        The kind of crowd.
+    bodies
+        How many move, (k,).
+    seconds_per_body, bare_seconds_per_body
+        What a step costs for each of them [s], (k,); bare is pymunk, used naively.
+    contacts_per_body, bare_contacts_per_body
+        How many contacts there are to each of them, (k,): a small heap has more of a surface.
+    """
+
+    scene: str
+    bodies: tuple[int, ...]
+    seconds_per_body: tuple[float, ...]
+    bare_seconds_per_body: tuple[float, ...]
+    contacts_per_body: tuple[float, ...]
+    bare_contacts_per_body: tuple[float, ...]
+
+
+def growths(counts: Mapping[str, Sequence[int]] = COUNTS) -> Iterator[Growth]:
+    """Measure every kind of crowd, beside pymunk on the same scene."""
+    for kind, numbers in counts.items():
+        figures = [_figures(kind, number) for number in numbers]
+        yield Growth(kind, tuple(numbers), *zip(*figures, strict=True))
+
+
+def _figures(kind: str, number: int) -> tuple[float, ...]:
+    """Return seconds a body, ours and bare, and contacts a body, ours and bare."""
+    level = parse(text(crowd(kind, number)))
+    worlds = [build(level), build(naive(level))]
+    for world in worlds:
+        for _ in range(FALLS):
+            world.step()
+    starts = [lambda world=world: world.step for world in worlds]  # they go on where they were
+    seconds = step_seconds(starts, 20)
+    contacts = [len(world.scene.batch.contacts().bodies) for world in worlds]
+    return tuple(figure / number for figure in (*seconds, *contacts))

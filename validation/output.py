@@ -1,0 +1,65 @@
+"""What the commands do with what they measure: show how far they are, print it, write it down."""
+
+import json
+from collections.abc import Iterable, Mapping
+from math import isfinite
+from pathlib import Path
+from typing import TypeVar
+
+import typer
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+
+from sandbox.model.files import write_atomically
+
+WIDE = 160
+"""Characters of a line where no terminal says how many it has: room for whole names."""
+
+T = TypeVar("T")
+
+
+def progress(things: Iterable[T], told: str, total: int) -> list[T]:
+    """Take in things one by one, and show on a terminal how far that is."""
+    console = Console(stderr=True)
+    hidden = not console.is_terminal
+    return list(track(things, told, total, console=console, transient=True, disable=hidden))
+
+
+def show(*tables: Table) -> None:
+    """Print tables."""
+    console = Console(width=None if Console().is_terminal else WIDE)
+    for table in tables:
+        console.print(table)
+
+
+def complain(failed: Iterable[str]) -> None:
+    """Name what failed."""
+    for name in failed:
+        typer.echo(f"failed: {name}", err=True)
+
+
+def write(content: object, file: Path) -> None:
+    """Write figures to a file, and say so; see `save`."""
+    save(content, file)
+    typer.echo(f"Written to {file}.")
+
+
+def save(content: object, file: Path) -> None:
+    """Write figures to a file as JSON.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be written.
+    """
+    write_atomically(file, json.dumps(content, indent=2, ensure_ascii=False) + "\n")
+
+
+def finite(figures: Mapping[str, object]) -> dict[str, object]:
+    """Return figures as JSON takes them: those that are infinite or NaN are null."""
+    return {name: _finite(value) for name, value in figures.items()}
+
+
+def _finite(value: object) -> object:
+    return None if isinstance(value, float) and not isfinite(value) else value
