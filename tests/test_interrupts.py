@@ -1,6 +1,8 @@
-"""An exception in a callback of pymunk is printed and lost: Ctrl-C has to wait until it is over."""
+"""What is raised in a callback is printed and lost: Ctrl-C has to wait until it is over."""
 
 import signal
+import sys
+import time
 from collections.abc import Iterator
 from inspect import currentframe
 
@@ -9,13 +11,16 @@ import pytest
 
 from sandbox import interrupts
 
+PATIENCE = 60.0  # s
+
 
 @pytest.fixture(autouse=True)
 def _handler() -> Iterator[None]:
-    before = signal.getsignal(signal.SIGINT)
+    before, hook = signal.getsignal(signal.SIGINT), sys.unraisablehook
     interrupts.install()
     yield
     signal.signal(signal.SIGINT, before)
+    sys.unraisablehook = hook
 
 
 def test_ctrl_c_exits_with_the_status_of_shells() -> None:
@@ -35,7 +40,7 @@ def test_ctrl_c_in_a_callback_exits_once_it_is_over() -> None:
 
 
 def run_interrupted(finished: list[bool]) -> None:
-    """Take a step that is interrupted in a callback, and go on for ever."""
+    """Take a step that is interrupted in a callback, and wait."""
     space, body = pymunk.Space(), pymunk.Body(1, 1)
     motor = pymunk.SimpleMotor(space.static_body, body, 0)
 
@@ -46,5 +51,42 @@ def run_interrupted(finished: list[bool]) -> None:
     motor.pre_solve = interrupted
     space.add(body, motor)
     space.step(0.01)
-    while True:
-        assert not interrupts.within_callback(currentframe())
+    assert not interrupts.within_callback(currentframe())
+    wait()
+
+
+class Freed:
+    """Something that is freed just when somebody presses Ctrl-C."""
+
+    def __del__(self) -> None:
+        signal.raise_signal(signal.SIGINT)
+
+
+def test_ctrl_c_while_something_is_freed_exits_after_it() -> None:
+    """What pymunk frees, it frees in Python, and there an exception is lost, too."""
+    with pytest.raises(SystemExit):
+        interrupted_in_freeing()
+
+
+def interrupted_in_freeing() -> None:
+    freed = Freed()
+    del freed
+    wait()
+
+
+def wait() -> None:
+    """Let time pass until something is raised, but not for ever."""
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        time.sleep(0.001)
+
+
+def test_what_else_is_lost_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    class Faulty:
+        def __del__(self) -> None:
+            raise ValueError("it was lost")
+
+    faulty = Faulty()
+    del faulty
+
+    assert "it was lost" in capsys.readouterr().err

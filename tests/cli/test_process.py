@@ -111,7 +111,10 @@ def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Pa
     ) as process:  # fmt: skip
         time.sleep(1)
         process.send_signal(signal.SIGINT)
-        output, error = process.communicate(timeout=30)
+        try:
+            output, error = process.communicate(timeout=30)
+        finally:
+            process.kill()
 
     assert (process.returncode, output, error) == (130, "", "")
     assert list(tmp_path.iterdir()) == [path]
