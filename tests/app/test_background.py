@@ -99,7 +99,7 @@ def test_a_window_that_is_killed_leaves_no_orphan() -> None:
         "    background = Background()\n"
         "    background.start(work.dawdle)\n"
         "    found = []\n"
-        "    while not found:\n"
+        "    while background.running and not found:\n"
         "        found = list(background.found())\n"
         "        time.sleep(0.01)\n"
         "    print(found[0], flush=True)\n"
