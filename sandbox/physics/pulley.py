@@ -42,8 +42,8 @@ SHARE = 1 / 64
 """How much of that is taken back in a step."""
 
 
-End = tuple[complex, float, complex, complex]
-"""Of an end: its arm from its peg and how long that is [m], how it moves [m/s], and what a unit of
+End = tuple[float, float, float, float, float, float, float]
+"""Of an end: its arm from its peg and how long that is [m], its velocity [m/s], and what a unit of
 impulse takes off that [1/kg]."""
 
 
@@ -61,10 +61,11 @@ class PulleyString:
     ) -> None:
         self._name = name
         self._ends, self._pair = ends, Pair(*ends)
-        self._pegs = complex(*pegs[0]), complex(*pegs[-1])
+        self._pegs = pegs[0], pegs[-1]
         between = pairwise(pegs)
         self._free_length = length - sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
-        self._rounding = ROUNDING * (self._free_length + sum(map(abs, self._pegs)))
+        self._rounding = ROUNDING * (self._free_length + sum(hypot(*peg) for peg in self._pegs))
+        self._close = QUADRATIC * self._free_length
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
         self._warm = 0.0  # the tension that has acted in this kick already
@@ -76,18 +77,20 @@ class PulleyString:
 
     def refit(self) -> None:
         """Take the present path as the string's length, as after a body was put elsewhere."""
-        self._free_length = sum(map(abs, self._arms()))
+        self._free_length = sum(hypot(*arm) for arm in self._arms())
         self.tension = 0.0
 
     def gradient(self) -> tuple[XY, XY]:
         """Return how its length changes with the places of its ends."""
-        a, b = (arm / (abs(arm) or 1.0) for arm in self._arms())
-        return (a.real, a.imag), (b.real, b.imag)
+        (ax, ay), (bx, by) = self._arms()
+        far_a, far_b = hypot(ax, ay) or 1.0, hypot(bx, by) or 1.0
+        return (ax / far_a, ay / far_a), (bx / far_b, by / far_b)
 
-    def _arms(self) -> tuple[complex, complex]:
+    def _arms(self) -> tuple[XY, XY]:
         """Return where the ends are, as seen from their pegs [m]."""
-        place_a, _, place_b, _ = self._pair.read()
-        return place_a - self._pegs[0], place_b - self._pegs[1]
+        ax, ay, _, _, bx, by, _, _ = self._pair.read()
+        (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
+        return (ax - peg_ax, ay - peg_ay), (bx - peg_bx, by - peg_by)
 
     def warm_start(self) -> None:
         """Pull in this kick as in the one before, in the direction of now."""
@@ -99,44 +102,50 @@ class PulleyString:
 
     def solve(self) -> None:
         """Find the impulse that keeps the length through the next drift, and apply the rest."""
-        place_a, move_a, place_b, move_b = self._pair.read()
-        (peg_a, peg_b), (inverse_a, inverse_b) = self._pegs, self._inverse
-        a, b = place_a - peg_a, place_b - peg_b
-        far_a, far_b = abs(a), abs(b)
+        ax, ay, ux, uy, bx, by, vx, vy = self._pair.read()
+        (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
+        ax, ay, bx, by = ax - peg_ax, ay - peg_ay, bx - peg_bx, by - peg_by
+        far_a, far_b = hypot(ax, ay), hypot(bx, by)
         try:
             # an end that nothing moves needs no direction: it may lie on its peg
-            reply_a = inverse_a and a * (inverse_a / far_a)
-            reply_b = inverse_b and b * (inverse_b / far_b)
-            impulse = self._newton((a, far_a, move_a, reply_a), (b, far_b, move_b, reply_b))
+            reply_a = self._inverse[0] and self._inverse[0] / far_a
+            reply_b = self._inverse[1] and self._inverse[1] / far_b
+            px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
+            impulse = self._newton((ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy))
         except ZeroDivisionError:
             raise JointFailure(self._name, f"an end of '{self._name}' has run into a peg") from None
         if impulse:
-            self._pair.set_velocity(move_a - impulse * reply_a, move_b - impulse * reply_b)
+            self._pair.set_velocity(
+                ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy
+            )
         self.tension = self._warm + impulse / self._kick
         self._warm = 0.0
 
     def _newton(self, one: End, other: End) -> float:
         """Return the impulse beyond the warm start's, found by Newton's method [N s]."""
-        (a, far_a, move_a, reply_a), (b, far_b, move_b, reply_b), h = one, other, self._drift
+        (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
+        h, least = self._drift, -self._warm * self._kick
         off = far_a + far_b - self._free_length
-        if abs(off) <= self._rounding:
+        if -self._rounding <= off <= self._rounding:
             off *= SHARE
-        least, close = -self._warm * self._kick, QUADRATIC * self._free_length
         impulse = self.tension * self._kick + least
         for _ in range(MAX_ITERATIONS):
-            way_a, way_b = h * (move_a - impulse * reply_a), h * (move_b - impulse * reply_b)
-            there_a, there_b = a + way_a, b + way_b
-            reach_a, reach_b = abs(there_a) or 1.0, abs(there_b) or 1.0
-            excess = off + ((a + there_a).conjugate() * way_a).real / (far_a + reach_a)
-            excess += ((b + there_b).conjugate() * way_b).real / (far_b + reach_b)
+            # how far both drift, where to, and how long their arms are then
+            dax, day = h * (ux - impulse * px), h * (uy - impulse * py)
+            dbx, dby = h * (vx - impulse * qx), h * (vy - impulse * qy)
+            tax, tay, tbx, tby = ax + dax, ay + day, bx + dbx, by + dby
+            reach_a, reach_b = hypot(tax, tay) or 1.0, hypot(tbx, tby) or 1.0
+            excess = off + ((ax + tax) * dax + (ay + tay) * day) / (far_a + reach_a)
+            excess += ((bx + tbx) * dbx + (by + tby) * dby) / (far_b + reach_b)
             if excess <= 0 and impulse <= least:
                 return impulse
-            slope = h * (there_a.conjugate() * reply_a).real / reach_a
-            slope += h * (there_b.conjugate() * reply_b).real / reach_b
+            slope = h * ((tax * px + tay * py) / reach_a + (tbx * qx + tby * qy) / reach_b)
             if slope <= 0:  # a pull would only lengthen the path: an end is past its peg
                 raise ZeroDivisionError
-            before, impulse = impulse, max(impulse + excess / slope, least)
-            if abs(excess) <= close or impulse == before:
+            before, impulse = impulse, impulse + excess / slope
+            if impulse < least:
+                impulse = least
+            if -self._close <= excess <= self._close or impulse == before:
                 return impulse
         raise JointFailure(self._name, f"no tension keeps '{self._name}' at its length")
 

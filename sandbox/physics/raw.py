@@ -7,6 +7,10 @@ with a string or a force law takes few µs and has from two to eight such calls.
 are made once; no public way is as fast, and nothing else in the sandbox looks behind pymunk.
 """
 
+from collections.abc import Callable
+from functools import partial
+from struct import Struct
+
 import numpy as np
 import pymunk
 from pymunk._chipmunk_cffi import ffi, lib
@@ -16,6 +20,15 @@ from sandbox.model.expressions import Array
 
 _READ = ffi.addressof(lib, "pmSpaceBodyGetIteratorFuncBatched")
 _WRITE = ffi.addressof(lib, "pmSpaceBodySetIteratorFuncBatched")
+_PAIR = Struct("4d")
+
+
+def stepper(space: pymunk.Space) -> Callable[[float], None]:
+    """Return what takes a step of a length [s], without looking after what comes and goes in one.
+
+    Nothing does here, and of the 0.6 µs that `Space.step` takes for two bodies that is 0.4.
+    """
+    return partial(lib.cpSpaceStep, space._space)  # noqa: SLF001
 
 
 class Memory:
@@ -68,26 +81,27 @@ class Table:
 
 
 class Pair:
-    """Where two bodies are and how fast, whatever else is in their space. The plane is complex."""
+    """Where two bodies are and how fast, whatever else is in their space."""
 
     def __init__(self, a: pymunk.Body, b: pymunk.Body) -> None:
         self._bodies = a, b  # or pymunk would let go of them
         self._a, self._b = a._body, b._body  # noqa: SLF001
         self._state = Memory(BodyFields.POSITION | BodyFields.VELOCITY, 8)
         self._velocity = Memory(BodyFields.VELOCITY, 4)
-        self._seen, self._told = (m.values.view(complex) for m in (self._state, self._velocity))
+        self._told = self._velocity.values.data
 
-    def read(self) -> list[complex]:
-        """Return the place and the velocity of the one, and those of the other [m, m/s]."""
+    def read(self) -> list[float]:
+        """Return x, y, vx, vy of the one, and then of the other [m, m/s]."""
         memory = self._state
         memory.floats.num = 0
         lib.pmSpaceBodyGetIteratorFuncBatched(self._a, memory.call)
         lib.pmSpaceBodyGetIteratorFuncBatched(self._b, memory.call)
-        return self._seen.tolist()
+        return memory.values.tolist()
 
-    def set_velocity(self, a: complex, b: complex) -> None:
-        """Give both their velocities [m/s]."""
-        memory, self._told[0], self._told[1] = self._velocity, a, b
+    def set_velocity(self, ax: float, ay: float, bx: float, by: float) -> None:
+        """Give the one and the other their velocities [m/s]."""
+        memory = self._velocity
+        _PAIR.pack_into(self._told, 0, ax, ay, bx, by)
         memory.floats.num = 0
         lib.pmSpaceBodySetIteratorFuncBatched(self._a, memory.call)
         lib.pmSpaceBodySetIteratorFuncBatched(self._b, memory.call)

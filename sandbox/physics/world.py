@@ -28,6 +28,7 @@ from sandbox.physics.impacts import impacts
 from sandbox.physics.located import Located, locate
 from sandbox.physics.motion import Instant
 from sandbox.physics.onwards import Onwards
+from sandbox.physics.raw import stepper
 from sandbox.physics.schemes import LEAPFROG, Composition, Substep, composition, require, substeps
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.settling import Settling
@@ -118,7 +119,7 @@ class World:
         self.trail: list[Array] | None = None
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
-        self._space = self.scene.space
+        self._space, self._step = self.scene.space, stepper(self.scene.space)
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
         self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
@@ -211,7 +212,7 @@ class World:
         if self._leading:
             self._lead()
             self._led = False
-        self._space.step(self._last.drift)
+        self._step(self._last.drift)
         if self._hook:
             self._hook.finish()
         self.steps += 1
@@ -265,7 +266,7 @@ class World:
         trail = self.trail = None if self.trail is None else []
         for substep in self._leading:
             self._turn_to(substep)
-            self._space.step(substep.drift)
+            self._step(substep.drift)
             if self._hook:
                 self._hook.finish()
             if trail is not None:
