@@ -20,7 +20,7 @@ from pymunk.batch import (
 )
 
 from sandbox.model.expressions import Array
-from sandbox.physics.raw import Table
+from sandbox.physics.raw import Pair, Table
 
 _VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
 _FORCE = BodyFields.FORCE | BodyFields.TORQUE
@@ -139,7 +139,7 @@ class Batch:
     """Reads and writes the bodies of a space in the order they are given; n bodies."""
 
     def __init__(self, space: pymunk.Space, bodies: Sequence[pymunk.Body]) -> None:
-        self._space = space
+        self._space, self._bodies = space, bodies
         _ = space.static_body  # pymunk gives it an id only once somebody has asked for it
         buffer = Buffer()
         get_space_bodies(space, BodyFields.BODY_ID, buffer)
@@ -155,6 +155,11 @@ class Batch:
         self._force = Table(space, _FORCE, len(ids), 3)
         self._contacts = Buffer()
         self._raw, self._known = (b"", b""), NO_CONTACTS
+
+    def pair(self, a: int | None, b: int | None) -> Pair:
+        """Return two bodies, to be read and written by themselves; None is the plane itself."""
+        one, other = (self._space.static_body if i is None else self._bodies[i] for i in (a, b))
+        return Pair(one, other)
 
     def state(self) -> Array:
         """Return x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""

@@ -276,11 +276,11 @@ class World:
 
     def _turn_to(self, substep: Substep) -> None:
         """Let the next kick be that of a substep."""
-        self._kicks_after, self._scale = substep.ahead, substep.scale
+        self._kicks_after, self._scale = substep.ahead, (scale := substep.scale)
         self._joints.time(substep.kick, substep.following)
         if gravity := self.scene.gravity:
             x, y = gravity.acceleration
-            self._space.gravity = x * substep.scale, y * substep.scale
+            self._space.gravity = x * scale, y * scale
 
     def _make_sequence(self) -> Sequence | None:
         scene = self.scene

@@ -202,6 +202,27 @@ def test_joints_that_repeat_each_other_are_named_at_the_start(
         build(scene)
 
 
+@pytest.mark.parametrize("scheme", ["leapfrog", "fourth-order"])
+@pytest.mark.parametrize("ends", [[[0, 0], "bob"], ["bob", [0, 0]], ["car", "bob"]])
+def test_a_rod_alone_moves_as_one_beside_another(ends: list[Any], scheme: str) -> None:
+    """One equation is solved in floats, and several in arrays: to the rounding of 1200 steps."""
+    rod, other = {"type": "rod", "ends": ends}, {"type": "rod", "ends": [[9, 0], "far"]}
+    bodies = {
+        "car": disc((0, 0), mass=3, velocity=[0.5, 2]),
+        "bob": disc((0.6, 0.8), mass=2, velocity=[-0.3, 2.6]),
+    }
+    bodies["bob"]["velocity"] = bodies["bob"]["velocity"] if "car" in ends else [-0.8, 0.6]
+    stepping = {"rate": 240, "scheme": scheme}
+    alone = build(level(bodies, GRAVITY, joints={"rod": rod}, stepping=stepping))
+    bodies["far"] = disc((10, 0))
+    beside = build(level(bodies, GRAVITY, joints={"rod": rod, "other": other}, stepping=stepping))
+    one, two = alone.advance(1200), beside.advance(1200)
+
+    assert np.abs(one.position - two.position[:2]).max() <= 1e-10
+    assert np.abs(one.velocity - two.velocity[:2]).max() <= 1e-10
+    assert one.tension[0] == pytest.approx(two.tension[0], rel=1e-9)
+
+
 @pytest.mark.parametrize("kind", ["rod", "rope", "pivot", "wire"])
 def test_joints_hold_as_well_far_from_the_origin(kind: str) -> None:
     """At 1e10 m a float knows a place to 2e-6 m: energies of 10 J are off by 1e-4 to 8e-4 J.

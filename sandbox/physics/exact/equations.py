@@ -14,6 +14,10 @@ from numpy.typing import NDArray
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Plane
 
+MAX_ITERATIONS = 25
+QUADRATIC = 1e-8
+"""m, below which one more of Newton's steps leaves nothing but rounding."""
+
 
 @dataclass(slots=True)  # not frozen: some are made in every step
 class Coordinates:

@@ -13,6 +13,7 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 from collections.abc import Sequence
 from copy import copy
 from math import isfinite
+from typing import TypeVar
 
 import numpy as np
 
@@ -20,6 +21,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch, Booleans
 from sandbox.physics.errors import JointFailure
 from sandbox.physics.exact.equations import (
+    MAX_ITERATIONS,
+    QUADRATIC,
     Condition,
     Coordinates,
     Equation,
@@ -28,12 +31,9 @@ from sandbox.physics.exact.equations import (
     order,
     planes,
 )
+from sandbox.physics.exact.lone import LoneRod, is_lone
 from sandbox.physics.exact.reaches import Reaches, Row
 from sandbox.physics.exact.turning import Turn
-
-MAX_ITERATIONS = 25
-QUADRATIC = 1e-8
-"""m, below which one more of Newton's steps leaves nothing but rounding."""
 
 MOMENT = 1e-3
 """The share of a drift over which directions are followed, before and after a step: its square is
@@ -45,9 +45,10 @@ TAUT = 1e-12
 SINGULAR = 1e-10
 """The smallest singular value, over the largest, of joints that do not repeat each other."""
 
-
 LOCKED = 0.1
 """The same, over what it was at the start, of joints that have come to work against each other."""
+
+Number = TypeVar("Number", float, Array)
 
 
 class ExactJoints:
@@ -85,6 +86,7 @@ class ExactJoints:
     ) -> None:
         self._batch, self._origin = batch, origin
         # one body more: the plane itself, which nothing moves
+        self._inverse_mass = inverse_mass
         self._inverse_moment = np.append(inverse_moment, 0.0)
         self._inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
@@ -98,7 +100,7 @@ class ExactJoints:
         self.tension = np.zeros_like(self._length)
         self.parts = 1
         self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
-        self._warm = np.zeros_like(self._length)  # impulses that have acted in this kick already
+        self._warm = self._cold  # impulses that have acted in this kick already
         self._struck = False
         self._kick = self._drift = 0.0
 
@@ -112,9 +114,13 @@ class ExactJoints:
         self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
         self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
         self._unilateral = bool(self._pulls_only.any())
+        self._cold = np.zeros(len(equations))
         shape = (len(equations), len(self._inverse_moment))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
         self._others = list(enumerate(others, len(rows)))
+        self._lone: LoneRod | None = None
+        if is_lone(equations):
+            self._lone = LoneRod(rows[0], self._batch, self._inverse_mass, self._origin)
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
 
@@ -278,6 +284,27 @@ class ExactJoints:
         """
         if not self._joints:
             return
+        alone = self._lone and not self._fresh
+        self.tension = self._solve_lone() if alone else self._solve_together(until)
+        last = self._past[: 3 * self.parts - 1]
+        self._past = self._past[:1] if self._struck else [self.tension, *last]
+        self._struck = False
+        self._warm = self._cold
+
+    def _solve_lone(self) -> Array:
+        """Solve the one equation there is, in floats; return the force along it: (1,) [N]."""
+        assert self._lone
+        past = [tension.item() for tension in self._past[self.parts - 1 :: self.parts]]
+        expected, warm = _parabola(past) if past else 0.0, self._warm.item()
+        guess = expected * self._kick - warm
+        try:
+            impulse = self._lone.solve(self._length.item(), guess, self._drift)
+        except ZeroDivisionError:
+            raise self._lost(0) from None
+        return np.array(((warm + impulse) / self._kick,))
+
+    def _solve_together(self, until: float) -> Array:
+        """Solve all equations at once; return the forces along them: (m,) [N]."""
         place, motion = self._coordinates()
         here = self._look(place)
         reply = here.gradient * self._inverse
@@ -286,11 +313,7 @@ class ExactJoints:
             self._check_independent(here, reply, length)
         impulse, moved = self._settle(place, motion, reply, length)
         self._batch.set_velocity(moved[self._order])
-        self.tension = (self._warm + impulse) / self._kick
-        last = self._past[: 3 * self.parts - 1]
-        self._past = self._past[:1] if self._struck else [self.tension, *last]
-        self._struck = False
-        self._warm = np.zeros_like(impulse)
+        return (self._warm + impulse) / self._kick
 
     def _lengths(self, t: float) -> Array:
         if not self._changing:
@@ -348,22 +371,13 @@ class ExactJoints:
         if self._independence < SINGULAR:
             raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
-    def _expected(self) -> Array:
-        """Return what the tensions should be: on the parabola through the last three."""
-        match self._past[self.parts - 1 :: self.parts]:
-            case [last, before, first]:
-                return 3 * (last - before) + first
-            case [last, before]:
-                return 2 * last - before
-            case [last]:
-                return last
-        return np.zeros_like(self._length)
-
     def _settle(
         self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
-        guess = self._expected() * self._kick - self._warm
+        past = self._past[self.parts - 1 :: self.parts]
+        expected = _parabola(past) if past else self._cold
+        guess = expected * self._kick - self._warm
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
             start = guess if slack is None else np.where(slack, -self._warm, guess)
@@ -475,6 +489,16 @@ def _coordinates(rows: Array) -> Coordinates:
     values = np.zeros(3 * len(rows) + 3)
     values[order(len(rows))] = rows
     return Coordinates(values)
+
+
+def _parabola(past: list[Number]) -> Number:
+    """Return what comes next: on the parabola through the last three, newest first, or fewer."""
+    match past:
+        case [last, before, first]:
+            return 3 * (last - before) + first
+        case [last, before]:
+            return 2 * last - before
+    return past[0]
 
 
 def _weakest(slope: Array) -> tuple[float, Array]:
