@@ -31,8 +31,8 @@ from sandbox.physics.exact.equations import (
     order,
     planes,
 )
-from sandbox.physics.exact.lone import LoneRod, is_lone
 from sandbox.physics.exact.reaches import Reaches, Row
+from sandbox.physics.exact.rods import Rod, are_apart
 from sandbox.physics.exact.turning import Turn
 
 MOMENT = 1e-3
@@ -118,9 +118,9 @@ class ExactJoints:
         shape = (len(equations), len(self._inverse_moment))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
         self._others = list(enumerate(others, len(rows)))
-        self._lone: LoneRod | None = None
-        if is_lone(equations):
-            self._lone = LoneRod(rows[0], self._batch, self._inverse_mass, self._origin)
+        inverse = self._inverse_mass
+        apart = rows if are_apart(equations, inverse) else ()
+        self._rods = [Rod(row, self._batch, inverse, self._origin) for row in apart]
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
 
@@ -284,24 +284,26 @@ class ExactJoints:
         """
         if not self._joints:
             return
-        alone = self._lone and not self._fresh
-        self.tension = self._solve_lone() if alone else self._solve_together(until)
+        apart = self._rods and not self._fresh
+        self.tension = self._solve_apart(until) if apart else self._solve_together(until)
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
         self._warm = self._cold
 
-    def _solve_lone(self) -> Array:
-        """Solve the one equation there is, in floats; return the force along it: (1,) [N]."""
-        assert self._lone
-        past = [tension.item() for tension in self._past[self.parts - 1 :: self.parts]]
-        expected, warm = _parabola(past) if past else 0.0, self._warm.item()
-        guess = expected * self._kick - warm
-        try:
-            impulse = self._lone.solve(self._length.item(), guess, self._drift)
-        except ZeroDivisionError:
-            raise self._lost(0) from None
-        return np.array(((warm + impulse) / self._kick,))
+    def _solve_apart(self, until: float) -> Array:
+        """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
+        past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
+        warm, length, found = self._warm.tolist(), self._lengths(until).tolist(), []
+        for i, rod in enumerate(self._rods):
+            expected = _parabola([tension[i] for tension in past]) if past else 0.0
+            guess = expected * self._kick - warm[i]
+            try:
+                impulse = rod.solve(length[i], guess, self._drift)
+            except ZeroDivisionError:
+                raise self._lost(i) from None
+            found.append((warm[i] + impulse) / self._kick)
+        return np.array(found)
 
     def _solve_together(self, until: float) -> Array:
         """Solve all equations at once; return the forces along them: (m,) [N]."""
