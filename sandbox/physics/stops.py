@@ -270,9 +270,7 @@ class Stops:
 
     def _island(self, slips: Slips, ended: Booleans) -> Booleans:
         """Return which bodies touch, or hang on, those that no longer slip: (n,)."""
-        pairs = np.concatenate((slips.bodies, self._linked))
-        ended = np.append(ended, np.zeros(len(self._linked), dtype=bool))
-        return reached(pairs, ended, self._scene.mass > 0)
+        return reached(slips.bodies, ended, self._scene.mass > 0, linked=self._linked)
 
 
 def stop(
