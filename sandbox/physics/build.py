@@ -43,10 +43,13 @@ class Scene:
     mass, moment
         (n,), of dynamic bodies at the start; 0 for others. The moment is 0, too, where nothing
         rotates.
+    inertia
+        (n, 3), mass, mass and moment [kg, kg m²].
     share
         How they change.
     agility
-        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+        (n, 3), what a force or torque is multiplied by to give an acceleration: one over the
+        inertia, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     joints
         The joints, in the level's order.
     pair_callbacks
@@ -66,6 +69,7 @@ class Scene:
     batch: Batch
     mass: Array
     moment: Array
+    inertia: Array
     share: Share
     agility: Array
     joints: Joints
@@ -91,7 +95,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.add(*bodies.values())
     pairs = _make_contacts(space, bodies, level, values, stepping)
     mass, moment = _inertia(list(bodies.values()))
-    agility = np.stack([_inverse(mass), _inverse(mass), _inverse(moment)], axis=1)
+    inertia = np.stack((mass, mass, moment), axis=1)
+    agility = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
     share = mass_share(level.effects, values, list(bodies), mass)
     field = gravity(level.effects, values, mass, share)
     if field:
@@ -106,6 +111,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         batch=batch,
         mass=mass,
         moment=moment,
+        inertia=inertia,
         share=share,
         agility=agility,
         joints=joints,
@@ -124,11 +130,6 @@ def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array]:
     moment = np.array([body.moment for body in bodies])
     mass = np.where(dynamic, [body.mass for body in bodies], 0.0)
     return mass, np.where(np.isfinite(moment) & dynamic, moment, 0.0)
-
-
-def _inverse(inertia: Array) -> Array:
-    """Return one over a mass or moment, 0 where it is 0: of what nothing moves."""
-    return np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
 
 
 def _check_rate(

@@ -126,8 +126,7 @@ class Collision:
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
         self._running = surfaces(scene.bodies.values())
-        self._mass, self._agility = scene.mass, scene.agility
-        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints = scene.joints.together
 
     def bounce(self, path: Path, hit: Hit) -> Bounce:

@@ -98,8 +98,7 @@ class Located:
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
-        self._mass, self._agility = scene.mass, scene.agility
-        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints, self._solids = scene.joints.together, scene.joints.solids
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
