@@ -50,8 +50,29 @@ WithOption = Annotated[
         show_default=False,
     ),
 ]
-
-
+DurationOption = Annotated[
+    float | None,
+    typer.Option(metavar="S", help="How long, in seconds; as the level says if left out."),
+]
+RateOption = Annotated[
+    float | None,
+    typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
+]
+SchemeOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME",
+        help="How a step is taken, as leapfrog or fourth-order; as the level says if left out.",
+    ),
+]
+IterationsOption = Annotated[
+    int | None,
+    typer.Option(
+        metavar="N",
+        help="Sweeps of the solver over contacts and joints, a step; as the level says if left"
+        " out.",
+    ),
+]
 AccuracyOption = Annotated[
     float | None,
     typer.Option(
@@ -59,6 +80,16 @@ AccuracyOption = Annotated[
         metavar="ERROR",
         help="Ask for the largest error that the level's checks may have, such as 1e-6, in place of"
         " a rate: the cheapest setting that reaches it is found out, and kept for the next time.",
+        show_default=False,
+    ),
+]
+RecordOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="QUANTITY",
+        help="What to write a column of, such as ball.position.x or system.energy; 'all' is"
+        " everything. Can be repeated. If left out: what the level's checks need, and the"
+        " position and velocity of every body that moves freely.",
         show_default=False,
     ),
 ]
@@ -136,40 +167,12 @@ def simulate(
         typer.Option(metavar="FILE.csv", help="The table that is written.", show_default=False),
     ],
     set_: SetOption = None,
-    duration: Annotated[
-        float | None,
-        typer.Option(metavar="S", help="How long, in seconds; as the level says if left out."),
-    ] = None,
-    rate: Annotated[
-        float | None,
-        typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
-    ] = None,
-    scheme: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="How a step is taken, as leapfrog or fourth-order; as the level says if left out.",
-        ),
-    ] = None,
-    iterations: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N",
-            help="Sweeps of the solver over contacts and joints, a step; as the level says if left"
-            " out.",
-        ),
-    ] = None,
+    duration: DurationOption = None,
+    rate: RateOption = None,
+    scheme: SchemeOption = None,
+    iterations: IterationsOption = None,
     accuracy: AccuracyOption = None,
-    record: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="QUANTITY",
-            help="What to write a column of, such as ball.position.x or system.energy; 'all' is"
-            " everything. Can be repeated. If left out: what the level's checks need, and the"
-            " position and velocity of every body that moves freely.",
-            show_default=False,
-        ),
-    ] = None,
+    record: RecordOption = None,
     without: WithoutOption = None,
     with_: WithOption = None,
 ) -> None:

@@ -36,7 +36,7 @@ class Audit:
 
     def __init__(self, world: "World", least: float, swing: float) -> None:
         self._world, self._least, self._swing = world, least, swing
-        self._inertia = np.stack((world.scene.mass, world.scene.mass, world.scene.moment), axis=1)
+        self._inertia = world.scene.inertia
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
         self._had = self._lowest = 0.0  # when they were opened: the energy; what was stored since

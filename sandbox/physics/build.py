@@ -11,13 +11,13 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox.model.expressions import Values
+from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.batch import Batch
 from sandbox.physics.bodies import make_body
 from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.constraints import pull_by_pymunk
-from sandbox.physics.joints import Joints, inverse
+from sandbox.physics.joints import Joints
 from sandbox.physics.laws import Gravity, Law, gravity, laws
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.massflow import Share, mass_share
@@ -43,10 +43,13 @@ class Scene:
     mass, moment
         (n,), of dynamic bodies at the start; 0 for others. The moment is 0, too, where nothing
         rotates.
+    inertia
+        (n, 3), mass, mass and moment [kg, kg m²].
     share
         How they change.
     agility
-        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+        (n, 3), what a force or torque is multiplied by to give an acceleration: one over the
+        inertia, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     joints
         The joints, in the level's order.
     pair_callbacks
@@ -64,14 +67,15 @@ class Scene:
     space: pymunk.Space
     bodies: dict[str, pymunk.Body]
     batch: Batch
-    mass: np.ndarray
-    moment: np.ndarray
+    mass: Array
+    moment: Array
+    inertia: Array
     share: Share
-    agility: np.ndarray
+    agility: Array
     joints: Joints
     pair_callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
-    restitution: np.ndarray | None
+    restitution: Array | None
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -89,34 +93,25 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.iterations = stepping.iterations
     bodies = {name: make_body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
-    pairs = _Pairs(0, {}, None)
-    if level.effects.contact:
-        pairs = _make_contacts(space, bodies, level, values, stepping)
-    dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
-    mass = np.array([body.mass for body in bodies.values()])
-    moment = np.array([body.moment for body in bodies.values()])
-    mass = np.where(dynamic, mass, 0.0)
-    moment = np.where(np.isfinite(moment) & dynamic, moment, 0.0)
+    pairs = _make_contacts(space, bodies, level, values, stepping)
+    mass, moment = _inertia(list(bodies.values()))
+    inertia = np.stack((mass, mass, moment), axis=1)
+    agility = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
     share = mass_share(level.effects, values, list(bodies), mass)
     field = gravity(level.effects, values, mass, share)
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = Joints(level, values, bodies, batch, mass, moment, _touches(space, level))
-    agility = np.stack([inverse(mass), inverse(mass), inverse(moment)], axis=1)
-    reach = composition(stepping.scheme, held=bool(joints.together)).reach
-    start = Reading(np.zeros(()), batch.state())
-    check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
+    joints = Joints(level, values, bodies, batch, agility, _touches(space, level))
     forces = laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate)
-    for law in forces:
-        if law.needs_velocity and not stepping.as_it_comes:
-            check_drag(law, list(bodies), start, joints, agility, stepping.rate)
+    _check_rate(list(bodies), batch, agility, joints, forces, stepping)
     return Scene(
         space=space,
         bodies=bodies,
         batch=batch,
         mass=mass,
         moment=moment,
+        inertia=inertia,
         share=share,
         agility=agility,
         joints=joints,
@@ -127,6 +122,31 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         laws=(*forces, *joints.springs.values()),
         hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
     )
+
+
+def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array]:
+    """Return masses and moments: (n,) each, 0 where nothing moves or turns [kg, kg m²]."""
+    dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
+    moment = np.array([body.moment for body in bodies])
+    mass = np.where(dynamic, [body.mass for body in bodies], 0.0)
+    return mass, np.where(np.isfinite(moment) & dynamic, moment, 0.0)
+
+
+def _check_rate(
+    names: Sequence[str],
+    batch: Batch,
+    agility: Array,
+    joints: Joints,
+    forces: Sequence[Law],
+    stepping: Stepping,
+) -> None:
+    """Refuse a rate that is too low for the springs, or for the drags."""
+    start = Reading(np.zeros(()), batch.state())
+    reach = composition(stepping.scheme, held=bool(joints.together)).reach
+    check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
+    for law in forces:
+        if law.needs_velocity and not stepping.as_it_comes:
+            check_drag(law, names, start, joints, agility, stepping.rate)
 
 
 def _hooked(
@@ -157,7 +177,7 @@ class _Pairs(NamedTuple):
 
     callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
-    restitution: np.ndarray | None
+    restitution: Array | None
 
 
 def _make_contacts(
@@ -168,6 +188,8 @@ def _make_contacts(
     stepping: Stepping,
 ) -> _Pairs:
     """Give bodies the shapes with which they touch, and say what happens where they do."""
+    if not level.effects.contact:
+        return _Pairs(0, {}, None)
     ours = not stepping.as_it_comes
     if ours:
         skip_ids(space, level)

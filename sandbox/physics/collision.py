@@ -89,6 +89,27 @@ class Coefficients(NamedTuple):
     friction: Array
 
 
+class _Points(NamedTuple):
+    """The points of a hit: as they part and then, where it rubs, as they slip; k, of n bodies.
+
+    Attributes
+    ----------
+    gradient
+        (k, n, 3), how fast velocities take them apart, and along.
+    answer
+        (k, n, 3), how velocities jump by a unit impulse at each.
+    matrix
+        (k, k), how fast each parts, or slips, by a unit impulse at each.
+    runs
+        (k,), how fast they slip by belts that run.
+    """
+
+    gradient: Array
+    answer: Array
+    matrix: Array
+    runs: Array
+
+
 class Collision:
     """Lets bodies bounce off each other; n bodies.
 
@@ -105,8 +126,7 @@ class Collision:
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
         self._running = surfaces(scene.bodies.values())
-        self._mass, self._agility = scene.mass, scene.agility
-        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints = scene.joints.together
 
     def bounce(self, path: Path, hit: Hit) -> Bounce:
@@ -118,12 +138,8 @@ class Collision:
         """
         place, velocity = path.at(hit.time)
         e, mu = (float(table[hit.bodies]) for table in self._coefficients)
-        gradient, count = _gradient(hit, place, rubs=mu > 0), len(hit.points)
-        stiff = self._joints.stiff(place) if self._joints else None
-        answer = answers(gradient, self._agility, stiff)
-        matrix = np.einsum("knc,lnc->kl", answer, gradient)
-        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
-        runs[:count] = 0.0  # what runs lies along a surface
+        gradient, answer, matrix, runs = self._points(hit, place, rubs=mu > 0)
+        count = len(hit.points)
         rates = np.einsum("knc,nc->k", gradient, velocity) + runs
         pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(hit.time))
         leaves = -e * np.minimum(rates[:count], 0.0)
@@ -142,20 +158,20 @@ class Collision:
             held = np.tensordot(holds, answer[:count], 1)
             lasts = (self._dt - hit.time) - self._dt / 2
             given += np.tensordot(holds, gradient[:count], 1) * lasts
-        impact = Impact(
-            hit.bodies,
-            hit.time,
-            hit.normal,
-            hit.points,
-            hit.normal * complex(impulse[:count].sum(), impulse[count:].sum()),
-            -float(np.sum((given * velocity)[self._mass == 0])),
-            -float(impulse @ runs),
-            float(works[count:].sum()),
-            float(works[:count].sum()),
-            momentum(self._inertia * jump, place),
-        )
+        told = -float(np.sum((given * velocity)[self._mass == 0]))
+        driven = -float(impulse @ runs)
+        impact = _impact(hit, impulse, works, told, driven, momentum(self._inertia * jump, place))
         struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
         return Bounce(struck, jump, held, impact)
+
+    def _points(self, hit: Hit, place: Array, *, rubs: bool) -> _Points:
+        gradient = _gradient(hit, place, rubs=rubs)
+        stiff = self._joints.stiff(place) if self._joints else None
+        answer = answers(gradient, self._agility, stiff)
+        matrix = np.einsum("knc,lnc->kl", answer, gradient)
+        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
+        runs[: len(hit.points)] = 0.0  # what runs lies along a surface
+        return _Points(gradient, answer, matrix, runs)
 
 
 def _gradient(hit: Hit, place: Array, *, rubs: bool) -> Array:
@@ -172,6 +188,17 @@ def _gradient(hit: Hit, place: Array, *, rubs: bool) -> Array:
             turning = arm.real * way.imag - arm.imag * way.real
             gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
     return gradient
+
+
+def _impact(
+    hit: Hit, impulse: Array, works: Array, told: float, driven: float, given: Array
+) -> Impact:
+    """Return a hit with the impulses at its points, pushes before frictions, and their works."""
+    count = len(hit.points)
+    whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
+    rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
+    known = hit.bodies, hit.time, hit.normal, hit.points
+    return Impact(*known, whole, told, driven, rubbed, pressed, given)
 
 
 def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:

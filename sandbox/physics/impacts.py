@@ -9,7 +9,7 @@ laws, less what the ground under the body holds up.
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.batch import Booleans, Contacts, Integers
+from sandbox.physics.batch import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
 """Bodies part if they do so with more than this share of what their pull adds in a step."""
@@ -60,9 +60,7 @@ def impacts(
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
         return np.flatnonzero(struck), pull[:0]
-    linked = np.concatenate((contacts.bodies, solid))
-    hit_first = np.append(struck, np.zeros(len(solid), dtype=bool))
-    hit = np.flatnonzero(reached(linked, hit_first, mass > 0))
+    hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0, linked=solid))
     rests = np.asarray((parting <= NEGLIGIBLE * adds).all(axis=1))
     return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
 
@@ -87,7 +85,9 @@ def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
     return parting
 
 
-def reached(bodies: Integers, struck: Booleans, moving: Booleans) -> Booleans:
+def reached(
+    bodies: Integers, struck: Booleans, moving: Booleans, linked: Integers = NO_CONTACTS.bodies
+) -> Booleans:
     """Return which bodies touch, directly or through others that move, what was struck: (n,).
 
     Parameters
@@ -98,8 +98,11 @@ def reached(bodies: Integers, struck: Booleans, moving: Booleans) -> Booleans:
         (k,), which of them are struck.
     moving
         (n,), which bodies can move.
+    linked
+        (m, 2), pairs that hang together, whether they touch or not.
     """
-    pairs = bodies[moving[bodies].all(axis=1)]
+    pairs = np.concatenate((bodies, linked))
+    pairs = pairs[moving[pairs].all(axis=1)]
     touched = np.zeros_like(moving)
     touched[bodies[struck]] = True
     touched &= moving

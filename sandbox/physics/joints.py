@@ -82,6 +82,17 @@ class Pulls(NamedTuple):
 class Joints:
     """All joints of a scene; j of them, in the level's order.
 
+    Parameters
+    ----------
+    level, values
+        What says which there are.
+    bodies, batch
+        What they hold, and what reads and writes it; n of them.
+    agility
+        (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+    touches
+        Tells which of the pairs that stick have met; None if none do.
+
     Attributes
     ----------
     springs
@@ -110,8 +121,7 @@ class Joints:
         values: Values,
         bodies: Mapping[str, pymunk.Body],
         batch: Batch,
-        mass: Array,
-        moment: Array,
+        agility: Array,
         touches: Touches | None = None,
     ) -> None:
         self._index = index = {name: i for i, name in enumerate(bodies)}
@@ -129,12 +139,30 @@ class Joints:
         self.touches = touches
         self.radii: dict[str, float] = {}
         self._fixtures = any(isinstance(j, Weld | Motor) for j in level.joints.values())
-        self._inverse_moment = inverse(moment)
+        self._inverse_moment = agility[:, 2]
+        self.own = self._take_own(level, bodies, lengths, values)
+        origin = _origin(bodies)
+        rows, others = self._take_ours(level, bodies, lengths, values, origin)
+        if rows or others or level.effects.sticking:
+            self.together = ExactJoints(rows, others, batch, agility[:, 0], agility[:, 2], origin)
+        together = (self.together,) if self.together else ()
+        self._solved = (*self.strings.values(), *self.own.values(), *together)
+        self.solids = Solids(bodies)
+        for a, b in _welded(level):
+            self.solids.join(a, b)
+
+    def _take_ours(
+        self,
+        level: Level,
+        bodies: Mapping[str, pymunk.Body],
+        lengths: Mapping[str, float],
+        values: Values,
+        origin: complex,
+    ) -> tuple[list[Row], list[Equation]]:
+        """Make the joints that pymunk does not solve, and return what is to be solved together."""
         rows: list[Row] = []
         others: list[Equation] = []
-        origin = _origin(bodies)
         start = _coordinates(bodies, origin)
-        self.own = self._take_own(level, bodies, lengths, values)
         for name, spec in _ours(level).items():
             path = _from(origin, self.paths[name])
             if isinstance(spec, Wire):
@@ -152,14 +180,7 @@ class Joints:
                 new_rows, new_others = self._turning(name, spec, path, start, values)
                 rows += new_rows
                 others += new_others
-        if rows or others or level.effects.sticking:
-            inverses = inverse(mass), self._inverse_moment
-            self.together = ExactJoints(rows, others, batch, *inverses, origin)
-        together = (self.together,) if self.together else ()
-        self._solved = (*self.strings.values(), *self.own.values(), *together)
-        self.solids = Solids(bodies)
-        for a, b in _welded(level):
-            self.solids.join(a, b)
+        return rows, others
 
     def _take_own(
         self,
@@ -424,8 +445,3 @@ def _coordinates(bodies: Mapping[str, pymunk.Body], origin: complex) -> Coordina
     places = [complex(*body.position) - origin for body in bodies.values()]
     angles = [body.angle for body in bodies.values()]
     return Coordinates.of(np.array([*places, 0j]), np.array([*angles, 0.0]))
-
-
-def inverse(inertia: Array) -> Array:
-    """Return one over a mass or moment, 0 where it is 0: of what nothing moves."""
-    return np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)

@@ -64,7 +64,7 @@ class Ledger:
         scene, level = world.scene, world.level
         self._world, self._scene = world, scene
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._mass = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._mass = scene.inertia
         self._surfaces = surfaces(scene.bodies.values())
         self._elastic = _elastic(world)
         self._potential = dict.fromkeys(accounts.potentials(level), 0.0)

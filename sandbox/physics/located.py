@@ -98,8 +98,7 @@ class Located:
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
-        self._mass, self._agility = scene.mass, scene.agility
-        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints, self._solids = scene.joints.together, scene.joints.solids
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
@@ -138,9 +137,7 @@ class Located:
         """
         state = self._batch.state()
         place, drifts = state[:, :3], state[:, 3:].copy()
-        total = (drifts - self.begun) / self._dt if self._first is None else self._first
-        if struck is not None and self._first is None:
-            total = total - struck / self._dt
+        total = self._total(drifts, struck)
         self._first, self.impacts = None, []
         bend = np.maximum(np.abs(smooth), np.abs(total))
         near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
@@ -154,13 +151,22 @@ class Located:
         path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
         self.pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
-        if not self.impacts:
-            return None
-        start, (place, velocity) = place, path.at(self._dt)
-        hit = path.struck
+        return self._hand_over(path, state, pull) if self.impacts else None
+
+    def _total(self, drifts: Array, struck: Array | None) -> Array:
+        """Return the accelerations of the last kick but for impacts in sequence: (n, 3)."""
+        if self._first is not None:
+            return self._first
+        total = (drifts - self.begun) / self._dt
+        return total if struck is None else total - struck / self._dt
+
+    def _hand_over(self, path: Path, state: Array, pull: Array) -> Cut:
+        """Hand pymunk what came of a path that began with this state and these accelerations."""
+        drifts, hit = self.begun, path.struck
+        place, velocity = path.at(self._dt)
         onwards = path.pull_at(self._dt)
         self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
-        self._compare(path, (pull, onwards), (start, place))
+        self._compare(path, (pull, onwards), (state[:, :3], place))
         state[hit, :3] = (place - self.begun * self._dt)[hit]
         state[:, 3:] = self.begun
         self._batch.set_state(state)

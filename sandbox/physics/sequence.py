@@ -139,22 +139,10 @@ class Sequence:
         jump: Array,
         impulse: Array,
     ) -> None:
-        """Add what the impacts do to jump and impulse.
-
-        Bodies that approach with no more speed than gravity and laws give them in a step, or these
-        and what held them in the last, rest on each other: that is for pymunk to solve. What held
-        them is a jerk, and none of that, as far as it is more than all that gave in the kick
-        before could; all three are `gives`, (3, n, 3).
-        """
+        """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
         points = _points(contacts, place, self._turning)
         parts = np.einsum("kbc,kbc->kb", points.gradient, velocity[points.bodies])
-        parting = parts.sum(axis=1)
-        sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
-        adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
-        alone, held = np.abs(adds)
-        held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
-        rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
-        allowed = np.maximum.reduce((alone, held, rounding))
+        parting, allowed = parts.sum(axis=1), _allowed(points, parts, gives)
         struck = parting < -allowed
         if not struck.any():
             return
@@ -165,14 +153,9 @@ class Sequence:
         gradient = points.over(len(place))
         holds = self._joints.stiff() if self._joints else None
         answer = answers(gradient, self._agility, holds)
+        matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
         a, b = points.bodies.T
-        pile = Pile(
-            answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T,
-            parting,
-            allowed,
-            self._restitution[a, b],
-            points.partner,
-        )
+        pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
         pushes = pile.settle(points.bodies)
         jump += np.tensordot(pushes, answer, 1)
         np.add.at(impulse, a, pushes)
@@ -231,3 +214,28 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     gradient[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
     gradient[:, 0] *= -1
     return _Points(bodies, gradient, partner)
+
+
+def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
+    """Return the approach with which bodies still rest on each other, for pymunk: (k,) [m/s].
+
+    It is no more than gravity and laws give them in a step, or these and what held them in the
+    last. What held them is a jerk, and none of that, as far as it is more than all that gave in the
+    kick before could.
+
+    Parameters
+    ----------
+    points
+        Where they touch.
+    parts
+        (k, 2), what each of the two bodies' velocities adds to how fast they part [m/s].
+    gives
+        (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
+    """
+    sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
+    adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
+    alone, held = np.abs(adds)
+    held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
+    rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+    allowed: Array = np.maximum.reduce((alone, held, rounding))
+    return allowed

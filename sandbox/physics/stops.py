@@ -100,7 +100,6 @@ class Stops:
     ) -> None:
         self._scene, self._batch, self._linked, self._tied = scene, scene.batch, linked, tied
         self._lookout, self._onwards, self._smooth, self._dt = lookout, onwards, smooth, dt
-        self._inertia = np.stack((scene.mass, scene.mass, scene.moment), axis=1)
         self._next = self.begun = self._change = self._batch.velocity()
         self._ground = self._next[scene.mass == 0]
         self._ground[:, :2] += onwards.running[scene.mass == 0]
@@ -229,7 +228,7 @@ class Stops:
         phases, moved = self._follow(*due, state)
         place, begun = state[:, :3], state[:, 3:]
         if len(phases) > 1:
-            self.last = booked(phases, self._inertia, smooth, self._onwards.running, self._dt)
+            self.last = booked(phases, self._scene.inertia, smooth, self._onwards.running, self._dt)
             ends, _ = phases[-1].at(phases[-1].lasts)
             begun = np.where(moved[:, None], self.last.begun, begun)
             place = np.where(moved[:, None], ends - begun * self._dt, place)
@@ -270,9 +269,7 @@ class Stops:
 
     def _island(self, slips: Slips, ended: Booleans) -> Booleans:
         """Return which bodies touch, or hang on, those that no longer slip: (n,)."""
-        pairs = np.concatenate((slips.bodies, self._linked))
-        ended = np.append(ended, np.zeros(len(self._linked), dtype=bool))
-        return reached(pairs, ended, self._scene.mass > 0)
+        return reached(slips.bodies, ended, self._scene.mass > 0, linked=self._linked)
 
 
 def stop(

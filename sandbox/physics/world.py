@@ -24,9 +24,8 @@ from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError
 from sandbox.physics.forces import Forces
 from sandbox.physics.hand import Hand
 from sandbox.physics.hook import Hook
-from sandbox.physics.impacts import impacts
 from sandbox.physics.located import Located, locate
-from sandbox.physics.motion import Instant
+from sandbox.physics.observer import Observer
 from sandbox.physics.onwards import Onwards
 from sandbox.physics.raw import stepper
 from sandbox.physics.schemes import LEAPFROG, Composition, Substep, composition, require, substeps
@@ -123,8 +122,6 @@ class World:
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
         self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
-        self._untouched = np.zeros(len(self._bodies))
-        self._untouched.setflags(write=False)
         # the step last observed, and the velocities half a step on
         self._seen = -1, self._batch.velocity()
         self._early = stepping.scheme == "explicit-euler" and bool(self.scene.laws)
@@ -137,6 +134,7 @@ class World:
         pulling = self._joints.together if level.effects.contact else None
         self.forces = Forces(self.scene, pulling, leapfrog=self._leapfrog)
         self._sequence = self._make_sequence()
+        self._observer = Observer(level, stepping, self.scene, self.forces, self._sequence)
         self.located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self._settling = Settling(
@@ -363,7 +361,8 @@ class World:
         if not self._leapfrog:
             self._joints.time(self.dt, self.dt)
             nowhere = np.full_like(start, np.nan)
-            return self._snapshot(self._batch.state(), start, nowhere, NO_CONTACTS, np.nan)
+            state = self._batch.state()
+            return self._observer.snapshot(self.t, state, start, nowhere, NO_CONTACTS, np.nan)
         kick = self._last.kick / 2
         self._scale = 1.0
         if self.scene.gravity:
@@ -381,7 +380,9 @@ class World:
             state = self._batch.state()
             if self._leading and self._joints.together:
                 _, acceleration = self._joints.together.motion(start, self.forces.smooth)
-            snapshot = self._snapshot(state, start, acceleration, self.contacts, kick)
+            snapshot = self._observer.snapshot(
+                self.t, state, start, acceleration, self.contacts, kick
+            )
             if self.level.effects.contact:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settling.kick(start, self.dt, self.dt, self.forces.smooth)
@@ -396,32 +397,15 @@ class World:
     def _observe(self, before: Array) -> None:
         """Take up the state, and let the watchdog look at it."""
         state = self._batch.state()
-        after = state[:, 3:]
-        self._seen = self.steps, after
+        self._seen = self.steps, state[:, 3:]
         if cutting := self.stops or self.located:
             before = cutting.begun
         self.begun = before
         contacts = self._read_contacts()
-        velocity, acceleration = after, (after - before) / self._last.kick
-        if self._leapfrog:
-            velocity = (before + after) / 2
-            if self._leading and self._joints.together:
-                velocity, acceleration = self._joints.together.motion(velocity, self.forces.smooth)
-            if self._sequence:
-                struck = self._sequence.last
-                hit = np.flatnonzero(struck.jump.any(axis=1))
-                acceleration[hit] = (after - struck.velocity)[hit] / (self.dt / 2)
-                velocity[hit] = struck.velocity[hit]
-            elif contacts.first.any() or self.level.effects.restitution:
-                solid, mass = self._joints.solids.pairs, self.scene.mass
-                hit, onwards = impacts(
-                    contacts, solid, state[:, :3], before, after, self.forces.smooth, mass, self.dt
-                )
-                acceleration[hit] = onwards
-                velocity[hit] = after[hit] - onwards * (self.dt / 2)
+        rates = self._observer.rates(state, before, contacts, self.parts)
         if self.located:
             contacts = self.located.contacts().and_(contacts)
-        self.snapshot = self._snapshot(state, velocity, acceleration, contacts, self.dt)
+        self.snapshot = self._observer.snapshot(self.t, state, *rates, contacts, self.dt)
         self.contacts = contacts
         try:
             self._watchdog.look(self.snapshot, contacts, before, disturbed=self.disturbed)
@@ -435,27 +419,6 @@ class World:
         contacts = (self.stops and self.stops.kicked) or self._batch.contacts()
         touches = self._joints.touches
         return touches.with_latest(contacts) if touches else contacts
-
-    def _snapshot(
-        self, state: Array, velocity: Array, acceleration: Array, contacts: Contacts, kick: float
-    ) -> Snapshot:
-        normal: Array = self._untouched
-        friction: Array = self._untouched
-        if len(contacts.bodies):
-            normal = _sums(contacts, contacts.normal / kick, len(normal))
-            if self._sequence:
-                normal = normal + self._sequence.last.impulse / kick
-            friction = _sums(contacts, contacts.friction / kick, len(friction))
-        motion = Instant.at(self.t, state, velocity)
-        return Snapshot(
-            *motion,
-            acceleration=acceleration[:, :2],
-            angular_acceleration=acceleration[:, 2],
-            normal=normal,
-            friction=friction,
-            tension=self._joints.tension(motion),
-            torque=self._joints.torque(),
-        )
 
     def _make_watchdog(self) -> Watchdog:
         start, contacts = self.snapshot, self.contacts
@@ -529,9 +492,3 @@ class World:
         self.snapshot = self._start()
         self._watchdog = self._make_watchdog()
         return self.snapshot
-
-
-def _sums(contacts: Contacts, values: Array, count: int) -> Array:
-    """Add up for each body the values of its contacts."""
-    sums = np.bincount(contacts.bodies.T.ravel(), np.concatenate((values, values)), count)
-    return sums.astype(np.float64, copy=False)

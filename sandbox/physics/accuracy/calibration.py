@@ -5,9 +5,9 @@ agrees with finer ones to the accuracy that is asked for, or the time for all is
 order by which its errors fall tells how far it has to go. The cheapest of all is taken.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from math import floor
+from functools import partial
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, HIGHEST_RATE, Level, Stepping
@@ -15,14 +15,8 @@ from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.chaos import WILD, growth
 from sandbox.physics.accuracy.climbing import FEWEST, REAL_TIME, Climber, Progress, climb
 from sandbox.physics.accuracy.errors import AccuracyError
-from sandbox.physics.accuracy.ladder import (
-    SLOWEST,
-    Ladder,
-    foot,
-    held_against,
-    rounded,
-    step_prices,
-)
+from sandbox.physics.accuracy.ladder import foot, held_against, step_prices
+from sandbox.physics.accuracy.offers import CAUTION, Offer, Offers
 from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
 from sandbox.physics.checks import applies
 from sandbox.physics.errors import SimulationError
@@ -38,37 +32,10 @@ FEW = 400
 LONGEST = 4.0
 """Hz, or up to twice that: the rate at which it begins at the least."""
 
-CAUTION = 0.7
-"""The share of the accuracy that a setting may use up by what is only expected of it."""
-
 MORE_SWEEPS = 4
 """By how much more often the solver sweeps in the runs that judge it."""
 
 _ENERGY = Watched("system.energy")
-
-
-@dataclass(frozen=True, slots=True)
-class Offer:
-    """What can be had: a setting, its estimated error, and its price.
-
-    Attributes
-    ----------
-    stepping
-        The setting.
-    error
-        The largest of the run, as a check's: relative, absolute where zero is expected.
-    price
-        What a second of the scene takes to compute [s].
-    """
-
-    stepping: Stepping
-    error: float
-    price: float
-
-    def __str__(self) -> str:
-        s = self.stepping
-        price = f"{self.price * 1e3:.3g} ms of computing for a second of the scene"
-        return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {price}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,29 +108,31 @@ def calibrate(
         If the level does not run at all.
     """
     values = level.defaults if values is None else values
-    wanted = watched(level, values)
-    if not wanted:
-        raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
+    wanted, judged_by = _judges(level, values)
     if not target >= FINEST:
         raise AccuracyError(f"an accuracy of {target:g} is below rounding; {FINEST:g} is the least")
-    checked = any(applies(check, values) for check in level.checks)
-    judged_by = "its checks" if checked else "places and velocities"
-    ladders, steps = _ladders(level, values, wanted, target, budget, progress, stop)
-    offers = _offers(ladders, steps, target)
-    if (
-        offers[0][1].error > target
-        and (times := growth(level, values, ladders[0].traces[-2].stepping, stop)) > WILD
-    ):
+    found_out = partial(_offers, level, values, target, budget, progress, stop)
+    offers = found_out(wanted)
+    verified, chosen = offers.best(target)
+    if chosen.error > target and (times := growth(level, values, offers.fine, stop)) > WILD:
         judged_by = f"its energy, for it is chaotic: a small change grows {times:.0e} times"
-        ladders, steps = _ladders(level, values, (_ENERGY,), target, budget, progress, stop)
-        offers = _offers(ladders, steps, target)
-    verified, chosen = offers[0]
+        offers = found_out((_ENERGY,))
+        verified, chosen = offers.best(target)
     if chosen.error > target:
         raise AccuracyError(
             f"an accuracy of {target:g} cannot be had; there is {chosen}, judged by {judged_by}"
         )
-    offer = None if chosen.price <= REAL_TIME else _affordable(ladders, steps)
-    return Setting(target, chosen, judged_by, verified, offer)
+    affordable = None if chosen.price <= REAL_TIME else offers.in_real_time()
+    return Setting(target, chosen, judged_by, verified, affordable)
+
+
+def _judges(level: Level, values: Values) -> tuple[tuple[Watched, ...], str]:
+    """Return whose errors count, and what that is in words."""
+    wanted = watched(level, values)
+    if not wanted:
+        raise AccuracyError("nothing moves freely, so there is nothing to be accurate")
+    checked = any(applies(check, values) for check in level.checks)
+    return wanted, "its checks" if checked else "places and velocities"
 
 
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
@@ -205,15 +174,15 @@ def _floor(level: Level, values: Values) -> float:
     return max((need.rate for need in found), default=0.0)
 
 
-def _ladders(
+def _offers(
     level: Level,
     values: Values,
-    wanted: tuple[Watched, ...],
     target: float,
     budget: float,
     progress: Progress | None,
     stop: Stop,
-) -> tuple[list[Ladder], tuple[float, ...]]:
+    wanted: tuple[Watched, ...],
+) -> Offers:
     """Climb with all candidates, hold all against the best, and time a step of each [s]."""
     climbers = [
         Climber(level, values, start, wanted, target * CAUTION)
@@ -229,53 +198,4 @@ def _ladders(
     if level.effects.contact:
         best, *others = found  # only more sweeps of the solver show what it still owes
     ladders = [best, *(held_against(ladder, best, wanted) for ladder in others)]
-    return ladders, step_prices(level, values, ladders)
-
-
-def _offers(
-    ladders: Sequence[Ladder], steps: Sequence[float], target: float
-) -> list[tuple[bool, Offer]]:
-    """Return what each ladder has to offer, and whether it was seen to be so good.
-
-    What reaches the target comes first, the cheapest of it before all; then what is most accurate.
-    """
-    pairs = zip(ladders, steps, strict=True)
-    found = [_offer(step, ladder, target) for ladder, step in pairs]
-
-    def rank(offer: tuple[bool, Offer]) -> tuple[float, float]:
-        return max(offer[1].error, target), offer[1].price
-
-    return sorted(found, key=rank)
-
-
-def _offer(step: float, ladder: Ladder, target: float) -> tuple[bool, Offer]:
-    """Return a ladder's cheapest setting, or its best, at a price a step [s]."""
-    last = ladder.traces[-1].stepping
-    if good := ladder.cheapest(target):
-        trace, error = good
-        return True, Offer(trace.stepping, error, step * trace.stepping.rate)
-    rate = rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
-    if rate <= HIGHEST_RATE:
-        return False, Offer(last.at(rate), ladder.error_at(rate), step * rate)
-    runs = zip(ladder.traces, ladder.errors, strict=True)
-    trace, error = min(runs, key=lambda run: run[1])
-    return True, Offer(trace.stepping, error, step * trace.stepping.rate)
-
-
-def _affordable(ladders: Sequence[Ladder], steps: Sequence[float]) -> Offer | None:
-    """Return the most accurate setting that runs in real time."""
-    found = []
-    for ladder, step in zip(ladders, steps, strict=True):
-        fastest = REAL_TIME / step
-        runs = [
-            Offer(trace.stepping, error, step * trace.stepping.rate)
-            for trace, error in zip(ladder.traces, ladder.errors, strict=True)
-            if SLOWEST <= trace.stepping.rate <= fastest
-        ]
-        last = ladder.traces[-1].stepping
-        if fastest > last.rate:
-            rate = float(floor(fastest))
-            setting = last.model_copy(update={"rate": rate})
-            runs.append(Offer(setting, ladder.error_at(rate), step * rate))
-        found += runs
-    return min(found, key=lambda offer: offer.error, default=None)
+    return Offers(ladders, step_prices(level, values, ladders))

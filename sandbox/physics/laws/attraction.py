@@ -22,6 +22,7 @@ class Attraction:
 
     effect: ClassVar[str] = "attraction"
     book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
 
     mu: float  # m^(p + 1)/s²
     center: XY  # m
@@ -35,11 +36,6 @@ class Attraction:
         """See what moves."""
         object.__setattr__(self, "_moving", in_place(np.flatnonzero(self.mass)))
         object.__setattr__(self, "_middle", np.array(self.center))
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −mu m r / |r|^(p + 1)."""

@@ -21,16 +21,12 @@ class Centrifugal:
 
     effect: ClassVar[str] = "centrifugal"
     book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
 
     rate: float  # rad/s, ω
     axis: float  # m, x0
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
     share: Share = steady
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add m ω² (x − x0)."""

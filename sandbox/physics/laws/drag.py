@@ -17,15 +17,11 @@ class Drag:
 
     effect: ClassVar[str] = "drag"
     book: ClassVar[Book] = "loss"
+    needs_velocity: ClassVar[bool] = True
 
     linear: float  # kg/s
     quadratic: float  # kg/m
     bodies: slice | Integers  # those it acts on
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return True
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add −(linear + quadratic |v|) v."""

@@ -26,17 +26,13 @@ class Gravitation:
 
     effect: ClassVar[str] = "gravitation"
     book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
 
     constant: float  # m³/(kg s²), G
     bodies: NDArray[np.intp]  # (k,)
     mass: Array  # (n,) kg at the start
     softening: float = 0.0  # m, ε
     share: Share = steady
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add to each body the pull of all others."""

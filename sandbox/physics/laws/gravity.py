@@ -16,15 +16,11 @@ class Gravity:
 
     effect: ClassVar[str] = "gravity"
     book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
 
     acceleration: XY  # m/s²
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
     share: Share = steady
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add m g."""

@@ -21,15 +21,11 @@ class Thrust:
 
     effect: ClassVar[str] = "thrust"
     book: ClassVar[Book] = "work"
+    needs_velocity: ClassVar[bool] = False
 
     flow: Flow
     exhaust: XY  # m/s, relative to the body, along its axes
     step: float  # s
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add u dm/dt."""
@@ -51,15 +47,11 @@ class Accretion:
 
     effect: ClassVar[str] = "accretion"
     book: ClassVar[Book] = "work"
+    needs_velocity: ClassVar[bool] = True
 
     flow: Flow
     velocity: XY  # m/s, w
     step: float  # s
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return True
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add (w − v) dm/dt."""

@@ -25,6 +25,7 @@ class Steady:
 
     effect: ClassVar[str] = "force"
     book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
 
     bodies: slice  # from the first that it acts on to the last
     force: Array  # (k, 2) N
@@ -44,11 +45,6 @@ class Steady:
             dot[body - first] += px * x + py * y
         twists = any(any(point) for _, point, _ in pushes)
         return cls(slice(first, first + count), force, cross, dot, twists)
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add F, and its torque about the centre of mass."""
@@ -77,6 +73,7 @@ class Push:
 
     effect: ClassVar[str] = "force"
     book: ClassVar[Book] = "work"
+    needs_velocity: ClassVar[bool] = False
 
     force: tuple[Formula, Formula]  # N
     values: Values
@@ -91,11 +88,6 @@ class Push:
         start = np.zeros(())
         x, y = (float(component.over(self.values, start)) for component in self.force)
         object.__setattr__(self, "_steady", None if changes else (x, y))
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
-        return False
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add F, and its torque about the centre of mass."""

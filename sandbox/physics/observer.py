@@ -1,0 +1,135 @@
+"""The state at a step, from the velocities half a kick before and after it.
+
+The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
+Where something hits there is no such mean (see `impacts` and `sequence`), and joints know better
+where a step has several kicks (see `exact.solver`).
+"""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.batch import Contacts
+from sandbox.physics.build import Scene
+from sandbox.physics.forces import Forces
+from sandbox.physics.impacts import impacts
+from sandbox.physics.motion import Instant
+from sandbox.physics.schemes import Substep
+from sandbox.physics.sequence import Sequence
+from sandbox.physics.snapshot import Snapshot
+
+
+class Observer:
+    """Makes snapshots of a scene; n bodies.
+
+    Parameters
+    ----------
+    level, stepping
+        What the scene was built from.
+    scene
+        What moves.
+    forces
+        What gravity and the force laws do.
+    sequence
+        What impacts in sequence do; None without.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        stepping: Stepping,
+        scene: Scene,
+        forces: Forces,
+        sequence: Sequence | None,
+    ) -> None:
+        self._dt, self._leapfrog = 1 / stepping.rate, not stepping.as_it_comes
+        self._mass, self._joints = scene.mass, scene.joints
+        self._forces, self._sequence = forces, sequence
+        self._bounces = level.effects.restitution is not None
+        self._untouched = np.zeros(len(scene.mass))
+        self._untouched.setflags(write=False)
+
+    def rates(
+        self, state: Array, before: Array, contacts: Contacts, parts: list[Substep]
+    ) -> tuple[Array, Array]:
+        """Return the velocities and accelerations at a step: (n, 3) each.
+
+        Parameters
+        ----------
+        state
+            (n, 6), places at the step, and velocities half a kick after it.
+        before
+            (n, 3), the velocities half a kick before it [m/s, rad/s].
+        contacts
+            Of the kick.
+        parts
+            What the step is made of.
+        """
+        after = state[:, 3:]
+        velocity, acceleration = after, (after - before) / parts[-1].kick
+        if not self._leapfrog:
+            return velocity, acceleration
+        velocity = (before + after) / 2
+        if len(parts) > 1 and self._joints.together:
+            velocity, acceleration = self._joints.together.motion(velocity, self._forces.smooth)
+        if self._sequence:
+            struck = self._sequence.last
+            hit = np.flatnonzero(struck.jump.any(axis=1))
+            acceleration[hit] = (after - struck.velocity)[hit] / (self._dt / 2)
+            velocity[hit] = struck.velocity[hit]
+        elif contacts.first.any() or self._bounces:
+            solid, pull = self._joints.solids.pairs, self._forces.smooth
+            place = state[:, :3]
+            hit, onwards = impacts(
+                contacts, solid, place, before, after, pull, self._mass, self._dt
+            )
+            acceleration[hit] = onwards
+            velocity[hit] = after[hit] - onwards * (self._dt / 2)
+        return velocity, acceleration
+
+    def snapshot(
+        self,
+        t: float,
+        state: Array,
+        velocity: Array,
+        acceleration: Array,
+        contacts: Contacts,
+        kick: float,
+    ) -> Snapshot:
+        """Return the state at a step.
+
+        Parameters
+        ----------
+        t
+            The time [s].
+        state
+            (n, 6), of which places count.
+        velocity, acceleration
+            (n, 3), at the step.
+        contacts
+            Of the kick around it.
+        kick
+            How long that was [s].
+        """
+        normal = friction = self._untouched
+        if len(contacts.bodies):
+            normal = _sums(contacts, contacts.normal / kick, len(normal))
+            if self._sequence:
+                normal = normal + self._sequence.last.impulse / kick
+            friction = _sums(contacts, contacts.friction / kick, len(friction))
+        motion = Instant.at(t, state, velocity)
+        return Snapshot(
+            *motion,
+            acceleration=acceleration[:, :2],
+            angular_acceleration=acceleration[:, 2],
+            normal=normal,
+            friction=friction,
+            tension=self._joints.tension(motion),
+            torque=self._joints.torque(),
+        )
+
+
+def _sums(contacts: Contacts, values: Array, count: int) -> Array:
+    """Add up for each body the values of its contacts."""
+    sums = np.bincount(contacts.bodies.T.ravel(), np.concatenate((values, values)), count)
+    return sums.astype(np.float64, copy=False)
