@@ -6,6 +6,7 @@ rotation every moment is infinite, without friction or restitution the coefficie
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -55,6 +56,8 @@ class Scene:
         The friction of pairs whose static coefficient is larger, by their bodies' numbers.
     restitution
         (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
+    reach
+        How far from the origin pymunk can look for pairs [m].
     gravity, laws
         What acts on the bodies; gravity is pymunk's own.
     hooked
@@ -72,6 +75,7 @@ class Scene:
     pair_callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
     restitution: np.ndarray | None
+    reach: float
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -89,7 +93,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.iterations = stepping.iterations
     bodies = {name: make_body(spec, level, values) for name, spec in level.bodies.items()}
     space.add(*bodies.values())
-    pairs = _Pairs(0, {}, None)
+    pairs = _Pairs(0, {}, None, inf)
     if level.effects.contact:
         pairs = _make_contacts(space, bodies, level, values, stepping)
     dynamic = [body.body_type == pymunk.Body.DYNAMIC for body in bodies.values()]
@@ -123,6 +127,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         pair_callbacks=pairs.callbacks,
         sticking=pairs.sticking,
         restitution=pairs.restitution,
+        reach=pairs.reach,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
         hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
@@ -158,6 +163,7 @@ class _Pairs(NamedTuple):
     callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
     restitution: np.ndarray | None
+    reach: float
 
 
 def _make_contacts(
@@ -174,12 +180,12 @@ def _make_contacts(
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
         hair = HAIR if ours else 0.0
         space.add(*make_surfaces(spec, bodies[name], level, values, hair, kind))
-    choose_broad_phase(space)
+    reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
     if level.effects.in_sequence and ours:
-        pairs = _Pairs(0, {}, take_bounces(space, level, values))
+        pairs = _Pairs(0, {}, take_bounces(space, level, values), reach)
     else:
-        pairs = _Pairs(*give_coefficients(space, level, values), None)
+        pairs = _Pairs(*give_coefficients(space, level, values), None, reach)
     if ours:
         choose_correction(space, level, values, 1 / stepping.rate)
     return pairs

@@ -10,6 +10,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
+from math import inf
 from typing import NoReturn
 
 import numpy as np
@@ -119,7 +120,9 @@ class World:
         self.trail: list[Array] | None = None
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
-        self._space, self._step = self.scene.space, stepper(self.scene.space)
+        self._space = self.scene.space
+        self._pymunk = stepper(self._space)
+        self._step = self._step_in_reach if self.scene.reach < inf else self._pymunk
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
         self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
@@ -251,6 +254,22 @@ class World:
             self.snapshot = self._watchdog.good
             self._fail(error)
         return self.snapshot
+
+    def _step_in_reach(self, drift: float) -> None:
+        """Take a step of pymunk's, unless it would end beyond the grid in which pairs are found."""
+        if not self._batch.extent() * (1 + drift) < self.scene.reach:
+            self._look_for_beyond(drift)
+        self._pymunk(drift)
+
+    def _look_for_beyond(self, drift: float) -> None:
+        state, reach = self._batch.state(), self.scene.reach
+        with np.errstate(all="ignore"):  # what is not a number is told later, by name
+            beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
+        if beyond.any():
+            name = list(self.scene.bodies)[int(beyond.argmax())]
+            told = f"'{name}' flies out of the {reach:.3g} m in which so many shapes are looked for"
+            self._ended = SimulationError(name, self.t, told)
+            raise self._ended
 
     def _compose(self, shares: Composition) -> None:
         """Take steps from now on that are made like that."""
