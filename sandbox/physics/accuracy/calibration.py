@@ -266,7 +266,7 @@ def _affordable(ladders: Sequence[Ladder], steps: Sequence[float]) -> Offer | No
     """Return the most accurate setting that runs in real time."""
     found = []
     for ladder, step in zip(ladders, steps, strict=True):
-        fastest = REAL_TIME / step
+        fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
         runs = [
             Offer(trace.stepping, error, step * trace.stepping.rate)
             for trace, error in zip(ladder.traces, ladder.errors, strict=True)
