@@ -12,6 +12,7 @@ import pytest
 
 from sandbox.app.background import Background
 from tests.app import work
+from tests.elsewhere import limited
 
 PATIENCE = 60.0  # s
 
@@ -120,8 +121,6 @@ def test_the_work_gives_way_to_the_window(background: Background) -> None:
 
 def test_a_window_that_is_killed_leaves_no_orphan() -> None:
     text = (
-        "import faulthandler\n"
-        f"faulthandler.dump_traceback_later({PATIENCE}, exit=True)\n"
         "from sandbox.app.background import Background\n"
         "from tests.app import work\n"
         "import time\n"
@@ -135,7 +134,7 @@ def test_a_window_that_is_killed_leaves_no_orphan() -> None:
         "    print(found[0], flush=True)\n"
         "    time.sleep(600)\n"
     )
-    command = [sys.executable, "-c", text]
+    command = [sys.executable, "-c", limited() + text]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as window:
         assert window.stdout is not None
         try:
