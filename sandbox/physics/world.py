@@ -266,10 +266,13 @@ class World:
         with np.errstate(all="ignore"):  # what is not a number is told later, by name
             beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
         if beyond.any():
-            name = list(self.scene.bodies)[int(beyond.argmax())]
-            told = f"'{name}' flies out of the {reach:.3g} m in which so many shapes are looked for"
-            self._ended = SimulationError(name, self.t, told)
+            self._ended = self._beyond(list(self.scene.bodies)[int(beyond.argmax())])
             raise self._ended
+
+    def _beyond(self, name: str) -> SimulationError:
+        reach = self.scene.reach
+        told = f"'{name}' leaves the {reach:.3g} m around the origin that so many shapes may be in"
+        return SimulationError(name, self.t, told)
 
     def _compose(self, shares: Composition) -> None:
         """Take steps from now on that are made like that."""
@@ -537,8 +540,15 @@ class World:
         """Put bodies elsewhere [m] with the velocities they have; strings are cut to fit.
 
         Returns the new state, from which the run goes on as if it had started there.
+
+        Raises
+        ------
+        SimulationError
+            If it cannot go on from there.
         """
         for name, position in positions.items():
+            if max(map(abs, position)) >= self.scene.reach:
+                raise self._beyond(name)
             self.scene.bodies[name].position = position
             self._space.reindex_shapes_for_body(self.scene.bodies[name])
         self._joints.refit(self.t)

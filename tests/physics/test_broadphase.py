@@ -60,10 +60,20 @@ def test_what_flies_out_of_a_grid_is_told(
     name, body = next(iter(world.scene.bodies.items()))
     body.velocity = speed, 0
 
-    with pytest.raises(SimulationError, match=f"'{name}' flies out of the"):
+    with pytest.raises(SimulationError, match=f"'{name}' leaves the"):
         world.advance()
     with pytest.raises(SimulationError):
         world.advance()
+
+
+def test_nothing_is_put_beyond_a_grid(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(broadphase, "CROWD", 10)
+    world = build(gas(20))
+    name = next(iter(world.scene.bodies))
+
+    with pytest.raises(SimulationError, match=f"'{name}' leaves the"):
+        world.place({name: (-1e12, 0)})
+    world.advance()
 
 
 def pairs(world: World) -> set[frozenset[int]]:
