@@ -55,7 +55,7 @@ class Background:
         while self._findings is not None and self._findings.poll():
             try:
                 finding = self._findings.recv()
-            except EOFError:
+            except (EOFError, OSError):  # at its end, or in the middle of a finding
                 self.cancel()
                 return
             yield finding
@@ -63,7 +63,7 @@ class Background:
     def cancel(self) -> None:
         """End what is under way, at once."""
         if self._process is not None:
-            self._process.terminate()
+            self._process.kill()  # to terminate it would be a request, which it may ignore
             self._process.join()
             self._process.close()
         if self._findings is not None:

@@ -6,6 +6,7 @@ and no body may join the space once a `Batch` looks at it.
 """
 
 from collections.abc import Sequence
+from math import sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -168,6 +169,11 @@ class Batch:
     def velocity(self) -> Array:
         """Return vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
         return self._velocity.read().take(self._rows, axis=0)
+
+    def extent(self) -> float:
+        """Return a number that no coordinate or velocity exceeds [m, rad, m/s, rad/s]."""
+        values = self._state.read().ravel()
+        return sqrt(np.vdot(values, values))
 
     def set_velocity(self, velocity: Array) -> None:
         """Write vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""

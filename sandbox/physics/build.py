@@ -6,6 +6,7 @@ rotation every moment is infinite, without friction or restitution the coefficie
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -58,6 +59,8 @@ class Scene:
         The friction of pairs whose static coefficient is larger, by their bodies' numbers.
     restitution
         (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
+    reach
+        How far from the origin pymunk can look for pairs [m].
     gravity, laws
         What acts on the bodies; gravity is pymunk's own.
     hooked
@@ -76,6 +79,7 @@ class Scene:
     pair_callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
     restitution: Array | None
+    reach: float
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -118,6 +122,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         pair_callbacks=pairs.callbacks,
         sticking=pairs.sticking,
         restitution=pairs.restitution,
+        reach=pairs.reach,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
         hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
@@ -178,6 +183,7 @@ class _Pairs(NamedTuple):
     callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
     restitution: Array | None
+    reach: float
 
 
 def _make_contacts(
@@ -189,19 +195,19 @@ def _make_contacts(
 ) -> _Pairs:
     """Give bodies the shapes with which they touch, and say what happens where they do."""
     if not level.effects.contact:
-        return _Pairs(0, {}, None)
+        return _Pairs(0, {}, None, inf)
     ours = not stepping.as_it_comes
     if ours:
         skip_ids(space, level)
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
         hair = HAIR if ours else 0.0
         space.add(*make_surfaces(spec, bodies[name], level, values, hair, kind))
-    choose_broad_phase(space)
+    reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
     if level.effects.in_sequence and ours:
-        pairs = _Pairs(0, {}, take_bounces(space, level, values))
+        pairs = _Pairs(0, {}, take_bounces(space, level, values), reach)
     else:
-        pairs = _Pairs(*give_coefficients(space, level, values), None)
+        pairs = _Pairs(*give_coefficients(space, level, values), None, reach)
     if ours:
         choose_correction(space, level, values, 1 / stepping.rate)
     return pairs

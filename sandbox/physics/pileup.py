@@ -108,10 +108,14 @@ class Pile:
 def pushes(answers: Array, parting: Array) -> Array:
     """Return the smallest impulses after which nothing approaches, all at once: (k,) [N s].
 
+    They are no numbers where the answers, or the rates, are none.
+
     Of all impulses that push, those that leave the least kinetic energy: impulse · (parting +
     answers · impulse / 2) is least. C. L. Lawson, R. J. Hanson: Solving Least Squares Problems,
     chapter 23.
     """
+    if not (np.isfinite(answers).all() and np.isfinite(parting).all()):
+        return np.full(len(parting), np.nan)  # LAPACK never comes back from an infinity
     impulse, active = np.zeros(len(parting)), np.zeros(len(parting), dtype=bool)
     close = ROUNDING * np.abs(parting).max()
     for _ in range(3 * len(parting)):
@@ -126,11 +130,14 @@ def pushes(answers: Array, parting: Array) -> Array:
             if wanted.min() > 0:
                 impulse[now] = wanted
                 break
-            pulls = wanted <= 0
+            pulls = np.flatnonzero(~(wanted > 0))
             left = impulse[now][pulls]
             share = left / np.maximum(left - wanted[pulls], TINY)
-            impulse[now] += share.min() * (wanted - impulse[now])
-            active[now[np.flatnonzero(pulls)[share == share.min()]]] = False
+            first = int(share.argmin())
+            gone = share == share[first]
+            gone[first] = True  # even where that is no number: one less each time, or it never ends
+            impulse[now] += share[first] * (wanted - impulse[now])
+            active[now[pulls[gone]]] = False
             impulse[~active] = 0.0
             if not active.any():
                 break

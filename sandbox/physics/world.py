@@ -10,6 +10,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
+from math import hypot, inf
 from typing import NoReturn
 
 import numpy as np
@@ -37,6 +38,12 @@ from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
 
 Pair = frozenset[str]
+
+LOOK = 16
+"""Steps between two looks at how far out bodies are, where they may leave a grid."""
+
+FASTER = 1e4
+"""How many times as far as now, or as fast, none is after so many steps of impacts and springs."""
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
@@ -118,7 +125,10 @@ class World:
         self.trail: list[Array] | None = None
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
-        self._space, self._step = self.scene.space, stepper(self.scene.space)
+        self._space = self.scene.space
+        self._pymunk = stepper(self._space)
+        self._step = self._step_in_reach if self.scene.reach < inf else self._pymunk
+        self._look_again = 0  # at which step
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
         self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
@@ -249,6 +259,34 @@ class World:
             self.snapshot = self._watchdog.good
             self._fail(error)
         return self.snapshot
+
+    def _step_in_reach(self, drift: float) -> None:
+        """Take a step of pymunk's, unless it would end beyond the grid in which pairs are found."""
+        if self.steps >= self._look_again:
+            self._look_around(drift)
+        self._pymunk(drift)
+
+    def _look_around(self, drift: float) -> None:
+        """See whether all are within the grid, and will be for some steps; laws may do anything."""
+        extent, reach = self._batch.extent(), self.scene.reach
+        gains = hypot(*self.scene.gravity.acceleration) if self.scene.gravity else 0.0
+        if not self.scene.hooked and (extent + gains) * FASTER < reach:
+            self._look_again = self.steps + LOOK
+        elif not extent * (1 + drift) < reach:
+            self._look_for_beyond(drift)
+
+    def _look_for_beyond(self, drift: float) -> None:
+        state, reach = self._batch.state(), self.scene.reach
+        with np.errstate(all="ignore"):  # what is not a number is told later, by name
+            beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
+        if beyond.any():
+            self._ended = self._beyond(list(self.scene.bodies)[int(beyond.argmax())])
+            raise self._ended
+
+    def _beyond(self, name: str) -> SimulationError:
+        reach = self.scene.reach
+        told = f"'{name}' leaves the {reach:.3g} m around the origin that so many shapes may be in"
+        return SimulationError(name, self.t, told)
 
     def _compose(self, shares: Composition) -> None:
         """Take steps from now on that are made like that."""
@@ -481,8 +519,15 @@ class World:
         """Put bodies elsewhere [m] with the velocities they have; strings are cut to fit.
 
         Returns the new state, from which the run goes on as if it had started there.
+
+        Raises
+        ------
+        SimulationError
+            If it cannot go on from there.
         """
         for name, position in positions.items():
+            if max(map(abs, position)) >= self.scene.reach:
+                raise self._beyond(name)
             self.scene.bodies[name].position = position
             self._space.reindex_shapes_for_body(self.scene.bodies[name])
         self._joints.refit(self.t)

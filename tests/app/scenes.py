@@ -3,6 +3,7 @@
 import json
 from typing import Any
 
+from sandbox.app.session import Session
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 
@@ -45,6 +46,16 @@ def falling(**changes: object) -> str:
 def level(**changes: object) -> Level:
     """Return the falling ball, with some parts of the level changed."""
     return parse(falling(**changes))
+
+
+def play(session: Session, frame: float = 1 / 60) -> Session:
+    """Play a session until it pauses by itself, at its end or where it has to stop."""
+    session.playing = True
+    while session.playing:
+        assert not session.waiting
+        assert session.world.steps < session.end
+        session.update(frame, budget=10.0)
+    return session
 
 
 def runaway() -> str:

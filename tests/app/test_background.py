@@ -1,6 +1,7 @@
 """Work in another process."""
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -11,6 +12,7 @@ import pytest
 
 from sandbox.app.background import Background
 from tests.app import work
+from tests.elsewhere import limited
 
 PATIENCE = 60.0  # s
 
@@ -34,8 +36,11 @@ def alive(pid: int) -> bool:
         os.kill(pid, 0)
     except ProcessLookupError:
         return False
-    status = Path(f"/proc/{pid}/stat")
-    return not status.exists() or status.read_text().rpartition(")")[2].split()[0] != "Z"
+    try:
+        status = Path(f"/proc/{pid}/stat").read_text()
+    except OSError:  # it has just gone, or there are no such files here
+        return not Path("/proc/self/stat").exists()
+    return status.rpartition(")")[2].split()[0] != "Z"
 
 
 def findings(background: Background) -> list[object]:
@@ -73,6 +78,30 @@ def test_work_that_is_cancelled_ends_at_once(background: Background) -> None:
     assert list(background.found()) == []
 
 
+@pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing can be ignored here")
+def test_work_that_ignores_a_request_to_end_ends_at_once(background: Background) -> None:
+    """As does all that is started where SIGTERM is ignored: it is inherited."""
+    background.start(work.ignore)
+    until(lambda: bool(list(background.found())))
+
+    begun = time.monotonic()
+    background.cancel()
+
+    assert time.monotonic() - begun < 30  # it would go on for 120 s
+
+
+def test_work_that_dies_in_the_middle_of_a_finding_has_found_nothing(
+    background: Background,
+) -> None:
+    background.start(work.half)
+    pid = background.pid
+    assert pid is not None
+    until(lambda: not alive(pid))
+
+    assert list(background.found()) == []
+    assert not background.running
+
+
 def test_new_work_takes_the_place_of_the_old(background: Background) -> None:
     background.start(work.dawdle)
     before = background.pid
@@ -105,13 +134,13 @@ def test_a_window_that_is_killed_leaves_no_orphan() -> None:
         "    print(found[0], flush=True)\n"
         "    time.sleep(600)\n"
     )
-    window = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
-    assert window.stdout is not None
-    pid = int(window.stdout.readline())
-    assert alive(pid)
-
-    window.kill()
-    window.wait()
+    command = [sys.executable, "-c", limited() + text]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as window:
+        assert window.stdout is not None
+        try:
+            pid = int(window.stdout.readline())
+            assert alive(pid)
+        finally:
+            window.kill()
 
     until(lambda: not alive(pid))
-    window.stdout.close()

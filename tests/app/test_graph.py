@@ -14,6 +14,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.loading import load
 from tests.app import scenes
 from tests.app.person import Person
+from tests.app.scenes import play
 
 SIZE = (200, 80)
 
@@ -30,12 +31,6 @@ def oscillator(scheme: str) -> Session:
     )  # fmt: skip
 
 
-def finished(session: Session) -> Session:
-    while not session.at_end:
-        session.step()
-    return session
-
-
 def drawn(session: Session) -> Array:
     surface = graph.energies(SIZE, session.books.history, session.duration)
     return pygame.surfarray.array3d(surface).astype(float)
@@ -47,7 +42,7 @@ def rows(pixels: Array, color: Color, columns: slice) -> NDArray[np.intp]:
 
 
 def test_the_history_is_that_of_the_run() -> None:
-    session = finished(Session(load(catalog.find("kinematics/projectile"))))
+    session = play(Session(load(catalog.find("kinematics/projectile"))))
     t, kinetic, potential, total = session.books.history.T
 
     height = 25 * np.sin(np.pi / 4) * t - 9.81 * t**2 / 2
@@ -59,7 +54,7 @@ def test_the_history_is_that_of_the_run() -> None:
 
 def test_the_growth_of_energy_under_eulers_explicit_scheme_is_seen() -> None:
     """It grows by 1 + (ω dt)² a step, 1.87 over these 252; the symplectic one keeps it."""
-    grown, kept = (drawn(finished(oscillator(s))) for s in ("explicit-euler", "leapfrog"))
+    grown, kept = (drawn(play(oscillator(s))) for s in ("explicit-euler", "leapfrog"))
     first, last = slice(2, 8), slice(-12, -6)
 
     assert rows(kept, theme.TOTAL, first).max() - rows(kept, theme.TOTAL, last).min() <= 3
@@ -67,7 +62,7 @@ def test_the_growth_of_energy_under_eulers_explicit_scheme_is_seen() -> None:
 
 
 def test_kinetic_and_potential_energy_change_places() -> None:
-    pixels = drawn(finished(oscillator("leapfrog")))
+    pixels = drawn(play(oscillator("leapfrog")))
     start, quarter = slice(0, 4), slice(24, 27)  # of a period, which is 100 pixels
 
     assert rows(pixels, theme.KINETIC, start).min() > 60
@@ -87,7 +82,7 @@ def test_a_run_just_begun_leaves_the_rest_of_the_graph_free() -> None:
 
 def test_a_long_run_keeps_a_bounded_number_of_energies() -> None:
     session = Session(scenes.level(stepping={"rate": 6000}, checks=[]))
-    finished(session)
+    play(session)
 
     assert len(session.books.history) <= INSTANTS + 2
 

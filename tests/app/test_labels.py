@@ -8,6 +8,7 @@ from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.loading import load
+from tests.app.scenes import play
 
 BOUNDS = pygame.Rect(0, 0, 100, 100)
 BEST, SECOND = pygame.Rect(10, 10, 20, 10), pygame.Rect(10, 40, 20, 10)
@@ -35,9 +36,7 @@ def test_words_cover_what_they_should_avoid_only_if_nothing_else_is_left() -> No
 
 
 def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
-    session = Session(load(catalog.find("lagrange/bead-on-a-wire")))
-    while session.t < session.duration:
-        session.step()
+    session = play(Session(load(catalog.find("lagrange/bead-on-a-wire"))))
     written: list[pygame.Rect] = []
 
     class Noting(pygame.Surface):

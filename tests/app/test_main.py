@@ -1,11 +1,11 @@
 """Starting the app."""
 
-import subprocess
 import sys
 
 import pytest
 
 from sandbox.app import main
+from tests.elsewhere import python
 
 
 @pytest.mark.parametrize("driver", ["dummy", "offscreen"])
@@ -20,9 +20,7 @@ def test_a_driver_without_a_screen_is_no_display(
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems always have a display server")
 def test_without_a_display_nothing_is_printed() -> None:
     code = "from sandbox.app.main import has_display; raise SystemExit(has_display())"
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False, env={}
-    )
+    done = python("-c", code, environment={})
 
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
@@ -33,4 +31,4 @@ def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
         "raise SystemExit('pygame' in sys.modules)"
     )
 
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+    assert python("-c", code).returncode == 0

@@ -16,14 +16,9 @@ from sandbox.model.loading import load
 from sandbox.physics.world import build
 from tests.app import scenes
 from tests.app.person import Person
+from tests.app.scenes import play
 
 DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
-
-
-def play(session: Session) -> None:
-    session.playing = True
-    while session.playing:
-        session.update(1 / 60, budget=10.0)
 
 
 def test_each_scheme_runs_in_its_own_world_to_the_last_bit() -> None:

@@ -10,15 +10,10 @@ from sandbox.model.loading import parse
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
 from tests.app import scenes
+from tests.app.scenes import play
 from tests.physics.scenes import disc, level
 
 FRAME = 1 / 60  # s
-
-
-def play(session: Session, frame: float = FRAME) -> None:
-    session.toggle()
-    while session.playing:
-        session.update(frame, budget=10.0)
 
 
 def state(session: Session) -> bytes:

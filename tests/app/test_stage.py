@@ -1,5 +1,7 @@
 """The picture of a world, on a bare surface."""
 
+import time
+
 import numpy as np
 import pygame
 import pytest
@@ -260,3 +262,37 @@ def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
 
     assert abs(session.world.snapshot.velocity).max() > 0
     assert count(draw(session, stage), theme.ARROW) == 0
+
+
+@pytest.mark.parametrize("half", [1e3, 1e9, 1e16, 1e100])
+@pytest.mark.parametrize("runs", [False, True])
+def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
+    pen: Pen, half: float, runs: bool
+) -> None:
+    """Its hatching, and the marks of a belt, go on for as many pixels, or without end."""
+    line = {"type": "segment", "start": [-half, 0], "end": [half, 0]}
+    belt = {"type": "box", "width": 2 * half, "height": 1}
+    rough = {"friction": 1} if runs else {}
+    floor = {"type": "static", "shape": belt if runs else line, **rough}
+    scene = scenes.level(
+        effects={
+            "contact": {},
+            **({"friction": {}, "belt": [{"body": "floor", "velocity": [1, 0]}]} if runs else {}),
+        },
+        bodies={
+            "ball": {
+                "shape": {"type": "disc", "radius": 0.5}, "mass": 1, "position": [0, 3], **rough,
+            },
+            "floor": floor,
+        },
+        parameters={}, checks=[], ghosts={},
+    )  # fmt: skip
+    endless = Session(scene)
+    stage = Stage(pen, SIZE)
+    stage.use(endless.world)
+    stage.fit()
+    begun = time.monotonic()
+
+    draw(endless, stage)
+
+    assert time.monotonic() - begun < 5  # 0.07

@@ -20,12 +20,7 @@ from sandbox.physics.trace import simulate
 from sandbox.physics.world import World, build
 from tests.app import scenes
 from tests.app.person import Person
-
-
-def play(session: Session) -> None:
-    session.playing = True
-    while session.playing:
-        session.update(1 / 60, budget=10.0)
+from tests.app.scenes import play
 
 
 def page(person: Person) -> EffectsPage:

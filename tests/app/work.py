@@ -1,8 +1,10 @@
 """Pieces of work that the tests give to another process."""
 
 import os
+import signal
 import time
 from collections.abc import Iterator
+from threading import Timer
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
@@ -19,6 +21,18 @@ def dawdle() -> Iterator[int]:
     yield os.getpid()
     time.sleep(600)
     yield 0
+
+
+def ignore() -> Iterator[int]:
+    """Do as `dawdle` does, deaf to whoever asks for an end."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    yield from dawdle()
+
+
+def half() -> Iterator[bytes]:
+    """Yield what is so large that sending it takes a while, and die at that."""
+    Timer(0.5, os._exit, (1,)).start()
+    yield bytes(10_000_000)
 
 
 def priority() -> Iterator[int]:

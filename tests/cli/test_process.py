@@ -1,7 +1,6 @@
 """What only a process of its own can show: what it imports, and how it ends."""
 
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -11,23 +10,10 @@ from pathlib import Path
 import pytest
 
 from tests.cli.helpers import Write
+from tests.elsewhere import ROOT, limited, python
 
-ROOT = Path(__file__).resolve().parents[2]
 WINDOW = {"pygame", "pygame_gui"}
 PLOTS = {"matplotlib", "scipy", "jinja2"}
-
-
-def environment() -> dict[str, str]:
-    paths = [str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])]
-    return {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
-
-
-def python(*arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, *map(str, arguments)],
-        env=environment(), capture_output=True, text=True, encoding="utf-8", timeout=60,
-        check=False,
-    )  # fmt: skip
 
 
 def imported(code: str) -> set[str]:
@@ -105,16 +91,20 @@ def test_ctrl_c_ends_a_run_quietly_and_leaves_no_file(write: Write, tmp_path: Pa
         checks=[],
     )
     endless = ["simulate", path, "--duration", "1e5", "--output", tmp_path / "out.csv"]
+    code = (
+        f"import sys; sys.argv = {['sandbox', *map(str, endless)]}\n"
+        "from sandbox import interrupts; interrupts.install(); print('ready', flush=True)\n"
+        "from sandbox.__main__ import main; main()"
+    )
     with subprocess.Popen(
-        [sys.executable, "-m", "sandbox", *map(str, endless)],
-        env=environment(), text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        [sys.executable, "-c", limited() + code],
+        cwd=ROOT, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
     ) as process:  # fmt: skip
+        assert process.stdout
+        assert process.stdout.readline() == "ready\n"
         time.sleep(1)
         process.send_signal(signal.SIGINT)
-        try:
-            output, error = process.communicate(timeout=30)
-        finally:
-            process.kill()
+        output, error = process.communicate()
 
     assert (process.returncode, output, error) == (130, "", "")
     assert list(tmp_path.iterdir()) == [path]

@@ -3,7 +3,6 @@
 import sys
 from collections.abc import Iterator, Mapping
 from itertools import chain
-from pathlib import Path
 from subprocess import PIPE, Popen
 
 import numpy as np
@@ -18,6 +17,7 @@ from sandbox.physics.checks import grade
 from sandbox.physics.measure import Meter
 from sandbox.physics.trace import needed, simulate
 from sandbox.physics.world import build
+from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play
 from tests.levels.sweep import marked, steps, swept
 from validation.case import textbook
@@ -52,16 +52,16 @@ def played(level: Level) -> Played:
 def elsewhere() -> Iterator[Popen[str]]:
     """Another process: given the name of a level, it returns the fingerprint of its run."""
     code = (
-        "import sys\n"
+        "import faulthandler, sys\n"
         "from validation.case import textbook\n"
         "from tests.levels.playing import LONG, fingerprint, play\n"
         "for name in sys.stdin:\n"
-        "    print(fingerprint(play(textbook(name.strip()), LONG).states), flush=True)"
+        f"    faulthandler.dump_traceback_later({PATIENCE}, exit=True)\n"
+        "    print(fingerprint(play(textbook(name.strip()), LONG).states), flush=True)\n"
+        "    faulthandler.cancel_dump_traceback_later()"
     )
-    root = Path(__file__).parents[2]
-    with Popen(
-        [sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, text=True, cwd=root
-    ) as process:
+    command = [sys.executable, "-c", code]
+    with Popen(command, stdin=PIPE, stdout=PIPE, text=True, cwd=ROOT) as process:
         yield process
 
 

@@ -1,7 +1,11 @@
 """An accuracy that is asked for is delivered, and what cannot be had is said."""
 
 import os
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import partial
+from itertools import count
 from math import cos, pi, sin, sqrt
 from pathlib import Path
 
@@ -12,7 +16,8 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.physics import timing
 from sandbox.physics.accuracy import (
     AccuracyError,
     Cancelled,
@@ -53,6 +58,35 @@ def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
         duration=3,
         **rest,
     )
+
+
+def ticking(now: Callable[[], float]) -> float:
+    """Return what a clock says that ticks a hundred times a second."""
+    return int(100 * now()) / 100
+
+
+def leaping(count: Iterator[int]) -> float:
+    """Return what a clock says on a machine that stalls for a minute between two looks."""
+    return 60.0 * next(count)
+
+
+@pytest.mark.parametrize(
+    "clock",
+    [partial(ticking, time.perf_counter), partial(leaping, count())],
+    ids=["coarse", "leaps"],
+)
+def test_whatever_a_clock_says_the_search_comes_to_an_end(
+    monkeypatch: pytest.MonkeyPatch, clock: Callable[[], float]
+) -> None:
+    """No rate is beyond the highest, and each scheme gets there in a few doublings."""
+    monkeypatch.setattr(climbing, "thread_time", clock)
+    monkeypatch.setattr(timing, "perf_counter", clock)
+    begun = time.monotonic()
+
+    with suppress(AccuracyError):
+        setting = calibrate(orbit(0.8), target=1e-9)
+        assert setting.playable.stepping.rate <= HIGHEST_RATE
+    assert time.monotonic() - begun < 60  # 0.8; 15 if it stands still
 
 
 def delivered(scene: Level, stepping: Stepping) -> float:

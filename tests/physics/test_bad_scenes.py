@@ -4,10 +4,7 @@ None may hang, end in values that are not finite, or end the interpreter: those 
 in a process of their own.
 """
 
-import subprocess
-import sys
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +13,7 @@ import pytest
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 
 GROUND = fixed({"type": "box", "width": 400, "height": 10}, (0, -5))
@@ -169,13 +167,6 @@ print(True)
 )
 def test_it_does_not_end_the_interpreter(code: str) -> None:
     """pymunk can crash where what sleeps is tied to its static body; nothing ever sleeps here."""
-    done = subprocess.run(
-        [sys.executable, "-c", code],
-        capture_output=True,
-        text=True,
-        check=False,
-        cwd=Path(__file__).parents[2],
-        timeout=300,
-    )
+    done = python("-c", code)
 
     assert (done.returncode, done.stdout.strip()) == (0, "True"), done.stderr

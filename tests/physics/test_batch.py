@@ -1,8 +1,6 @@
 """Arrays of bodies and contacts: right rows, right order, and nobody else's memory."""
 
 import os
-import subprocess
-import sys
 
 import numpy as np
 import pymunk
@@ -12,6 +10,7 @@ from hypothesis import strategies as st
 
 from sandbox.physics.batch import Batch
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, box, disc, fixed, floor, level
 
 TYPES = {
@@ -101,6 +100,7 @@ def test_a_pair_that_has_parted_is_no_contact() -> None:
 SCRIPT = """
 import numpy as np
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, atwood, box, disc, fixed, floor, level
 
 build(atwood(1, 1.5)).advance(30)
@@ -122,14 +122,7 @@ print("unharmed")
 def test_the_arrays_write_nowhere_but_in_their_own_memory() -> None:
     """Under Python's debugging allocator a byte beyond the end of an array ends the process."""
     environment = {**os.environ, "PYTHONMALLOC": "debug", "MALLOC_CHECK_": "3"}
-    done = subprocess.run(
-        [sys.executable, "-X", "faulthandler", "-c", SCRIPT],
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
+    done = python("-X", "faulthandler", "-c", SCRIPT, environment=environment)
 
     assert done.stdout == "unharmed\n", done.stderr
 

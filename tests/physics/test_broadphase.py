@@ -1,14 +1,17 @@
 """How pairs are found may change what a step costs, never what it does."""
 
+from math import inf
+
 import pymunk
 import pytest
 
 from sandbox.model.crowds import crowd
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import parse
 from sandbox.model.writing import text
 from sandbox.physics import broadphase
 from sandbox.physics.broadphase import choose_broad_phase
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.world import World, build
 
 
@@ -27,7 +30,7 @@ def discs(count: int, radius: float = 0.05) -> pymunk.Space:
 
 @pytest.mark.parametrize(("count", "grid"), [(100, False), (999, False), (1000, True)])
 def test_a_grid_is_for_crowds(count: int, grid: bool) -> None:
-    assert choose_broad_phase(discs(count)) is grid
+    assert (choose_broad_phase(discs(count)) < inf) is grid
 
 
 def test_a_large_shape_among_small_ones_keeps_the_tree() -> None:
@@ -35,7 +38,42 @@ def test_a_large_shape_among_small_ones_keeps_the_tree() -> None:
     space = discs(2000)
     space.add(pymunk.Segment(space.static_body, (-500, -500), (500, 500), 0.1))
 
-    assert not choose_broad_phase(space)
+    assert choose_broad_phase(space) == inf
+
+
+def test_what_begins_beyond_a_grid_keeps_the_tree() -> None:
+    space = discs(1000)
+    next(iter(space.bodies)).position = -1e10, 0
+    space.reindex_shapes_for_body(next(iter(space.bodies)))
+
+    assert choose_broad_phase(space) == inf
+
+
+@pytest.mark.parametrize("speed", [-1e12, 1e12, -1e300])
+@pytest.mark.parametrize("scheme", ["leapfrog", "symplectic-euler"])
+def test_what_flies_out_of_a_grid_is_told(
+    monkeypatch: pytest.MonkeyPatch, scheme: Scheme, speed: float
+) -> None:
+    """pymunk would look for it in cells without end, and never come back."""
+    monkeypatch.setattr(broadphase, "CROWD", 10)
+    world = build(gas(20), stepping=Stepping(scheme=scheme))
+    name, body = next(iter(world.scene.bodies.items()))
+    body.velocity = speed, 0
+
+    with pytest.raises(SimulationError, match=f"'{name}' leaves the"):
+        world.advance()
+    with pytest.raises(SimulationError):
+        world.advance()
+
+
+def test_nothing_is_put_beyond_a_grid(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(broadphase, "CROWD", 10)
+    world = build(gas(20))
+    name = next(iter(world.scene.bodies))
+
+    with pytest.raises(SimulationError, match=f"'{name}' leaves the"):
+        world.place({name: (-1e12, 0)})
+    world.advance()
 
 
 def pairs(world: World) -> set[frozenset[int]]:

@@ -535,6 +535,7 @@ def test_what_falls_on_a_belt_gets_mu_times_its_fall_or_the_belts_speed(mu: floa
     ledger = Ledger(world)
     speed = min(mu * fall, 1.5)
     while not world.impacts:
+        assert world.t < 1
         world.advance()
         ledger.note()
         balance = ledger.balance

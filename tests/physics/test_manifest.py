@@ -1,10 +1,7 @@
 """The manifest decides what exists: what a level does not declare is not there, and not missed."""
 
-import subprocess
-import sys
 import tracemalloc
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +13,7 @@ from sandbox.model.level import Level
 from sandbox.model.variants import without
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World, build
+from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, Spec, disc, floor, level, run
 
 LAWS = {"attraction", "drag", "gravitation", "massflow", "push"}
@@ -33,6 +31,7 @@ ZERO: Mapping[str, Any] = {
 SCRIPT = """
 import sys
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import disc, level
 build(level({"a": disc(), "b": disc((3, 0))}, %r)).advance(3)
 prefix = "sandbox.physics.laws."
@@ -52,11 +51,9 @@ print(*sorted(name.removeprefix(prefix) for name in sys.modules if name.startswi
     ids=["nothing", "gravity and contact", "drag", "attraction", "force"],
 )
 def test_only_the_laws_that_a_scene_declares_are_loaded(effects: Spec, loaded: set[str]) -> None:
-    done = subprocess.run(
-        [sys.executable, "-c", SCRIPT % effects],
-        capture_output=True, text=True, timeout=60, check=True, cwd=Path(__file__).parents[2],
-    )  # fmt: skip
+    done = python("-c", SCRIPT % effects)
 
+    assert done.returncode == 0, done.stderr
     assert set(done.stdout.split()) & LAWS == loaded
 
 

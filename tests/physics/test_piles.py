@@ -1,8 +1,6 @@
 """Piles: they settle before the first step, stand, and fall the same way every time."""
 
 import hashlib
-import subprocess
-import sys
 
 import numpy as np
 import pytest
@@ -10,6 +8,7 @@ import pytest
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, Spec, box, floor, level
 
 PILES: Spec = {"piles": True}
@@ -81,6 +80,6 @@ def fallen() -> str:
 def test_144_boxes_fall_the_same_way_every_time_and_everywhere() -> None:
     here = [fallen() for _ in range(3)]
     code = "from tests.physics.test_piles import fallen; print(fallen())"
-    there = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True)
+    there = python("-c", code)
 
-    assert set(here) == {there.stdout.strip()}
+    assert set(here) == {there.stdout.strip()}, there.stderr

@@ -203,6 +203,26 @@ def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None
         assert abs(found @ (parting + answers @ found)) <= 1e-9
 
 
+def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
+    """As those of light bodies that are thrown at each other as if they were nothing."""
+    random = np.random.default_rng(5)
+    with np.errstate(all="ignore"):
+        for _ in range(200):
+            gradient = random.normal(size=(4, 6)) * 1e-16
+            parting = random.normal(size=4) * 1e152
+            parting[1] = -1e308
+            assert not (pushes(gradient @ gradient.T, parting) < 0).any()
+
+
+@pytest.mark.parametrize("endless", [np.inf, -np.inf, np.nan])
+def test_what_answers_without_end_has_no_impulses(endless: float) -> None:
+    """A decomposition of a matrix that holds an infinity never ends."""
+    answers = np.array([[2.0, 1.0, endless], [1.0, 2.0, 1.0], [endless, 1.0, 2.0]])
+
+    assert np.isnan(pushes(answers, -np.ones(3))).all()
+    assert np.isnan(pushes(np.eye(2), np.array([endless, -1]))).all()
+
+
 @pytest.mark.parametrize("degrees", [0, 40])
 def test_a_box_that_lands_flat_on_two_corners_does_not_turn(degrees: float) -> None:
     angle = radians(degrees)

@@ -1,8 +1,6 @@
 """Worlds: the same bits however they are run, a hand in them, and how they end."""
 
 import hashlib
-import subprocess
-import sys
 from collections.abc import Callable
 
 import numpy as np
@@ -14,6 +12,7 @@ from sandbox.physics.laws.attraction import Attraction
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.trace import Recorder
 from sandbox.physics.world import build
+from tests.elsewhere import python
 from tests.physics.scenes import (
     GRAVITY,
     G,
@@ -97,11 +96,9 @@ print(digest(run(build(pile()), 90)))
 
 def test_another_process_runs_alike_to_the_last_bit() -> None:
     """Contact forces too, which are sums in an order that pymunk takes from addresses."""
-    done = subprocess.run(
-        [sys.executable, "-c", SCRIPT], capture_output=True, text=True, timeout=60, check=True
-    )
+    done = python("-c", SCRIPT)
 
-    assert done.stdout.strip() == digest(run(build(pile()), 90))
+    assert done.stdout.strip() == digest(run(build(pile()), 90)), done.stderr
 
 
 ROD = {"type": "rod", "ends": [[0, 0], "bob"]}

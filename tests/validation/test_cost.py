@@ -126,6 +126,18 @@ def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
     assert fine < 0.4 * coarse  # it converges, which it cannot to an approximation
 
 
+def test_under_a_clock_that_ticks_too_seldom_it_is_the_finest_run(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("validation.cost.yardstick.perf_counter", lambda: 0.0)
+    level = small_swings()
+
+    stick = yardstick(level, level.defaults, budget=0.2)
+
+    assert stick is not None
+    assert stick.reference.stepping.rate == 16 * level.stepping.rate
+
+
 def test_a_formula_that_is_exact_is_the_yardstick() -> None:
     level = load(catalog.find("kinematics/free-fall"))
 

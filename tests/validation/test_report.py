@@ -2,8 +2,6 @@
 
 import json
 import re
-import subprocess
-import sys
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from itertools import pairwise
@@ -14,6 +12,7 @@ import pytest
 from typer.testing import CliRunner, Result
 
 from sandbox.model import catalog
+from tests.elsewhere import python
 from validation.cases import atwood, circular_motion
 from validation.cli import app
 from validation.effects import costs, growth
@@ -266,7 +265,7 @@ def test_a_missing_extra_is_told_with_the_command_that_installs_it(
 ) -> None:
     code = WITHOUT.format(library=library, output=str(tmp_path))
 
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    done = python("-c", code)
 
     assert done.returncode == 2
     assert library in done.stderr

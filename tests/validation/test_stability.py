@@ -201,6 +201,15 @@ def test_pymunk_may_spend_what_the_sandbox_spends() -> None:
     assert alone.rate <= 100_000
 
 
+def test_under_a_clock_that_ticks_too_seldom_pymunk_gets_the_same_rate(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("validation.stability.frontier.process_time", lambda: 0.0)
+    short = replace(FRONTIERS["a load on 20 links"], duration=0.01)
+
+    assert trial(short, 10, alone=True).rate == trial(short, 10).rate
+
+
 def test_pymunk_alone_has_its_own_joints() -> None:
     level = make(chains.chain(3))
     world = naive(level, 240)

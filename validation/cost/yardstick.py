@@ -91,7 +91,7 @@ def yardstick(level: Level, values: Values, budget: float) -> Yardstick | None:
     start = perf_counter()
     coarse = fine = run(level, values, _at(level, level.stepping.rate))
     if any((result.error or 0.0) > ROUNDING for result in grade(coarse)):
-        fine = _finer(level, values, coarse, budget / (perf_counter() - start))
+        fine = _finer(level, values, coarse, perf_counter() - start, budget)
     by_formula: list[int] = []
     by_reference: list[int] = []
     for i, (before, after) in enumerate(zip(grade(coarse), grade(fine), strict=True)):
@@ -108,15 +108,15 @@ def _at(level: Level, rate: float) -> Stepping:
     return Stepping(rate=rate, iterations=level.stepping.iterations)
 
 
-def _finer(level: Level, values: Values, coarse: Trace, most: float) -> Trace:
+def _finer(level: Level, values: Values, coarse: Trace, took: float, budget: float) -> Trace:
     """Return a run with a sixteenth of the step, or else an eighth, a quarter, at the least half.
 
-    It may take so many times as long as the coarse one. Every step is looked at, for others are
-    held against what lies between two looks.
+    The coarse one took so long, and it may take no longer than its budget [s]. Every step is looked
+    at, for others are held against what lies between two looks.
     """
     rate = coarse.stepping.rate
     for times in (16, 8, 4):
-        if times > most:
+        if times * took > budget:
             continue
         with suppress(SimulationError):
             return run(level, values, _at(level, times * rate), inf)

@@ -125,7 +125,8 @@ def _entrant(
     if not alone:
         return lambda: build(level), rate, price * rate
     at_same_rate = step_cost(lambda: naive(level, rate))
-    steps = min(rate * price / at_same_rate, HIGHEST_RATE)
+    more = price / at_same_rate if price and at_same_rate else 1.0  # some clocks tick too seldom
+    steps = min(rate * more, HIGHEST_RATE)
     return lambda: naive(level, steps), steps, at_same_rate * steps
 
 

@@ -1,7 +1,7 @@
 """Bodies and surfaces."""
 
 from itertools import pairwise
-from math import cos, hypot, sin
+from math import ceil, cos, hypot, sin
 
 import pygame
 
@@ -100,11 +100,8 @@ def _hatch(surface: pygame.Surface, a: XY, b: XY, inside: XY) -> None:
     ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
     if (inside[0] - a[0]) * -uy + (inside[1] - a[1]) * ux > 0:
         ux, uy, a, b = -ux, -uy, b, a  # so that the normal (-uy, ux) points away
-    reach = surface.width + surface.height
-    first = max(0.0, -((a[0] - surface.width / 2) * ux + (a[1] - surface.height / 2) * uy) - reach)
-    at = first - first % HATCH
-    while at < min(length, first + 2 * reach):
-        x, y = a[0] + ux * at, a[1] + uy * at
+    first, last = lines.seen(surface, a, b)
+    for i in range(int(first // HATCH), ceil(last / HATCH)):
+        x, y = a[0] + ux * i * HATCH, a[1] + uy * i * HATCH
         end = x + (-uy - ux) * HATCH, y + (ux - uy) * HATCH
         lines.stroke(surface, theme.SURFACE, (x, y), end, 1)
-        at += HATCH

@@ -1,6 +1,6 @@
 """What runs along or out of bodies: the marks of a belt, the flame of a rocket."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import ceil, cos, floor, hypot, sin
 
@@ -36,16 +36,22 @@ def draw_belts(
         for (p, q), (a, b) in zip(pairwise(own), pairwise([*placed, placed[0]]), strict=True):
             length = hypot(q[0] - p[0], q[1] - p[1])
             speed = (vx * (q[0] - p[0]) + vy * (q[1] - p[1])) / length if length else 0.0
-            spacing = nice(SPACING / camera.scale)
-            for share in _marks(length, speed * t, spacing) if speed else ():
-                at = camera.to_screen((a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share))
-                _mark(surface, at, camera.path((a, b)), middle)
+            if speed:
+                _draw_marks(surface, camera, (a, b), speed * t, middle)
 
 
-def _marks(length: float, run: float, spacing: float) -> Iterator[float]:
-    """Yield where the marks of a side are that has run so far, as shares of its length."""
-    for i in range(ceil(-run / spacing), floor((length - run) / spacing) + 1):
-        yield (i * spacing + run) / length
+def _draw_marks(
+    surface: pygame.Surface, camera: Camera, side: tuple[XY, XY], run: float, middle: XY
+) -> None:
+    """Draw the marks of a side that has run so far [m], where it is seen."""
+    a, b = camera.path(side)
+    length, run = hypot(b[0] - a[0], b[1] - a[1]), run * camera.scale
+    spacing = nice(SPACING / camera.scale) * camera.scale
+    first, last = lines.seen(surface, a, b)
+    for i in range(ceil((first - run) / spacing), floor((last - run) / spacing) + 1):
+        share = (i * spacing + run) / length
+        at = a[0] + (b[0] - a[0]) * share, a[1] + (b[1] - a[1]) * share
+        _mark(surface, at, (a, b), middle)
 
 
 def _mark(surface: pygame.Surface, at: XY, side: Sequence[XY], middle: XY) -> None:

@@ -38,6 +38,15 @@ def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
     return kept
 
 
+def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
+    """Return where a line comes to a surface, or near it, and where it leaves it [px from a]."""
+    length = hypot(b[0] - a[0], b[1] - a[1])
+    ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    middle = (surface.width / 2 - a[0]) * ux + (surface.height / 2 - a[1]) * uy
+    reach = surface.width + surface.height
+    return max(0.0, middle - reach), min(length, middle + reach)
+
+
 def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
     """Draw a straight line with smooth sides."""
     if not near((a, b)):

@@ -91,7 +91,7 @@ def _offer(step: float, ladder: Ladder, target: float) -> tuple[bool, Offer]:
 
 def _affordable(step: float, ladder: Ladder) -> Iterator[Offer]:
     """Yield a ladder's settings that run in real time, at a price a step [s]."""
-    fastest = REAL_TIME / step
+    fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
     for trace, error in zip(ladder.traces, ladder.errors, strict=True):
         if SLOWEST <= trace.stepping.rate <= fastest:
             yield Offer(trace.stepping, error, step * trace.stepping.rate)

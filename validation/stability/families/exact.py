@@ -155,6 +155,10 @@ def boxes() -> Document:
     )
 
 
+LIMIT = 600.0
+"""s, how long another process may take at the most: some hundred times what it does."""
+
+
 def fingerprint(scene: Level, steps: int = 600) -> str:
     """Return a hash of all places, angles and velocities after some steps."""
     world = build(scene)
@@ -171,7 +175,8 @@ def differing(scene: Level, _duration: float) -> float:
         "from validation.stability.families.exact import fingerprint; "
         "print(fingerprint(load(find('hard/144-boxes'))))"
     )
-    there = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    command = [sys.executable, "-c", code]
+    there = subprocess.run(command, capture_output=True, text=True, check=True, timeout=LIMIT)
     return float(sum(other != here[0] for other in (*here[1:], there.stdout.strip())))
 
 
