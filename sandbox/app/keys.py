@@ -58,7 +58,7 @@ BINDINGS = (
 
 MOUSE = (
     ("drag the tip of a force", "change it; the run starts anew"),
-    ("drag a body", "pull it while time runs, put it elsewhere while paused"),
+    ("drag a body", "pull it, or put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),
     ("drop a file", "open a level of your own"),

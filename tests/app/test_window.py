@@ -8,6 +8,9 @@ import pygame
 import pytest
 
 from sandbox.app import theme
+from sandbox.app.panels import messages
+from sandbox.app.panels.layout import divide
+from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
@@ -404,6 +407,19 @@ def test_the_help_lists_every_key_until_it_is_closed(player: Person) -> None:
     middle = player.window.panels.layout.stage.center
     assert shown.get_at((middle[0] - 150, middle[1])) != before.get_at((middle[0] - 150, middle[1]))
     assert player.window.open
+
+
+@pytest.mark.parametrize("size", [(1600, 1000), (1280, 800), (900, 600), (700, 500), (480, 320)])
+def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int, int]) -> None:
+    surface = pygame.Surface(size)
+
+    messages.draw_help(surface, pen, divide(size, levels=True, side=True).stage)
+
+    drawn = np.argwhere(pygame.surfarray.array3d(surface).any(axis=2))
+    (left, top), (right, bottom) = drawn.min(axis=0), drawn.max(axis=0)
+    x, y = (left + right) // 2, (top + bottom) // 2
+    rim = [surface.get_at(place) for place in ((left, y), (right, y), (x, top), (x, bottom))]
+    assert all(color.b > 2 * theme.PANEL[2] for color in rim)
 
 
 def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(
