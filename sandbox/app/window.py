@@ -387,10 +387,10 @@ class Window:
         self._help = not self._help
 
     def _leave(self) -> None:
-        """Close the help, let go of a field, put the tape away; else quit."""
+        """Close the help, let go of a field, show all levels, put the tape away; else quit."""
         if self._help:
             self._help = False
-        elif self.panels.typing:
+        elif self.panels.typing or self.panels.sought:
             self.panels.let_go()
         elif self.hand.tape is not None:
             self.hand.tape = None
