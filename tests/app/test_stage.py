@@ -6,7 +6,7 @@ import pytest
 
 from sandbox.app import theme
 from sandbox.app.session import Session
-from sandbox.app.stage import joints
+from sandbox.app.stage import joints, strings
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -260,3 +260,13 @@ def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
 
     assert abs(session.world.snapshot.velocity).max() > 0
     assert count(draw(session, stage), theme.ARROW) == 0
+
+
+def test_the_wheels_of_pegs_beside_each_other_do_not_overlap() -> None:
+    surface = pygame.Surface(SIZE)
+    corners = [(50, 150), (50, 50), (90, 50), (90, 150)]
+
+    strings.draw_string(surface, corners, slack=False)
+
+    between = surface.subsurface((70, 53, 1, 30))
+    assert not pygame.surfarray.array3d(between).any()
