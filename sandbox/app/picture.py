@@ -87,7 +87,7 @@ def render(
 def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
     session = Session(beside.level if beside else level, values)
     if beside:
-        whatif.play_over(session, beside.level, level, Changes(told=beside.told))
+        whatif.play_over(session, beside.level, level, Changes(effects=beside.told))
     if racing:
         race.toggle(session)
     return session

@@ -139,6 +139,42 @@ def test_a_change_of_a_parameter_changes_both_runs() -> None:
     assert session.changes.on == ("drag",)
 
 
+FOURTH = {"rate": 60, "scheme": "fourth-order"}
+
+
+def test_where_the_scheme_is_not_for_an_effect_both_runs_go_by_leapfrog_until_it_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "drag")
+
+    (original,) = session.companions
+    assert session.level.stepping.scheme == original.world.stepping.scheme == "leapfrog"
+    assert session.changes.told == "with drag (linear 0.1), both by leapfrog"
+    play(session)
+    whatif.toggle(session, "drag")
+    assert session.level == session.original
+
+
+def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "attraction")
+
+    assert session.level.stepping.scheme == "fourth-order"
+    assert session.changes.left is None
+
+
+def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+    whatif.toggle(session, "drag")
+    chosen = session.world.stepping.at(240)
+
+    whatif.repace(session, chosen)
+    whatif.toggle(session, "drag")
+
+    assert session.level.stepping == chosen
+
+
 def test_what_cannot_be_leaves_everything_as_it_was() -> None:
     session = Session(scenes.level())
     whatif.toggle(session, "drag")
