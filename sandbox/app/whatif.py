@@ -110,7 +110,10 @@ def _times(value: object, factor: float) -> object:
     """Return a number, or a list of some, times a factor, in as many digits as people read."""
     if isinstance(value, list):
         return [_times(part, factor) for part in value]
-    return float(f"{value * factor:.4g}") if isinstance(value, int | float) else value
+    if not isinstance(value, int | float):
+        return value
+    scaled = float(f"{value * factor:.4g}")
+    return int(scaled) if scaled.is_integer() else scaled
 
 
 def addable(level: Level) -> list[str]:

@@ -129,6 +129,16 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     assert drawn[0] > banner
 
 
+def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
+    surface = pygame.Surface((370, 300))
+    many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"
+
+    legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
+
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
+    assert drawn[-1] < surface.width - 1
+
+
 def test_a_change_of_a_parameter_changes_both_runs() -> None:
     session = Session(scenes.level())
     whatif.toggle(session, "drag")
