@@ -13,6 +13,7 @@ from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
 from sandbox.app.load import Load
 from sandbox.app.panels import levels, messages
+from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
 from sandbox.app.panels.parameters import Change
 from sandbox.app.session import Session
@@ -356,8 +357,16 @@ class Window:
         self._open(paths[(here + direction) % len(paths)], {})
 
     def _toggle_column(self, name: str) -> None:
-        self.panels.hide_or_show(name)
-        self._lay_out()
+        if self._has_room(name):
+            self.panels.hide_or_show(name)
+            self._lay_out()
+
+    def _has_room(self, column: str) -> bool:
+        """Whether the window is wide enough for a column; if it is not, say so."""
+        enough = self.surface.width >= ROOM[column]
+        if not enough:
+            self._banner.tell(f"Make the window wider for that: {ROOM[column]} px are enough.")
+        return enough
 
     def _toggle_graph(self) -> None:
         self.panels.graph = not self.panels.graph
@@ -365,8 +374,9 @@ class Window:
 
     def _turn_to(self, page: Command) -> None:
         """Show a page of the side panel, also where that was hidden."""
-        self.panels.show(page)
-        self._lay_out()
+        if self._has_room("side"):
+            self.panels.show(page)
+            self._lay_out()
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""
