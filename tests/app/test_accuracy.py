@@ -153,6 +153,23 @@ def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person
     assert exact == player.session.world.stepping
 
 
+def test_the_dial_goes_back_when_another_level_asks_for_nothing(
+    player: Person, tmp_path: Path
+) -> None:
+    dial = page(player).dial
+    before = dial.get_current_value()
+    assert dial.sliding_button is not None
+    start = dial.sliding_button.rect.center
+    player.drag(start, (start[0] + 70, start[1]))
+    player.wait()
+    assert dial.get_current_value() > before
+
+    player.open(tmp_path, scenes.falling())
+    player.wait()
+
+    assert page(player).dial.get_current_value() == before
+
+
 ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})
 
 
