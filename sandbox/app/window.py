@@ -27,6 +27,7 @@ from sandbox.model.level import Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.errors import SimulationError
 
+TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 RATE = 60  # frames a second
 QUIET_RATE = 20  # frames a second while nothing happens
@@ -56,7 +57,7 @@ class Window:
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         pygame.display.init()
         pygame.font.init()
-        pygame.display.set_caption("Mechanics sandbox")
+        pygame.display.set_caption(TITLE)
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
         self.open = True
         self.session: Session | None = None
@@ -141,8 +142,7 @@ class Window:
         accuracy: float | None = None,
         rate: float | None = None,
     ) -> None:
-        if path not in [entry.path for entry in self._entries]:
-            self._entries.insert(0, levels.entry(path, "opened"))
+        self._list(path)
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
             level = load(path)
@@ -160,12 +160,21 @@ class Window:
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
-        pygame.display.set_caption(f"{level.title} – Mechanics sandbox")
+        pygame.display.set_caption(f"{level.title} – {TITLE}")
         self._lay_out()
+
+    def _list(self, path: Path) -> None:
+        """Let the list of levels say what a file is called now."""
+        for i, entry in enumerate(self._entries):
+            if entry.path == path:
+                self._entries[i] = levels.entry(path, entry.chapter)
+                return
+        self._entries.insert(0, levels.entry(path, "opened"))
 
     def _refuse(self, path: Path | None, text: str) -> None:
         self._path, self._refused, self.session = path, text, None
         self._advised = None
+        pygame.display.set_caption(TITLE)
         self.studying.cancel()
         self._lay_out()
 

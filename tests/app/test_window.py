@@ -446,6 +446,21 @@ def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(
     assert person.window.panels.refusal is None
 
 
+def test_the_list_says_what_an_edited_level_is_called_now(person: Person, tmp_path: Path) -> None:
+    path = tmp_path / "level.json"
+    person.open(tmp_path, scenes.falling())
+    path.write_text(scenes.falling(title="A stone"), encoding="utf-8")
+
+    person.press(pygame.K_F5)
+
+    assert person.window.panels.list is not None
+    assert person.window.panels.list.button(path.resolve()).text == "A stone"
+    assert pygame.display.get_caption()[0] == "A stone – Mechanics sandbox"
+    path.unlink()
+    person.press(pygame.K_F5)
+    assert pygame.display.get_caption()[0] == "Mechanics sandbox"
+
+
 def test_a_level_that_does_not_exist_is_told_and_another_can_be_chosen(person: Person) -> None:
     person.window.open_level("kinematics/free-fal")
     person.wait()
