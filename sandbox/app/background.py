@@ -5,6 +5,7 @@ The process is bounded in time, gives way to the window, and ends with it, howev
 
 import os
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from multiprocessing import parent_process
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnContext, SpawnProcess
@@ -44,11 +45,12 @@ class Background:
         """Begin a piece of work, in place of what is under way."""
         self.cancel()
         self._findings, sender = SpawnContext().Pipe(duplex=False)
-        self._process = SpawnProcess(
-            target=_run, args=(sender, work, arguments), daemon=True, name="study"
-        )
+        orders, order = SpawnContext().Pipe(duplex=False)
+        self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
         self._process.start()
         sender.close()
+        orders.close()
+        Thread(target=_hand_over, args=(order, (work, arguments)), daemon=True).start()
 
     def found(self) -> Iterator[Any]:
         """Yield what has been found since, without waiting."""
@@ -71,7 +73,13 @@ class Background:
         self._process = self._findings = None
 
 
-def _run(sender: Connection, work: Work, arguments: tuple[object, ...]) -> None:
+def _hand_over(order: Connection, task: tuple[Work, tuple[object, ...]]) -> None:
+    """Send a task, in a thread: one that fills the pipe waits for the process to be there."""
+    with order, suppress(BrokenPipeError):  # cancelled before it began
+        order.send(task)
+
+
+def _run(sender: Connection, orders: Connection) -> None:
     """Work, in the other process, and send what is found."""
     Thread(target=_end_with_the_window, daemon=True).start()
     limit = Timer(LIMIT, os._exit, (1,))
@@ -80,6 +88,7 @@ def _run(sender: Connection, work: Work, arguments: tuple[object, ...]) -> None:
     if hasattr(os, "nice"):
         os.nice(POLITE)
     try:
+        work, arguments = orders.recv()
         for finding in work(*arguments):
             sender.send(finding)
     except BrokenPipeError:

@@ -13,7 +13,7 @@ from sandbox.app.theme import Color
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Scheme
 from sandbox.physics.trace import Recorder, Trace, count_steps, needed
 from sandbox.physics.world import build
 
@@ -24,12 +24,20 @@ class Changes:
 
     off: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
-    told: str = ""
+    effects: str = ""
+    """these two in words"""
     strength: Mapping[str, float] = field(default_factory=dict)
     """of those that are on, how many times the usual"""
+    left: Scheme | None = None
+    """the level's scheme, if it is not for the changed level: then leapfrog takes its place"""
 
     def __bool__(self) -> bool:
-        return bool(self.told)
+        return bool(self.effects)
+
+    @property
+    def told(self) -> str:
+        """What is changed."""
+        return f"{self.effects}, both by leapfrog" if self.left else self.effects
 
 
 NONE = Changes()

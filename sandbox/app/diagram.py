@@ -60,6 +60,8 @@ def draw(
     surface.fill(theme.STAGE)
     everything = [*points, *([here] if here else [])]
     if not everything:
+        text = pen.write("not measured yet", 12, theme.DIM)
+        surface.blit(text, text.get_rect(center=surface.get_rect().center))
         return surface
     across = axis([1e3 * p.price for p in everything], LEFT, size[0] - RIGHT)
     up = axis([p.error for p in everything], size[1] - BELOW, ABOVE)

@@ -53,12 +53,12 @@ BINDINGS = (
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
     Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
-    Binding("leave", "Esc", "close this, let go of a field, or quit", (pygame.K_ESCAPE,)),
+    Binding("leave", "Esc", "close this, leave a field or a search, or quit", (pygame.K_ESCAPE,)),
 )
 
 MOUSE = (
     ("drag the tip of a force", "change it; the run starts anew"),
-    ("drag a body", "pull it while time runs, put it elsewhere while paused"),
+    ("drag a body", "pull it, or put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),
     ("drop a file", "open a level of your own"),

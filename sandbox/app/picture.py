@@ -87,7 +87,7 @@ def render(
 def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
     session = Session(beside.level if beside else level, values)
     if beside:
-        whatif.play_over(session, beside.level, level, Changes(told=beside.told))
+        whatif.play_over(session, beside.level, level, Changes(effects=beside.told))
     if racing:
         race.toggle(session)
     return session
@@ -128,11 +128,10 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
     when = f"t = {wording.seconds(session.t)} of {wording.seconds(session.duration)}"
-    for part in (
-        cards.header(pen, width, level),
-        cards.clock(pen, width, when),
-        cards.settings(pen, width, level, session.values),
-    ):
+    parts = [cards.header(pen, width, level), cards.clock(pen, width, when)]
+    if level.parameters:
+        parts.append(cards.settings(pen, width, level, session.values))
+    for part in parts:
         picture.blit(part, (left, y))
         y += part.height + 8
     drawn = graph.energies((width, GRAPH), session.books.history, session.duration)

@@ -71,8 +71,7 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
     for scheme in usable(level):
         if scheme == level.stepping.scheme:
             continue
-        stepping = level.stepping.model_copy(update={"scheme": scheme})
-        form = level.model_copy(update={"stepping": stepping})
+        form = whatif.stepped(level, scheme)
         with suppress(SandboxError):  # its steps may be too long
             build(form, values)
             yield form

@@ -6,7 +6,8 @@ from dataclasses import replace
 from sandbox.app import theme, wording
 from sandbox.app.companions import Changes, Variant
 from sandbox.app.session import Session
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.schemes import unsmooth
 from sandbox.model.variants import DEFAULTS, Settings, vary
 from sandbox.physics.comparison import Difference, differences
 
@@ -41,13 +42,27 @@ def _without(names: tuple[str, ...], name: str) -> tuple[str, ...]:
 
 
 def change(session: Session, changes: Changes) -> None:
-    """Play the level with some effects off and others on; see `toggle`."""
+    """Play the level with some effects off and others on; see `toggle`.
+
+    Both runs have one scheme, so that nothing but the effects makes them differ: the level's, or
+    leapfrog where the changed level cannot have that.
+    """
     original = at_its_pace(session)
     if not (changes.off or changes.on):
         session.play_as(original)
         return
-    level, told = vary(original, changes.off, _settings(changes))
-    play_over(session, original, level, replace(changes, told=told))
+    wanted = original.stepping.scheme
+    level, told = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
+    left = wanted if wanted == "fourth-order" and unsmooth(level) else None
+    scheme = "leapfrog" if left else wanted
+    changes = replace(changes, effects=told, left=left)
+    play_over(session, stepped(original, scheme), stepped(level, scheme), changes)
+
+
+def stepped(level: Level, scheme: Scheme) -> Level:
+    """Return a level with another scheme."""
+    stepping = level.stepping.model_copy(update={"scheme": scheme})
+    return level.model_copy(update={"stepping": stepping})
 
 
 def play_over(session: Session, original: Level, level: Level, changes: Changes) -> None:
@@ -67,12 +82,18 @@ def repace(session: Session, stepping: Stepping) -> None:
     pace = {"stepping": stepping}
     variants = (companion.variant for companion in session.companions if session.changes)
     beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
-    session.play_as(session.level.model_copy(update=pace), beside, session.changes)
+    changes = replace(session.changes, left=None)
+    session.play_as(session.level.model_copy(update=pace), beside, changes)
 
 
 def at_its_pace(session: Session) -> Level:
-    """Return the level as its file declares it, with the stepping of the present run."""
-    return session.original.model_copy(update={"stepping": session.world.stepping})
+    """Return the level as its file declares it, with the stepping of the present run.
+
+    A scheme that was left for the sake of an effect is taken up again.
+    """
+    stepping = session.world.stepping
+    level = session.original.model_copy(update={"stepping": stepping})
+    return stepped(level, session.changes.left or stepping.scheme)
 
 
 def _settings(changes: Changes) -> dict[str, Settings]:
@@ -89,7 +110,10 @@ def _times(value: object, factor: float) -> object:
     """Return a number, or a list of some, times a factor, in as many digits as people read."""
     if isinstance(value, list):
         return [_times(part, factor) for part in value]
-    return float(f"{value * factor:.4g}") if isinstance(value, int | float) else value
+    if not isinstance(value, int | float):
+        return value
+    scaled = float(f"{value * factor:.4g}")
+    return int(scaled) if scaled.is_integer() else scaled
 
 
 def addable(level: Level) -> list[str]:

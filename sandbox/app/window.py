@@ -13,6 +13,7 @@ from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
 from sandbox.app.load import Load
 from sandbox.app.panels import levels, messages
+from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
 from sandbox.app.panels.parameters import Change
 from sandbox.app.session import Session
@@ -26,6 +27,7 @@ from sandbox.model.level import Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.errors import SimulationError
 
+TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
 RATE = 60  # frames a second
 QUIET_RATE = 20  # frames a second while nothing happens
@@ -55,7 +57,7 @@ class Window:
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
         pygame.display.init()
         pygame.font.init()
-        pygame.display.set_caption("Mechanics sandbox")
+        pygame.display.set_caption(TITLE)
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
         self.open = True
         self.session: Session | None = None
@@ -140,8 +142,7 @@ class Window:
         accuracy: float | None = None,
         rate: float | None = None,
     ) -> None:
-        if path not in [entry.path for entry in self._entries]:
-            self._entries.insert(0, levels.entry(path, "opened"))
+        self._list(path)
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
             level = load(path)
@@ -159,12 +160,21 @@ class Window:
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
-        pygame.display.set_caption(f"{level.title} – Mechanics sandbox")
+        pygame.display.set_caption(f"{level.title} – {TITLE}")
         self._lay_out()
+
+    def _list(self, path: Path) -> None:
+        """Let the list of levels say what a file is called now."""
+        for i, entry in enumerate(self._entries):
+            if entry.path == path:
+                self._entries[i] = levels.entry(path, entry.chapter)
+                return
+        self._entries.insert(0, levels.entry(path, "opened"))
 
     def _refuse(self, path: Path | None, text: str) -> None:
         self._path, self._refused, self.session = path, text, None
         self._advised = None
+        pygame.display.set_caption(TITLE)
         self.studying.cancel()
         self._lay_out()
 
@@ -356,8 +366,16 @@ class Window:
         self._open(paths[(here + direction) % len(paths)], {})
 
     def _toggle_column(self, name: str) -> None:
-        self.panels.hide_or_show(name)
-        self._lay_out()
+        if self._has_room(name):
+            self.panels.hide_or_show(name)
+            self._lay_out()
+
+    def _has_room(self, column: str) -> bool:
+        """Whether the window is wide enough for a column; if it is not, say so."""
+        enough = self.surface.width >= ROOM[column]
+        if not enough:
+            self._banner.tell(f"Make the window wider for that: {ROOM[column]} px are enough.")
+        return enough
 
     def _toggle_graph(self) -> None:
         self.panels.graph = not self.panels.graph
@@ -365,8 +383,9 @@ class Window:
 
     def _turn_to(self, page: Command) -> None:
         """Show a page of the side panel, also where that was hidden."""
-        self.panels.show(page)
-        self._lay_out()
+        if self._has_room("side"):
+            self.panels.show(page)
+            self._lay_out()
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""
@@ -387,10 +406,10 @@ class Window:
         self._help = not self._help
 
     def _leave(self) -> None:
-        """Close the help, let go of a field, put the tape away; else quit."""
+        """Close the help, let go of a field, show all levels, put the tape away; else quit."""
         if self._help:
             self._help = False
-        elif self.panels.typing:
+        elif self.panels.typing or self.panels.sought:
             self.panels.let_go()
         elif self.hand.tape is not None:
             self.hand.tape = None

@@ -34,6 +34,12 @@ class Person:
         for _ in range(round(seconds / FRAME)):
             self.window.frame(FRAME)
 
+    def resize(self, size: tuple[int, int]) -> None:
+        """Make the window wider or narrower [px]."""
+        self.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
+        self.wait()
+
     def press(self, key: int, text: str = "", mod: int = 0) -> None:
         """Press and release a key."""
         pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, unicode=text, mod=mod, scancode=0))

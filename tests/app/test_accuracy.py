@@ -153,6 +153,23 @@ def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person
     assert exact == player.session.world.stepping
 
 
+def test_the_dial_goes_back_when_another_level_asks_for_nothing(
+    player: Person, tmp_path: Path
+) -> None:
+    dial = page(player).dial
+    before = dial.get_current_value()
+    assert dial.sliding_button is not None
+    start = dial.sliding_button.rect.center
+    player.drag(start, (start[0] + 70, start[1]))
+    player.wait()
+    assert dial.get_current_value() > before
+
+    player.open(tmp_path, scenes.falling())
+    player.wait()
+
+    assert page(player).dial.get_current_value() == before
+
+
 ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})
 
 
@@ -323,7 +340,9 @@ def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
     x, y = across.pixel(2.0), diagram.axis([2e-4, 5e-5, 1e-5], 158 - diagram.BELOW, 8).pixel(2e-4)
     color = drawn.get_at((round(x), round(y)))[:3]
     assert color == pytest.approx(diagram.COLORS["leapfrog"], abs=3)
-    assert diagram.draw(pen, (278, 158), [], None).get_at((100, 50))[:3] == theme.STAGE
+    empty = pygame.surfarray.array3d(diagram.draw(pen, (278, 158), [], None))
+    assert (empty[:, :60] == theme.STAGE).all()
+    assert (empty[:, 60:100] != theme.STAGE).any()  # it says that nothing is measured yet
 
 
 def test_a_study_forgets_what_it_knew_of_another_run() -> None:

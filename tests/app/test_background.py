@@ -57,6 +57,18 @@ def test_findings_come_in_one_by_one_until_the_work_is_done(background: Backgrou
     assert not background.running
 
 
+def test_nobody_waits_until_a_large_task_is_taken_over(background: Background) -> None:
+    """A few ms, where a process takes 0.7 s to be there; a pipe holds but 64 KiB."""
+    durations = []
+    for _ in range(3):
+        begun = time.monotonic()
+        background.start(work.size, bytes(2**20))
+        durations.append(time.monotonic() - begun)
+
+    assert min(durations) < 0.15
+    assert findings(background) == [2**20]
+
+
 def test_looking_does_not_wait(background: Background) -> None:
     background.start(work.dawdle)
 

@@ -71,6 +71,20 @@ def test_escape_shows_all_again_and_does_not_quit(player: Person) -> None:
     assert player.window.open
 
 
+def test_escape_ends_a_search_that_has_been_left_before_it_quits(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("skater")
+    player.press(pygame.K_RETURN)
+    assert len(titles(player)) < 10
+
+    player.press(pygame.K_ESCAPE)
+
+    assert len(listed(player).found) == len(catalog.names())
+    assert player.window.open
+    player.press(pygame.K_ESCAPE)
+    assert not player.window.open
+
+
 def test_what_is_sought_stays_while_levels_and_sizes_change(player: Person) -> None:
     player.press(pygame.K_SLASH, "/")
     player.type("orbit")

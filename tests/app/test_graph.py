@@ -124,8 +124,7 @@ def test_graph_and_bars_change_by_key_and_by_button(person: Person) -> None:
 @pytest.mark.parametrize("size", [(1024, 640), (1280, 800), (2560, 1440)])
 def test_the_graph_is_in_sight_without_scrolling(person: Person, size: tuple[int, int]) -> None:
     person.window.open_level("kinematics/projectile")
-    person.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
+    person.resize(size)
     person.wait(0.1)
 
     side = person.window.panels.layout.side

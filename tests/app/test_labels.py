@@ -3,6 +3,7 @@
 import pygame
 
 from sandbox.app.session import Session
+from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -54,3 +55,20 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
     assert len(written) == len(texts) == 3
     shrunk = [place.inflate(0, -4) for place in written]  # lines of one text share their rims
     assert all(a.collidelist(shrunk[i + 1 :]) < 0 for i, a in enumerate(shrunk))
+
+
+def test_the_words_of_forces_in_a_narrow_picture_keep_off_each_other(pen: Pen) -> None:
+    session = Session(load(catalog.find("energy/resonance")))
+    session.playing = True
+    while session.t < 1.0:
+        session.update(1 / 60, budget=10.0)
+    stage, surface = Stage(pen, (370, 540)), pygame.Surface((370, 540))
+    stage.use(session.world)
+    stage.fit()
+    labels = Labels(surface.get_rect())
+
+    Forces(session.level).draw(surface, stage.camera, pen, session.world, labels)
+
+    taken = labels._taken
+    assert len(taken) > 4
+    assert all(taken[i].collidelist(taken[:i]) < 0 for i in range(len(taken)))

@@ -6,6 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
+from sandbox.app import cards
 from sandbox.app.picture import render, save_picture
 from sandbox.model import catalog
 from sandbox.model.loading import parse
@@ -36,6 +37,15 @@ def test_a_picture_shows_the_time_that_is_asked_for() -> None:
         return sum(rows) / len(rows)
 
     assert height(0.9) > height(0.1) + 100
+
+
+def test_a_level_without_parameters_has_no_heading_for_them(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    level = textbook("hard/elastic-ball")
+    monkeypatch.setattr(cards, "settings", lambda *_: pytest.fail("there is nothing to list"))
+
+    render(level, level.defaults, at=0.0)
 
 
 def test_the_same_level_gives_the_same_picture() -> None:

@@ -3,8 +3,9 @@
 from pathlib import Path
 
 import pygame
+import pytest
 
-from sandbox.app import cards
+from sandbox.app import cards, theme
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model import catalog
@@ -117,3 +118,25 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
 
     assert not person.window.panels.graph
     assert heights[1] - heights[0] == Pen().height(13) + 1
+
+
+@pytest.mark.parametrize(
+    ("name", "ahead"), [("kinematics/uniform-acceleration", True), ("energy/figure-eight", False)]
+)
+def test_bars_that_are_read_in_the_middle_of_a_drift_say_so(
+    person: Person, name: str, ahead: bool
+) -> None:
+    """A cart of 2 J has 2.025 J half a step later; a step of fourth order is read as it stands."""
+    person.window.open_level(name)
+    person.press(pygame.K_e, "e")
+    books = person.session.books
+
+    side = person.window.panels.side
+    assert side is not None
+    place = pygame.Rect(0, 0, 100, side.switch.rect.height)
+    place.midright = side.switch.rect.x - 10, side.switch.rect.centery
+    shown = pygame.surfarray.array3d(person.window.surface.subsurface(place))
+
+    later = books.balance.kinetic / books.energies.kinetic - 1
+    assert (later > 0.01) is ahead
+    assert bool((shown != theme.PANEL).any()) is ahead

@@ -124,6 +124,16 @@ def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -
     assert drawn[0] > banner
 
 
+def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
+    surface = pygame.Surface((370, 300))
+    many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"
+
+    legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
+
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
+    assert drawn[-1] < surface.width - 1
+
+
 def test_a_change_of_a_parameter_changes_both_runs() -> None:
     session = Session(scenes.level())
     whatif.toggle(session, "drag")
@@ -132,6 +142,42 @@ def test_a_change_of_a_parameter_changes_both_runs() -> None:
 
     assert session.companions[0].world.values["g"] == session.world.values["g"] == 2
     assert session.changes.on == ("drag",)
+
+
+FOURTH = {"rate": 60, "scheme": "fourth-order"}
+
+
+def test_where_the_scheme_is_not_for_an_effect_both_runs_go_by_leapfrog_until_it_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "drag")
+
+    (original,) = session.companions
+    assert session.level.stepping.scheme == original.world.stepping.scheme == "leapfrog"
+    assert session.changes.told == "with drag (linear 0.1), both by leapfrog"
+    play(session)
+    whatif.toggle(session, "drag")
+    assert session.level == session.original
+
+
+def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "attraction")
+
+    assert session.level.stepping.scheme == "fourth-order"
+    assert session.changes.left is None
+
+
+def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+    whatif.toggle(session, "drag")
+    chosen = session.world.stepping.at(240)
+
+    whatif.repace(session, chosen)
+    whatif.toggle(session, "drag")
+
+    assert session.level.stepping == chosen
 
 
 def test_what_cannot_be_leaves_everything_as_it_was() -> None:

@@ -8,6 +8,9 @@ import pygame
 import pytest
 
 from sandbox.app import theme
+from sandbox.app.panels import messages
+from sandbox.app.panels.layout import divide
+from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
@@ -140,8 +143,7 @@ def test_every_level_can_be_walked_to_and_stepped_by_keyboard(player: Person) ->
 
 
 def test_the_panel_of_a_low_window_is_scrolled_by_keyboard(player: Person) -> None:
-    player.window.surface = pygame.display.set_mode((1024, 400), pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(1024, 400), w=1024, h=400))
+    player.resize((1024, 400))
     player.wait(0.1)
     assert player.window.panels.side is not None
     field = player.window.panels.side.parameters.row("g").field
@@ -315,8 +317,7 @@ def test_the_tape_measures_in_metres(player: Person, monkeypatch: pytest.MonkeyP
 def test_a_window_of_another_size_is_filled_without_overlap(
     player: Person, size: tuple[int, int]
 ) -> None:
-    player.window.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1]))
+    player.resize(size)
     player.wait(0.1)
 
     parts = player.window.panels.layout
@@ -328,17 +329,14 @@ def test_a_window_of_another_size_is_filled_without_overlap(
 
 
 def test_a_tiny_window_is_no_trouble(player: Person) -> None:
-    player.window.surface = pygame.display.set_mode((120, 90), pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(120, 90), w=120, h=90))
+    player.resize((120, 90))
     player.wait(0.1)
 
     assert player.window.open
 
 
 def test_the_buttons_of_a_small_window_do_not_overlap(player: Person) -> None:
-    player.window.surface = pygame.display.set_mode((1024, 640), pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(1024, 640), w=1024, h=640))
-    player.wait()
+    player.resize((1024, 640))
     controls = player.window.panels.controls
 
     rects = [controls.button(name).rect for name in ("play", "step", "restart", "slower", "faster")]
@@ -350,8 +348,7 @@ def test_the_buttons_of_a_small_window_do_not_overlap(player: Person) -> None:
 
 def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
     """The buttons of the speed make way for it."""
-    player.window.surface = pygame.display.set_mode((480, 300), pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(480, 300), w=480, h=300))
+    player.resize((480, 300))
     player.wait(0.1)
     controls = player.window.panels.controls
 
@@ -360,9 +357,7 @@ def test_in_the_smallest_window_the_clock_can_be_read(player: Person) -> None:
 
 
 def test_in_a_narrow_window_the_columns_make_way_for_the_stage(player: Person) -> None:
-    player.window.surface = pygame.display.set_mode((640, 480), pygame.RESIZABLE)
-    pygame.event.post(pygame.Event(pygame.VIDEORESIZE, size=(640, 480), w=640, h=480))
-    player.wait()
+    player.resize((640, 480))
     parts = player.window.panels.layout
 
     assert (parts.levels.width, parts.side.width, parts.stage.width) == (0, 0, 640)
@@ -406,6 +401,35 @@ def test_the_help_lists_every_key_until_it_is_closed(player: Person) -> None:
     assert player.window.open
 
 
+@pytest.mark.parametrize(("key", "letter"), [(pygame.K_SLASH, "/"), (pygame.K_l, "l")])
+def test_a_list_for_which_there_is_no_room_is_there_when_there_is(
+    player: Person, key: int, letter: str
+) -> None:
+    player.resize((760, 560))
+    before = player.window.surface.copy()
+
+    player.press(key, letter)
+
+    told = pygame.Rect(60, 14, 400, 40)
+    after = player.window.surface
+    assert before.subsurface(told).get_buffer().raw != after.subsurface(told).get_buffer().raw
+    player.resize((1280, 800))
+    assert player.window.panels.list is not None
+
+
+@pytest.mark.parametrize("size", [(1600, 1000), (1280, 800), (900, 600), (700, 500), (480, 320)])
+def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int, int]) -> None:
+    surface = pygame.Surface(size)
+
+    messages.draw_help(surface, pen, divide(size, levels=True, side=True).stage)
+
+    drawn = np.argwhere(pygame.surfarray.array3d(surface).any(axis=2))
+    (left, top), (right, bottom) = drawn.min(axis=0), drawn.max(axis=0)
+    x, y = (left + right) // 2, (top + bottom) // 2
+    rim = [surface.get_at(place) for place in ((left, y), (right, y), (x, top), (x, bottom))]
+    assert all(color.b > 2 * theme.PANEL[2] for color in rim)
+
+
 def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(
     person: Person, tmp_path: Path
 ) -> None:
@@ -420,6 +444,21 @@ def test_a_level_with_mistakes_is_told_whole_and_the_app_stays_usable(
     person.press(pygame.K_F5)
     assert person.session.level.title == "A falling ball"
     assert person.window.panels.refusal is None
+
+
+def test_the_list_says_what_an_edited_level_is_called_now(person: Person, tmp_path: Path) -> None:
+    path = tmp_path / "level.json"
+    person.open(tmp_path, scenes.falling())
+    path.write_text(scenes.falling(title="A stone"), encoding="utf-8")
+
+    person.press(pygame.K_F5)
+
+    assert person.window.panels.list is not None
+    assert person.window.panels.list.button(path.resolve()).text == "A stone"
+    assert pygame.display.get_caption()[0] == "A stone – Mechanics sandbox"
+    path.unlink()
+    person.press(pygame.K_F5)
+    assert pygame.display.get_caption()[0] == "Mechanics sandbox"
 
 
 def test_a_level_that_does_not_exist_is_told_and_another_can_be_chosen(person: Person) -> None:

@@ -16,6 +16,11 @@ def count(many: int) -> Iterator[int]:
     yield from range(many)
 
 
+def size(data: bytes) -> Iterator[int]:
+    """Yield how much was handed over."""
+    yield len(data)
+
+
 def dawdle() -> Iterator[int]:
     """Yield the process, and then take very long."""
     yield os.getpid()

@@ -10,7 +10,9 @@ from sandbox.app.theme import Color
 
 GAP = 3  # px
 INDENT = 24  # px
-COLUMNS = (0.4, 0.4, 0.2)
+SMALLEST = 10
+"""The size of letters below which nobody reads."""
+COLUMNS = (0.39, 0.39, 0.22)
 """How wide measured, expected and error are."""
 
 
@@ -46,11 +48,14 @@ class Card:
         self.y += 4
 
     def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
-        """Add a row of what was measured, what was expected, and the error."""
+        """Add a row of what was measured, what was expected, and the error; smaller if it must."""
         x = float(INDENT)
         for (text, color), share in zip(cells, COLUMNS, strict=True):
-            self.put(self.pen.write(text, size, color), round(x))
-            x += share * (self.width - INDENT)
+            room = share * (self.width - INDENT)
+            images = (self.pen.write(text, s, color) for s in range(size, SMALLEST, -1))
+            fitting = (image for image in images if image.width + GAP <= room)
+            self.put(next(fitting, self.pen.write(text, SMALLEST, color)), round(x))
+            x += room
         self.y += self.pen.height(size)
 
     def drawn(self, background: Color = theme.PANEL) -> pygame.Surface:

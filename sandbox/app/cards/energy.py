@@ -38,10 +38,15 @@ def energy(
     return card.drawn()
 
 
-def ledger(pen: Pen, width: int, books: Balance) -> pygame.Surface:
-    """Draw as bars where the energy is, where it came from and went, and what has no cause."""
+def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pygame.Surface:
+    """Draw as bars where the energy is, where it came from and went, and what has no cause.
+
+    Books that are read in the middle of a drift are told to be half a step `ahead`.
+    """
     card = Card(pen, width)
     card.heading("Energy")
+    note = pen.write("half a step ahead" if ahead else "", 12, theme.DIM)
+    card.put(note, LABEL, -note.height - 4)
     rows = [
         ("kinetic", books.kinetic, theme.KINETIC),
         *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),

@@ -17,6 +17,8 @@ DIAGRAM = 158  # px, its height
 BUTTON = 84, 26  # px
 DIAL = 2, 10
 """The digits that can be asked for, from fast to exact."""
+UNASKED = 6
+"""Where the dial stands while none are asked for."""
 
 
 class AccuracyPage:
@@ -29,7 +31,7 @@ class AccuracyPage:
         y = below(self._asked)
         self._dial = UIHorizontalSlider(
             pygame.Rect(MARGIN, y, width, 14),
-            self._digits or 6,
+            UNASKED,
             DIAL,
             sheet.manager,
             container=sheet.container,
@@ -66,7 +68,7 @@ class AccuracyPage:
     def process(self, event: pygame.event.Event) -> str | None:
         """Begin or end the work, or look for what the dial asks."""
         if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is self._dial:
-            digits = round(self._dial.get_current_value())
+            digits = round(event.value)
             if digits != self._digits:
                 self._studying.seek(self._session, 10.0**-digits)
             return ""
@@ -86,12 +88,19 @@ class AccuracyPage:
         text = "Cancel" if self._studying.running else "Measure"
         if self._button.text != text:
             self._button.set_text(text)
+        self._turn_dial()
         replace = self._sheet.replace
         replace(self._asked, self._drawn_dial())
         replace(self._diagram, self._drawn())
         replace(self._status, self._drawn_status())
         replace(self._rest, self._drawn_rest())
         self._sheet.end(below(self._rest) + 2)
+
+    def _turn_dial(self) -> None:
+        """Let the dial stand at what is asked for, unless a hand is on it."""
+        knob = self._dial.sliding_button
+        if knob is None or not knob.held:
+            self._dial.set_current_value(self._digits or UNASKED, warn=False)
 
     def _drawn_dial(self) -> pygame.Surface:
         here = self._studying.here

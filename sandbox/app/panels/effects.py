@@ -26,6 +26,7 @@ SCALES: Mapping[str, tuple[float, str]] = {
     wording.MINUS: (0.5, "half as strong"),
     "+": (2.0, "twice as strong"),
 }
+LEFT = "The level's scheme, fourth order, is not for this: both runs go by leapfrog."
 
 
 class EffectsPage:
@@ -85,7 +86,7 @@ class EffectsPage:
         return self._reset
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Switch or scale an effect, or take all back; return why it cannot be, or no text."""
+        """Switch or scale an effect, or take all back; return what is to be told of that."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
@@ -101,7 +102,7 @@ class EffectsPage:
                 whatif.change(self._session, NONE)
         except SandboxError as error:
             return str(error)
-        return ""
+        return LEFT if self._session.changes.left else ""
 
     def update(self) -> None:
         """Let the switches say what acts, and the table what that changes."""

@@ -1,6 +1,8 @@
 """What is said over the stage: banners, the help, and why a level cannot be opened."""
 
+from collections.abc import Sequence
 from html import escape
+from math import ceil
 
 import pygame
 from pygame_gui import UIManager
@@ -14,6 +16,7 @@ from sandbox.app.theme import Color
 
 PADDING = 12  # px
 OFFER = 220, 38  # px
+ROW = 17  # px, the height from which on the rows of the help do not touch
 
 
 def draw_banner(
@@ -36,23 +39,38 @@ def draw_banner(
 
 
 def draw_help(surface: pygame.Surface, pen: Pen, area: pygame.Rect) -> None:
-    """Draw the table of keys in the middle of an area."""
-    rows = [(binding.shown, binding.text) for binding in BINDINGS]
-    height = min(22, (area.height - 110) // (len(rows) + len(MOUSE) + 1))
-    size = 14 if height >= 20 else 12
-    left = max(pen.write(key, size, theme.ACCENT, True).width for key, _ in (*rows, *MOUSE))
-    right = max(pen.write(text, size).width for _, text in (*rows, *MOUSE))
-    box = pygame.Rect(0, 0, left + right + 76, (len(rows) + len(MOUSE) + 1) * height + 70)
-    box.center = area.center
-    box.clamp_ip(surface.get_rect())
-    pygame.draw.rect(surface, theme.PANEL, box, border_radius=8)
-    pygame.draw.rect(surface, theme.ACCENT, box, 1, border_radius=8)
-    surface.blit(pen.write("Keys and mouse", 18, bold=True), (box.x + 24, box.y + 16))
-    y = box.y + 52
-    for key, text in (*rows, ("", ""), *MOUSE):
-        surface.blit(pen.write(key, size, theme.ACCENT, True), (box.x + 24, y))
-        surface.blit(pen.write(text, size), (box.x + 24 + left + 28, y))
-        y += height
+    """Draw the table of keys in the middle of an area: in two columns, or smaller, if it must."""
+    rows = [*((binding.shown, binding.text) for binding in BINDINGS), ("", ""), *MOUSE]
+    columns = 1 if (area.height - 110) // len(rows) >= ROW else 2
+    each = ceil(len(rows) / columns)
+    height = min(max((area.height - 110) // each, ROW), 22)
+    size = 14 if columns == 1 and height >= 20 else 12
+    tables = [_table(pen, rows[i : i + each], height, size) for i in range(0, len(rows), each)]
+    whole = sum(table.width + 24 for table in tables) + 24, each * height + 70
+    sheet = pygame.Surface(whole, pygame.SRCALPHA)
+    pygame.draw.rect(sheet, theme.PANEL, sheet.get_rect(), border_radius=8)
+    pygame.draw.rect(sheet, theme.ACCENT, sheet.get_rect(), 1, border_radius=8)
+    sheet.blit(pen.write("Keys and mouse", 18, bold=True), (24, 16))
+    x = 24
+    for table in tables:
+        sheet.blit(table, (x, 52))
+        x += table.width + 24
+    scale = min(surface.width / sheet.width, area.height / sheet.height)
+    if scale < 1:
+        sheet = pygame.transform.smoothscale_by(sheet, scale)
+    surface.blit(sheet, sheet.get_rect(center=area.center).clamp(surface.get_rect()))
+
+
+def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) -> pygame.Surface:
+    """Draw keys and what they do, a row each."""
+    keys = [pen.write(key, size, theme.ACCENT, True) for key, _ in rows]
+    texts = [pen.write(text, size) for _, text in rows]
+    left = max(key.width for key in keys) + 28
+    table = pygame.Surface((left + max(text.width for text in texts), len(rows) * height))
+    table.fill(theme.PANEL)
+    for i, (key, text) in enumerate(zip(keys, texts, strict=True)):
+        table.blits([(key, (0, i * height)), (text, (left, i * height))])
+    return table
 
 
 def offer(manager: UIManager, stage: pygame.Rect, rate: float) -> UIButton:

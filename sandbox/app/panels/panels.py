@@ -118,8 +118,8 @@ class Panels:
             self.manager.set_focus_set(self.list.field.get_focus_set())
 
     def let_go(self) -> None:
-        """Leave the field that is typed in as it was."""
-        if self.list is not None and self.list.field.is_focused:
+        """Leave the field that is typed in as it was; if none is, look for no level any more."""
+        if self.list is not None and not self._setting:
             self.list.clear()
         if self.side is not None:
             self.side.parameters.revert()
@@ -143,4 +143,14 @@ class Panels:
     def typing(self) -> bool:
         """Whether a number is being typed, or what level to look for."""
         seeking = self.list is not None and self.list.field.is_focused
-        return seeking or (self.side is not None and self.side.parameters.focused)
+        return seeking or self._setting
+
+    @property
+    def _setting(self) -> bool:
+        """Whether a parameter is being typed."""
+        return self.side is not None and self.side.parameters.focused
+
+    @property
+    def sought(self) -> str:
+        """What is looked for in the list that is shown."""
+        return self.list.sought if self.list is not None else ""

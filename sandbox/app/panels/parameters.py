@@ -17,6 +17,7 @@ from sandbox.model.level import Parameter
 ROW = 46  # px
 FIELD = 68  # px
 UNIT = 42  # px
+LINE = 13  # px, between two lines of a label
 
 
 @dataclass(slots=True)
@@ -60,15 +61,16 @@ class Parameters:
         manager = self._manager
         room = rect.width - FIELD - UNIT - 8
         unit = "°" if parameter.unit == "deg" else parameter.unit
-        place = pygame.Rect(rect.right - UNIT - FIELD, rect.y, FIELD, 26)
+        box = pygame.Rect(rect.right - UNIT - FIELD, rect.y, FIELD, 26)
         symbol = pen.write(name if parameter.label else "", 13, theme.DIM)
-        title = pen.write(pen.shorten(parameter.label or name, room - symbol.width - 8), 14)
-        texts = [(title, rect.x), (pen.write(unit, 14, theme.DIM), place.right + 6)]
+        title = _title(pen, parameter.label or name, room - symbol.width - 8)
+        texts = [(title, rect.x), (pen.write(unit, 14, theme.DIM), box.right + 6)]
         if symbol.width and name != parameter.label:
             texts.append((symbol, rect.x + title.width + 8))
         for image, x in texts:
-            UIImage(image.get_rect(topleft=(x, rect.y + 3)), image, manager, container=container)
-        field = UITextEntryLine(place, manager, container=container)
+            place = image.get_rect(midleft=(x, rect.y + 13))
+            UIImage(place, image, manager, container=container)
+        field = UITextEntryLine(box, manager, container=container)
         field.set_allowed_characters(list("0123456789.,-+eE"))
         field.set_text_length_limit(16)
         slider = UIHorizontalSlider(
@@ -161,3 +163,16 @@ class Parameters:
         value = base + directions[event.key] * many * step(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
         return Change(name, wording.setting(value), value)
+
+
+def _title(pen: Pen, text: str, width: int) -> pygame.Surface:
+    """Draw a label on one line, or smaller on two; cut it if there is no room for that either."""
+    if pen.shorten(text, width) == text:
+        return pen.write(text, 14)
+    first, *others = pen.wrap(text, width, 12)
+    second = [pen.shorten(" ".join(others), width, 12)] if others else []
+    rows = [pen.write(line, 12) for line in (first, *second)]
+    size = max(row.width for row in rows), rows[0].height + LINE * len(second)
+    title = pygame.Surface(size, pygame.SRCALPHA)
+    title.blits([(row, (0, i * LINE)) for i, row in enumerate(rows)])
+    return title

@@ -152,7 +152,8 @@ class SidePanel:
     def _draw_energy(self) -> pygame.Surface:
         session = self._session
         if not self._graph:
-            return cards.ledger(self._pen, self._width, session.books.balance)
+            ahead = not session.world.composed
+            return cards.ledger(self._pen, self._width, session.books.balance, ahead=ahead)
         drawn = graph.energies(self._graph_size, session.books.history, session.duration)
         now = session.books.energies
         return cards.energy(self._pen, self._width, session.books.start, now, drawn)

@@ -151,17 +151,21 @@ def _pair(x: float, y: float) -> str:
 def _write(
     surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
 ) -> None:
-    """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one."""
-    length = hypot(end[0] - start[0], end[1] - start[1])
-    if length < HANDLE or not lines.near((end,)):
+    """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one.
+
+    Where other words stand there, it is written a line higher or lower, or else left out.
+    """
+    length, seen = hypot(end[0] - start[0], end[1] - start[1]), surface.get_rect()
+    if length < HANDLE or not seen.collidepoint(end):
         return
     ux, uy = (end[0] - start[0]) / length, (end[1] - start[1]) / length
     image = pen.outlined(text)
     aside = copysign(HANDLE + 6 + image.width / 2, ux) if abs(ux) > STEEP else 0.0
     beyond = uy * (6 if aside else HANDLE + 4 + image.height / 2)
     place = image.get_rect(center=(end[0] + aside, end[1] + beyond))
-    surface.blit(image, place)
-    labels.take(place)
+    places = (place.move(0, off * image.height).clamp(seen) for off in (0, -1, 1))
+    if found := labels.find(places):
+        surface.blit(image, found)
 
 
 def _shared(x: str, y: str) -> str:

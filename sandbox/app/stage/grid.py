@@ -54,15 +54,18 @@ def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
 def _write_marks(
     surface: pygame.Surface, camera: Camera, pen: Pen, major: float, side: int
 ) -> None:
+    """Write the numbers that fit as a whole; the corner belongs to the unit."""
+    width, height = camera.size
     for x in _marks(camera, major, 0):
         text = pen.write(_mark(x), 11, theme.DIM)
-        px = round(camera.to_screen((x, 0))[0])
-        surface.blit(text, (px + 4, camera.size[1] - RULER + 3))
+        place = text.get_rect(topleft=(round(camera.to_screen((x, 0))[0]) + 4, height - RULER + 3))
+        if side <= place.left and place.right <= width:
+            surface.blit(text, place)
     for y in _marks(camera, major, 1):
         text = pen.write(_mark(y), 11, theme.DIM)
-        py = round(camera.to_screen((0, y))[1])
-        if py + text.height // 2 <= camera.size[1] - RULER:  # the corner belongs to the unit
-            surface.blit(text, (side - LONG - 3 - text.width, py - text.height // 2))
+        place = text.get_rect(midright=(side - LONG - 3, round(camera.to_screen((0, y))[1])))
+        if place.top >= 0 and place.bottom <= height - RULER:
+            surface.blit(text, place)
 
 
 def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
@@ -92,7 +95,7 @@ def _marks(camera: Camera, spacing: float, axis: int) -> list[float]:
 
 
 def _mark(value: float) -> str:
-    return f"{round(value, 9):g}".replace("-", MINUS)
+    return f"{round(value, 9):.10g}".replace("-", MINUS)
 
 
 def _side(camera: Camera, major: float, pen: Pen) -> int:

@@ -97,7 +97,8 @@ class Relief:
         pygame.draw.aacircle(surface, theme.STAGE, point, 8)
         pygame.draw.aacircle(surface, theme.TEXT, point, 6)
         text = pen.outlined(f"E = {quantity(whole, 'J', 3)}")
-        surface.blit(text, text.get_rect(midleft=(right[0] + 6, right[1])))
+        beside = text.get_rect(midleft=(right[0] + 6, right[1]))
+        surface.blit(text, beside.clamp(surface.get_rect()))
 
 
 def turning_points(x: Array, potential: Array, energy: float) -> Sequence[float]:

@@ -35,14 +35,19 @@ def _lane(lane: race.Lane) -> str:
 
 
 def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:
-    """Draw a row for each run in the upper left corner, below where a banner ends [px]."""
+    """Draw a row for each run in the upper left corner, below where a banner ends [px].
+
+    What is too long for the surface is shortened; the side panel tells it in full.
+    """
     if not told:
         return
-    texts = [pen.write(text, 14) for _, text in told]
+    beside = SWATCH + 10 + 2 * PADDING
+    room = surface.width - CORNER[0] - beside - GAP
+    texts = [pen.write(pen.shorten(text, room), 14) for _, text in told]
     height = texts[0].height + 2
     corner = CORNER[0], max(CORNER[1], banner + GAP)
     box = pygame.Rect(corner, (0, len(texts) * height + 2 * PADDING))
-    box.width = max(text.width for text in texts) + SWATCH + 10 + 2 * PADDING
+    box.width = max(text.width for text in texts) + beside
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
     x, y = box.x + PADDING, box.y + PADDING

@@ -11,8 +11,8 @@ from sandbox.app.stage import lines
 from sandbox.model.shapes import XY
 
 WHEEL = 13.0  # px, the largest radius
-SHARE = 0.35
-"""How much of the shorter side of a bend the wheel may take up."""
+SHARE = 0.24
+"""How much of the shorter side of a bend the wheel's radius may be: two beside each other fit."""
 
 
 class Bend(NamedTuple):

@@ -1,0 +1,56 @@
+"""What stands in the column on the right has room there."""
+
+import pygame
+import pytest
+from pygame_gui import UIManager
+from pygame_gui.elements import UIScrollingContainer
+
+from sandbox.app import theme
+from sandbox.app.cards.card import COLUMNS, INDENT, Card
+from sandbox.app.panels.layout import divide
+from sandbox.app.panels.parameters import Parameters
+from sandbox.app.panels.sheet import BAR, MARGIN
+from sandbox.app.text import Pen
+from sandbox.model import catalog
+from sandbox.model.loading import load
+
+LONGEST = 12
+"""So many labels are tried, the longest that there are."""
+
+WIDTH = divide((1280, 800), levels=True, side=True).side.width - MARGIN - BAR
+
+
+def test_every_label_of_a_parameter_is_written_whole(
+    pen: Pen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pygame.display.set_mode((1280, 800))
+    manager = UIManager((1280, 800), theme.JSON)
+    container = UIScrollingContainer(pygame.Rect(0, 0, WIDTH, 740), manager)
+    written: list[str] = []
+    write = pen.write
+
+    def noted(text: str, size: int = 14, *more: object) -> pygame.Surface:
+        written.append(text)
+        return write(text, size, *more)
+
+    monkeypatch.setattr(pen, "write", noted)
+    levels = [load(catalog.find(name)) for name in catalog.names()]
+    labelled = [(level, n, p) for level in levels for n, p in level.parameters.items()]
+    for level, name, parameter in sorted(labelled, key=lambda each: len(each[2].label))[-LONGEST:]:
+        area = pygame.Rect(MARGIN, 0, WIDTH, 740)
+        Parameters(manager, pen, container, area, {name: parameter}, level.defaults)
+
+    assert len(written) >= 2 * LONGEST
+    assert not [text for text in written if text.endswith("…")]
+
+
+def test_a_long_number_keeps_off_the_column_beside_it(pen: Pen) -> None:
+    card = Card(pen, WIDTH)
+    long = "−1.2345678 kg·m²/s"
+
+    card.columns([(text, theme.TEXT) for text in (long, long, "2e-15")], 13)
+
+    drawn = pygame.surfarray.array3d(card.drawn())
+    for share in (COLUMNS[0], COLUMNS[0] + COLUMNS[1]):
+        border = round(INDENT + share * (WIDTH - INDENT))
+        assert (drawn[border - 3 : border] == theme.PANEL).all()
