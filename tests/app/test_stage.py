@@ -1,7 +1,5 @@
 """The picture of a world, on a bare surface."""
 
-from typing import Any
-
 import numpy as np
 import pygame
 import pytest
@@ -291,12 +289,12 @@ def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
     stage = Stage(pen, SIZE)
     stage.use(endless.world)
     stage.fit()
-    strokes: list[object] = []
+    strokes: list[XY] = []
     stroke = lines.stroke
 
-    def counted(surface: pygame.Surface, *line: Any) -> None:
-        strokes.append(line)
-        stroke(surface, *line)
+    def counted(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
+        strokes.append(a)
+        stroke(surface, color, a, b, width)
 
     monkeypatch.setattr(lines, "stroke", counted)
     draw(endless, stage)
