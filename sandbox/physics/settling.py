@@ -24,6 +24,9 @@ PATIENCE = 50
 UNSETTLED = 1000
 """How many times the rounding velocities must still change for that."""
 
+LULL = 10
+"""For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
+
 MAX_SWEEPS = 5000
 """How many sweeps a kick may then have, times the pairs in contact: it bounds the time it takes."""
 
@@ -91,20 +94,28 @@ class Settling:
         pulled = length * np.abs(pull).max(initial=0.0)
         close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
         after = np.full_like(start, np.inf)  # at least two kicks are compared
+        changes: list[float] = []
         for count in range(self._most):
             previous = after
             self._batch.set_velocity(start)
             self._space.step(length)
             self._finish()
             after = self._batch.velocity()
-            change = np.abs(after - previous).max(initial=0.0)
-            if change <= close:
+            change = float(np.abs(after - previous).max(initial=0.0))
+            changes.append(change)
+            if change <= close or _circles(changes[-2 * LULL :], close):
                 break
             if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
                 most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
                 self._space.iterations = max(min(2 * self._space.iterations, most), swept)
         self._space.iterations = swept
         return after
+
+
+def _circles(changes: Sequence[float], close: float) -> bool:
+    """Whether what still changes is near rounding, and has ceased to grow less."""
+    before, now = changes[:LULL], changes[LULL:]
+    return len(now) == LULL and max(now) <= UNSETTLED * close and min(now) >= min(before) / 2
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

@@ -11,10 +11,14 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
+from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.batch import Batch
 from sandbox.physics.ledger import Ledger
+from sandbox.physics.trace import count_steps
 from sandbox.physics.world import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, pulley, run
+from validation.case import textbook
 
 MU = 0.3
 BELT = 2.0  # m/s
@@ -440,3 +444,20 @@ def test_a_heap_of_bodies_that_still_fall_is_left_to_pymunk() -> None:
     last = world.advance(40)  # the watchdog ends what gains energy
 
     assert np.abs(last.velocity).max() < 10
+
+
+def test_rounding_that_goes_in_circles_is_not_kicked_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the ball begins to roll at 30 Hz, its last digits never settle: 1006 kicks, now 46."""
+    scene = textbook("rotation/slide-to-roll")
+    world = build(scene, stepping=Stepping(rate=30))
+    kicks: list[Array] = []
+    set_velocity = Batch.set_velocity
+
+    def counted(batch: Batch, velocity: Array) -> None:
+        kicks.append(velocity)
+        set_velocity(batch, velocity)
+
+    monkeypatch.setattr(Batch, "set_velocity", counted)
+    world.advance(count_steps(world))
+
+    assert len(kicks) < 300
