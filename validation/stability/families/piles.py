@@ -211,7 +211,7 @@ def frontiers() -> Iterator[Frontier]:
     )  # fmt: skip
     yield Frontier(
         name="a heavy box on one", family=FAMILY, axis="mass ratio",
-        scene=lambda ratio: stack(2, ratio, 8000, 2), figure=drift, bound=RESTS, criterion=WITHIN,
+        scene=lambda ratio: stack(2, ratio, 2000, 30), figure=drift, bound=RESTS, criterion=WITHIN,
         start=10, end=1e6, duration=5, tolerance=2,
     )  # fmt: skip
     yield Frontier(
