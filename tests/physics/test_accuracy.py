@@ -300,7 +300,7 @@ def test_what_cannot_be_reached_says_what_can() -> None:
 def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for module in (climbing, calibration, offers):  # as if the rest went elsewhere
+    for module in (calibration, offers):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-10)

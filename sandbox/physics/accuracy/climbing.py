@@ -24,13 +24,6 @@ Progress = Callable[[float, str], None]
 FEWEST = 3
 """Runs that must agree before it is believed, as long as there is time for them."""
 
-OVERDRAFT = 2.0
-"""How often the time may be spent on what does not tell yet how far it has to go, as long as
-nothing is found that runs in real time."""
-
-REAL_TIME = 0.5
-"""s of computing for a second of the scene; the rest is for drawing it."""
-
 DEARER = 2.0
 """How many times as long as what will do a run takes, looked at as it is, that will not do."""
 
@@ -140,16 +133,13 @@ def climb(
         If `stop` said so.
     """
     begun = thread_time()
-    duration = climbers[0].level.duration(climbers[0].values)
     while left := _worthwhile(climbers):
         next_ = min(left, key=lambda climber: climber.next_seconds)
-        playable = any(climber.promised <= REAL_TIME * duration for climber in climbers)
-        budget = (1.0 if playable or next_.promised < inf else OVERDRAFT) * seconds
         spent = thread_time() - begun
-        if spent + next_.next_seconds > budget:
+        if spent + next_.next_seconds > seconds:
             break
         if progress:
-            progress(spent / budget, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+            progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
         next_.run(stop)
     enough = DEARER * min(climber.promised for climber in climbers)
     for climber in climbers:

@@ -5,8 +5,10 @@ from dataclasses import dataclass
 from math import floor
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
-from sandbox.physics.accuracy.climbing import REAL_TIME
 from sandbox.physics.accuracy.ladder import SLOWEST, Ladder, rounded
+
+REAL_TIME = 0.5
+"""s of computing for a second of the scene; the rest is for drawing it."""
 
 CAUTION = 0.7
 """The share of the accuracy that a setting may use up by what is only expected of it."""
