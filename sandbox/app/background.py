@@ -9,6 +9,7 @@ from contextlib import suppress
 from multiprocessing import parent_process
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnContext, SpawnProcess
+from multiprocessing.reduction import ForkingPickler
 from threading import Thread, Timer
 from typing import Any
 
@@ -44,18 +45,21 @@ class Background:
     def start(self, work: Work, *arguments: object) -> None:
         """Begin a piece of work, in place of what is under way."""
         self.cancel()
+        task = ForkingPickler.dumps((work, arguments))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
         orders, order = SpawnContext().Pipe(duplex=False)
         self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
         self._process.start()
         sender.close()
         orders.close()
-        Thread(target=_hand_over, args=(order, (work, arguments)), daemon=True).start()
+        Thread(target=_hand_over, args=(order, task), daemon=True).start()
 
     def found(self) -> Iterator[Any]:
         """Yield what has been found since, without waiting."""
-        while self._findings is not None and self._findings.poll():
+        while self._findings is not None:
             try:
+                if not self._findings.poll():
+                    return
                 finding = self._findings.recv()
             except (EOFError, OSError):  # at its end, or in the middle of a finding
                 self.cancel()
@@ -73,10 +77,10 @@ class Background:
         self._process = self._findings = None
 
 
-def _hand_over(order: Connection, task: tuple[Work, tuple[object, ...]]) -> None:
+def _hand_over(order: Connection, task: memoryview) -> None:
     """Send a task, in a thread: one that fills the pipe waits for the process to be there."""
     with order, suppress(BrokenPipeError):  # cancelled before it began
-        order.send(task)
+        order.send_bytes(task)
 
 
 def _run(sender: Connection, orders: Connection) -> None:

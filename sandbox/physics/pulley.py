@@ -65,7 +65,6 @@ class PulleyString:
         between = pairwise(pegs)
         self._free_length = length - sum(hypot(q[0] - p[0], q[1] - p[1]) for p, q in between)
         self._rounding = ROUNDING * (self._free_length + sum(hypot(*peg) for peg in self._pegs))
-        self._close = QUADRATIC * self._free_length
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
         self._warm = 0.0  # the tension that has acted in this kick already
@@ -124,7 +123,7 @@ class PulleyString:
     def _newton(self, one: End, other: End) -> float:
         """Return the impulse beyond the warm start's, found by Newton's method [N s]."""
         (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
-        h, least = self._drift, -self._warm * self._kick
+        h, least, close = self._drift, -self._warm * self._kick, QUADRATIC * self._free_length
         off = far_a + far_b - self._free_length
         if -self._rounding <= off <= self._rounding:
             off *= SHARE
@@ -145,7 +144,7 @@ class PulleyString:
             before, impulse = impulse, impulse + excess / slope
             if impulse < least:
                 impulse = least
-            if -self._close <= excess <= self._close or impulse == before:
+            if -close <= excess <= close or impulse == before:
                 return impulse
         raise JointFailure(self._name, f"no tension keeps '{self._name}' at its length")
 

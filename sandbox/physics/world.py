@@ -526,8 +526,9 @@ class World:
             If it cannot go on from there.
         """
         for name, position in positions.items():
-            if max(map(abs, position)) >= self.scene.reach:
+            if self.scene.reach < inf and max(map(abs, position)) >= self.scene.reach:
                 raise self._beyond(name)
+        for name, position in positions.items():
             self.scene.bodies[name].position = position
             self._space.reindex_shapes_for_body(self.scene.bodies[name])
         self._joints.refit(self.t)
