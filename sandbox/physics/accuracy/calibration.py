@@ -23,7 +23,7 @@ from sandbox.physics.errors import SimulationError
 from sandbox.physics.limits import needs
 from sandbox.physics.world import build
 
-BUDGET = 0.7
+BUDGET = 0.75
 """s, for all runs of a calibration; the one that is under way is not cut short."""
 
 FEW = 400

@@ -24,6 +24,9 @@ Progress = Callable[[float, str], None]
 FEWEST = 3
 """Runs that must agree before it is believed, as long as there is time for them."""
 
+OVERDRAFT = 1.25
+"""How often the time may be spent as long as nothing tells how far it has to go."""
+
 DEARER = 2.0
 """How many times as long as what will do a run takes, looked at as it is, that will not do."""
 
@@ -135,11 +138,13 @@ def climb(
     begun = thread_time()
     while left := _worthwhile(climbers):
         next_ = min(left, key=lambda climber: climber.next_seconds)
+        known = any(climber.promised < inf for climber in climbers)
+        budget = seconds if known else OVERDRAFT * seconds
         spent = thread_time() - begun
-        if spent + next_.next_seconds > seconds:
+        if spent + next_.next_seconds > budget:
             break
         if progress:
-            progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+            progress(spent / budget, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
         next_.run(stop)
     enough = DEARER * min(climber.promised for climber in climbers)
     for climber in climbers:
