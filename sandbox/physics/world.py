@@ -10,7 +10,7 @@ half-way between; the velocity *at* a step is the mean of the two around it.
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
-from math import hypot, inf
+from math import inf
 from typing import NoReturn
 
 import numpy as np
@@ -22,6 +22,7 @@ from sandbox.physics.audit import Audit
 from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
 from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError, way_out
+from sandbox.physics.fence import Fence
 from sandbox.physics.forces import Forces
 from sandbox.physics.hand import Hand
 from sandbox.physics.hook import Hook
@@ -38,12 +39,6 @@ from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
 
 Pair = frozenset[str]
-
-LOOK = 16
-"""Steps between two looks at how far out bodies are, where they may leave a grid."""
-
-FASTER = 1e4
-"""How many times as far as now, or as fast, none is after so many steps of impacts and springs."""
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
@@ -127,8 +122,8 @@ class World:
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
         self._pymunk = stepper(self._space)
-        self._step = self._step_in_reach if self.scene.reach < inf else self._pymunk
-        self._look_again = 0  # at which step
+        self._fence = Fence(self.scene) if self.scene.reach < inf else None
+        self._step = partial(self._step_within, self._fence) if self._fence else self._pymunk
         self._bodies = list(self.scene.bodies.values())
         self._batch, self._joints = self.scene.batch, self.scene.joints
         self._compose(composition(stepping.scheme, held=bool(self._joints.together)))
@@ -260,28 +255,12 @@ class World:
             self._fail(error)
         return self.snapshot
 
-    def _step_in_reach(self, drift: float) -> None:
+    def _step_within(self, fence: Fence, drift: float) -> None:
         """Take a step of pymunk's, unless it would end beyond the grid in which pairs are found."""
-        if self.steps >= self._look_again:
-            self._look_around(drift)
-        self._pymunk(drift)
-
-    def _look_around(self, drift: float) -> None:
-        """See whether all are within the grid, and will be for some steps; laws may do anything."""
-        extent, reach = self._batch.extent(), self.scene.reach
-        gains = hypot(*self.scene.gravity.acceleration) if self.scene.gravity else 0.0
-        if not self.scene.hooked and (extent + gains) * FASTER < reach:
-            self._look_again = self.steps + LOOK
-        elif not extent * (1 + drift) < reach:
-            self._look_for_beyond(drift)
-
-    def _look_for_beyond(self, drift: float) -> None:
-        state, reach = self._batch.state(), self.scene.reach
-        with np.errstate(all="ignore"):  # what is not a number is told later, by name
-            beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
-        if beyond.any():
-            self._ended = self._beyond(list(self.scene.bodies)[int(beyond.argmax())])
+        if name := fence.leaver(self.steps, drift):
+            self._ended = self._beyond(name)
             raise self._ended
+        self._pymunk(drift)
 
     def _beyond(self, name: str) -> SimulationError:
         reach = self.scene.reach
@@ -526,7 +505,7 @@ class World:
             If it cannot go on from there.
         """
         for name, position in positions.items():
-            if self.scene.reach < inf and max(map(abs, position)) >= self.scene.reach:
+            if self._fence and not self._fence.keeps_in(position):
                 raise self._beyond(name)
         for name, position in positions.items():
             self.scene.bodies[name].position = position

@@ -24,7 +24,7 @@ class Rod:
     batch
         Reads and writes the bodies.
     inverse
-        (n,), 0 of what nothing moves [1/kg].
+        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
     origin
         From where the points of the plane are counted [m].
     """
@@ -32,7 +32,7 @@ class Rod:
     def __init__(self, row: Row, batch: Batch, inverse: Array, origin: complex) -> None:
         a, b = sorted(row.reaches[0], key=lambda end: end.body is not None)  # the plane first
         self._pair = batch.pair(a.body, b.body)
-        self._inverse = [0.0 if end.body is None else float(inverse[end.body]) for end in (a, b)]
+        self._inverse = [float(inverse[-1 if e.body is None else e.body]) for e in (a, b)]
         free = a.body is not None
         self._origin = (0.0, 0.0) if free else (origin.real, origin.imag)
         self._fixed = a.point.real, a.point.imag
@@ -79,7 +79,7 @@ def are_apart(equations: Sequence[Condition], inverse: Array) -> bool:
     Parameters
     ----------
     inverse
-        (n,), 0 of what nothing moves [1/kg].
+        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
     """
     held: set[int] = set()
     for row in equations:

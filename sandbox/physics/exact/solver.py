@@ -86,7 +86,6 @@ class ExactJoints:
     ) -> None:
         self._batch, self._origin = batch, origin
         # one body more: the plane itself, which nothing moves
-        self._inverse_mass = inverse_mass
         self._inverse_moment = np.append(inverse_moment, 0.0)
         self._inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
@@ -118,7 +117,7 @@ class ExactJoints:
         shape = (len(equations), len(self._inverse_moment))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
         self._others = list(enumerate(others, len(rows)))
-        inverse = self._inverse_mass
+        inverse = self._inverse[: 2 * shape[1] : 2]
         apart = rows if are_apart(equations, inverse) else ()
         self._rods = [Rod(row, self._batch, inverse, self._origin) for row in apart]
         self._fresh = True
