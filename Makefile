@@ -4,6 +4,8 @@
 PYTHON ?= python3 python3.14 python3.13 python3.12 python3.11 python
 # Arguments for the sandbox: make run ARGS="play newton/atwood"
 ARGS ?=
+# Which levels `make fuzz` makes.
+SEED ?= 0
 # Processes that share the tests.
 WORKERS ?= 2
 
@@ -21,7 +23,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test lint check-levels pytest validate quick report format docs clean
+.PHONY: help run test lint check-levels pytest validate quick fuzz report format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -49,6 +51,9 @@ validate: $(FOR_TEST) ## every case against its closed form
 quick: $(FOR_TEST) ## hard cases and costs in short: do frontiers lie where they did, do levels run
 	$(HEADLESS) $(PY) -m validation stability --quick
 	$(HEADLESS) $(PY) -m validation cost --quick
+
+fuzz: $(FOR_TEST) ## three minutes of levels that nobody would write: is each of them answered
+	$(HEADLESS) $(PY) -m validation fuzz --minutes 3 --seed $(SEED)
 
 report: $(FOR_TEST) ## all of the validation as one page, out/report/report.html: some minutes
 	$(HEADLESS) $(PY) -m validation report --output out/report

@@ -1,15 +1,17 @@
 """The command line: `python -m sandbox`, and the console script `mechanics-sandbox`."""
 
-from sandbox import interrupts, threads
+from sandbox import interrupts, streams, threads
 
 
 def main() -> None:
     """Run the command line, and leave the process with its exit status."""
     interrupts.install()
+    streams.install()
     threads.spare()
-    from sandbox.cli.main import main as run  # that takes a while, and may be interrupted, too
+    with streams.standard():
+        from sandbox.cli.main import main as run  # that takes a while, and may be interrupted, too
 
-    run()
+        run()
 
 
 if __name__ == "__main__":

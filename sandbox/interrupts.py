@@ -1,4 +1,4 @@
-"""Ctrl-C, which must end a run even while pymunk calls back into Python."""
+"""Ctrl-C and the request to end, which must end a run even while pymunk calls back into Python."""
 
 import signal
 import sys
@@ -6,37 +6,43 @@ import time
 from _thread import interrupt_main, start_new_thread
 from types import FrameType
 
-INTERRUPTED = 130
-"""The exit status, as shells have it."""
+STATUS = 128
+"""What shells add to the number of the signal that has ended a process."""
+
+INTERRUPTED = STATUS + signal.SIGINT
+ENDED = STATUS + signal.SIGTERM
+"""The exit statuses."""
 
 _CALLBACKS = "pymunk._callbacks"
 _RETRY = 0.001  # s
 
 
 def install() -> None:
-    """Let Ctrl-C end the process, whatever it does, without a traceback."""
-    signal.signal(signal.SIGINT, _interrupt)
+    """Let Ctrl-C or a request to end do so, whatever goes on, without a traceback."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, _interrupt)
     sys.unraisablehook = _lost
 
 
-def _interrupt(_signal: int, frame: FrameType | None) -> None:
+def _interrupt(number: int, frame: FrameType | None) -> None:
     """Exit, but not from inside a callback: there the exception would be printed and lost."""
     if not within_callback(frame):
-        sys.exit(INTERRUPTED)
-    start_new_thread(_again, ())
+        sys.exit(STATUS + number)
+    start_new_thread(_again, (signal.Signals(number),))
 
 
 def _lost(exception: "sys.UnraisableHookArgs") -> None:
     """Exit once more where nothing can be raised: while pymunk's objects are freed, say."""
-    if exception.exc_type is SystemExit:
-        start_new_thread(_again, ())
+    if isinstance(exception.exc_value, SystemExit):
+        ended = exception.exc_value.code == ENDED
+        start_new_thread(_again, (signal.SIGTERM if ended else signal.SIGINT,))
     else:
         sys.__unraisablehook__(exception)
 
 
-def _again() -> None:
+def _again(number: signal.Signals) -> None:
     time.sleep(_RETRY)
-    interrupt_main()
+    interrupt_main(number)
 
 
 def within_callback(frame: FrameType | None) -> bool:

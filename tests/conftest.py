@@ -1,15 +1,28 @@
 """How the tests are run."""
 
 import gc
+from math import inf
 
 import pytest
 from hypothesis import settings
+
+from sandbox.model import bounds
+from sandbox.model.expressions import Expression
 
 # A slow machine is no counterexample. What is checked is the same every time: a change that fails
 # has broken something. To look for more, again and again: pytest --hypothesis-profile=searching
 settings.register_profile("repeatable", deadline=None, derandomize=True)
 settings.register_profile("searching", deadline=None)
 settings.load_profile("repeatable")
+
+
+@pytest.fixture
+def boundless(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let levels hold any number: what stands behind the bounds must hold without them, too."""
+    for kind in vars(bounds).values():
+        if isinstance(kind, type) and issubclass(kind, Expression):
+            monkeypatch.setattr(kind, "most", inf)
+            monkeypatch.setattr(kind, "least", 0.0)
 
 
 def pytest_collection() -> None:

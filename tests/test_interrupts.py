@@ -16,10 +16,12 @@ PATIENCE = 60.0  # s
 
 @pytest.fixture(autouse=True)
 def _handler() -> Iterator[None]:
-    before, hook = signal.getsignal(signal.SIGINT), sys.unraisablehook
+    numbers = signal.SIGINT, signal.SIGTERM
+    before, hook = [signal.getsignal(number) for number in numbers], sys.unraisablehook
     interrupts.install()
     yield
-    signal.signal(signal.SIGINT, before)
+    for number, handler in zip(numbers, before, strict=True):
+        signal.signal(number, handler)
     sys.unraisablehook = hook
 
 
@@ -28,6 +30,13 @@ def test_ctrl_c_exits_with_the_status_of_shells() -> None:
         signal.raise_signal(signal.SIGINT)
 
     assert exit_.value.code == 130
+
+
+def test_a_request_to_end_exits_with_the_status_of_shells() -> None:
+    with pytest.raises(SystemExit) as exit_:
+        signal.raise_signal(signal.SIGTERM)
+
+    assert exit_.value.code == 143
 
 
 def test_ctrl_c_in_a_callback_exits_once_it_is_over() -> None:

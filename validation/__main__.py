@@ -1,15 +1,17 @@
 """`python -m validation`."""
 
-from sandbox import interrupts, threads
+from sandbox import interrupts, streams, threads
 
 
 def main() -> None:
     """Run the command line, and leave the process with its exit status."""
     interrupts.install()
+    streams.install()
     threads.spare()
-    from validation.cli import app  # that takes a while, and may be interrupted, too
+    with streams.standard():
+        from validation.cli import app  # that takes a while, and may be interrupted, too
 
-    app()
+        app()
 
 
 if __name__ == "__main__":

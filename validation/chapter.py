@@ -3,12 +3,16 @@
 `python -m validation.chapter` writes it to `docs/chapter.md`.
 """
 
+import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "chapter.md"
+PAGE = Path("docs") / "chapter.md"
+"""In the project's sources."""
 
 
 class Part(NamedTuple):
@@ -27,6 +31,7 @@ MOMENTUM = "7. Momentum, impulse, and collisions"
 ROTATION = "8. Rotational dynamics"
 LAGRANGE = "9. Lagrangian mechanics"
 CODE = "10. Classical mechanics in code"
+MACHINES = "Machines, made of all of it"
 
 PARTS = (
     Part(KINEMATICS, "two forces on a box, tip to tail", ("newton/two-forces",)),
@@ -126,6 +131,7 @@ PARTS = (
         "ball down a curved ramp, a zigzag and a helix",
         (
             "energy/curved-ramp",
+            "energy/loop",
             "energy/zigzag",
             "energy/helix",
             "energy/four-slides",
@@ -162,6 +168,7 @@ PARTS = (
     Part(ROTATION, "balance beam", ("rotation/balance-beam",)),
     Part(ROTATION, "a hoop rolls slower than a disc", ("rotation/rolling", "rotation/race")),
     Part(ROTATION, "from sliding to rolling", ("rotation/slide-to-roll",)),
+    Part(ROTATION, "rolling in a half-pipe", ("rotation/half-pipe",)),
     Part(ROTATION, "angular momentum is conserved", ("rotation/thrown-box", "rotation/skater")),
     Part(ROTATION, "a star that collapses spins faster", ("rotation/collapsing-star",)),
     Part(
@@ -196,6 +203,19 @@ PARTS = (
             "lagrange/leapfrog-pendulum",
         ),
     ),
+    Part(MACHINES, "a car over bumps", ("machines/car-over-bumps",)),
+    Part(MACHINES, "a trebuchet", ("machines/trebuchet",)),
+    Part(MACHINES, "a seesaw that throws", ("machines/seesaw",)),
+    Part(MACHINES, "a wrecking ball", ("machines/wrecking-ball",)),
+    Part(MACHINES, "a rope around a drum", ("machines/capstan",)),
+    Part(MACHINES, "a ladder that slides off its wall", ("machines/sliding-ladder",)),
+    Part(MACHINES, "a marble run", ("machines/marble-run",)),
+    Part(MACHINES, "torques at rest and in motion", ("machines/crane", "machines/drawbridge")),
+    Part(MACHINES, "virtual work", ("machines/scissor-lift",)),
+    Part(MACHINES, "a crank and its piston", ("machines/engine", "machines/flywheel")),
+    Part(MACHINES, "a circle made a line", ("machines/chebyshev-linkage",)),
+    Part(MACHINES, "a belt that drives a wheel", ("machines/belt-drive",)),
+    Part(MACHINES, "ten bodies on nine pins", ("machines/ragdoll",)),
 )
 
 
@@ -218,5 +238,15 @@ def page() -> str:
     return "\n".join(lines) + "\n"
 
 
+def main() -> int:
+    """Write the map, and return the exit status."""
+    try:
+        write_atomically(catalog.sources() / PAGE, page())
+    except SandboxError as error:
+        sys.stderr.write(f"{error}\n")
+        return 2
+    return 0
+
+
 if __name__ == "__main__":
-    write_atomically(PAGE, page())
+    sys.exit(main())

@@ -12,6 +12,7 @@ from sandbox.model.files import check_writable
 from sandbox.physics.errors import SimulationError
 from validation import output, suite
 from validation.cases import all_cases
+from validation.extras import needed_for
 
 app = typer.Typer(
     name="validation",
@@ -24,6 +25,13 @@ app = typer.Typer(
 
 JsonFile = Annotated[
     Path | None, typer.Option("--json", metavar="FILE", help="Also write the outcome to this file.")
+]
+
+Jobs = Annotated[
+    int | None,
+    typer.Option(
+        "--jobs", min=1, metavar="N", help="How many processes share them; all cores if left out."
+    ),
 ]
 
 
@@ -49,15 +57,7 @@ def validation() -> None:
 @app.command(name="run")
 def run_cases(
     json_file: JsonFile = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            "--jobs",
-            min=1,
-            metavar="N",
-            help="How many processes share them; all cores if left out.",
-        ),
-    ] = None,
+    jobs: Jobs = None,
 ) -> None:
     """Run every case against its closed form, beside pymunk used naively.
 
@@ -76,6 +76,48 @@ def run_cases(
     typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
     if failed:
         raise typer.Exit(FAILED)
+
+
+@app.command()
+def compose(
+    count: Annotated[
+        int, typer.Option("--count", min=1, metavar="N", help="How many scenes.")
+    ] = 200,
+    seed: Annotated[
+        int, typer.Option("--seed", min=0, metavar="S", help="What they are drawn from.")
+    ] = 0,
+    scenes: Annotated[
+        list[int] | None,
+        typer.Option("--scene", min=0, metavar="SEED", help="Only the scene with this own seed."),
+    ] = None,
+    json_file: JsonFile = None,
+    output: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write levels that fail there, to be played.")
+    ] = None,
+    jobs: Jobs = None,
+) -> None:
+    """Judge random compositions of bodies, joints and effects by what must hold in any run.
+
+    Exit status 1 if a judgement fails. A scene that is refused with a reason is none.
+    """
+    with _told():
+        measure = _composer()
+        passed = measure(scenes or _seeds(seed, count), json_file, output, jobs)
+    if not passed:
+        raise typer.Exit(FAILED)
+
+
+def _seeds(seed: int, count: int) -> list[int]:
+    from validation.compose.scenes import seeds
+
+    return seeds(seed, count)
+
+
+def _composer() -> Callable[..., bool]:
+    """Return what judges compositions, which needs a library that nothing else does."""
+    with needed_for("a judgement of compositions"):
+        from validation.compose.command import measure
+    return measure
 
 
 @app.command()
@@ -141,13 +183,8 @@ def report(
 
 def _writer() -> Callable[..., bool]:
     """Return what writes reports, which needs libraries that nothing else does."""
-    try:
+    with needed_for("a report"):
         from validation.report.command import write
-    except ModuleNotFoundError as error:
-        raise SandboxError(
-            f"a report needs the library {error.name!r}, which is not installed:"
-            " python -m pip install 'mechanics-sandbox[report]' (in a checkout: -e '.[report]')"
-        ) from error
     return write
 
 
@@ -170,4 +207,34 @@ def stability(
     with _told():
         failed = measure(json_file, quick=quick, update=update and not quick)
     if failed:
+        raise typer.Exit(FAILED)
+
+
+@app.command()
+def fuzz(
+    count: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="How many levels. [default: 1000]")
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="S", help="Which levels.")] = 0,
+    minutes: Annotated[
+        float | None,
+        typer.Option(min=0, metavar="M", help="For how long; as many as that allows without N."),
+    ] = None,
+    json_file: JsonFile = None,
+    samples: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Where what goes wrong is kept. [default: out/fuzz]"),
+    ] = None,
+) -> None:
+    """Try levels that nobody would write: from the schema, and the project's own, changed.
+
+    Each must be answered within two seconds of computing and 500 MB. What goes wrong is made as
+    small as can be, and kept. Exit status 1 if anything did.
+    """
+    from validation.fuzz import command  # what one command needs need not slow all
+
+    number = count or (None if minutes is not None else 1000)
+    with _told():
+        passed = command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
+    if not passed:
         raise typer.Exit(FAILED)

@@ -7,6 +7,7 @@ from sandbox.app.panels import messages
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
+from sandbox.physics.errors import SimulationError
 
 NOTE = 5.0  # s, how long a passing note is shown
 
@@ -32,6 +33,8 @@ class Banner:
         return messages.draw_banner(surface, pen, area, text, color) if text else 0
 
     def _told(self, session: Session) -> tuple[str, Color]:
+        if session.trying and isinstance(session.failure, SimulationError):
+            return f"{session.failure.told('')} – trying what helps …", theme.FAILED
         if session.failure is not None:
             return f"{session.failure} – R restarts", theme.FAILED
         if session.waiting:

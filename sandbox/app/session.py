@@ -21,6 +21,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.accuracy import Setting, calibrated, keep, recalled
+from sandbox.physics.advice import Advice
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.trace import Recorder, Trace, count_steps, needed
 from sandbox.physics.world import World, build
@@ -51,6 +52,8 @@ class Session:
         Whether time passes by itself, and how fast.
     failure
         Why the run had to stop, or could not be built; None if all is well.
+    trying, advice
+        Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
     trail
         Where the bodies have been.
     books
@@ -98,6 +101,8 @@ class Session:
         self.companions = tuple(companions)
         self.clock = Clock()
         self.failure: SandboxError | None = None
+        self.trying = False
+        self.advice: Advice | None = None
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
         self.pace = Pace()
@@ -145,8 +150,16 @@ class Session:
 
     @property
     def advised(self) -> float | None:
-        """The rate at which a run that had to stop should hold; None if none is known [Hz]."""
-        return self.failure.rate if isinstance(self.failure, SimulationError) else None
+        """The rate at which a run that had to stop holds; None if none is known [Hz]."""
+        if self.trying or not isinstance(self.failure, SimulationError):
+            return None
+        return self.failure.rate
+
+    def take(self, advice: Advice) -> None:
+        """Take in what was found to help a run that had to stop."""
+        self.trying, self.advice = False, advice
+        if isinstance(self.failure, SimulationError):
+            self.failure = self.failure.advised(advice.text, advice.rate)
 
     def rerun(self, rate: float) -> None:
         """Play anew at another rate, from now on [Hz]."""

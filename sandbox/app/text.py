@@ -3,12 +3,29 @@
 from functools import lru_cache
 from importlib.resources import files
 from itertools import groupby
+from unicodedata import category, normalize
 
 import pygame
 
 from sandbox.app.theme import STAGE, TEXT, Color
 
 NO_LETTER = "\U0010ffff"
+
+
+def legible(text: str) -> str:
+    """Return a text on one line without what has no width: SDL refuses to draw that.
+
+    Such are marks that change the direction of writing, halves of characters, and nothing at all.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    shown = (" " if letter.isspace() else letter for letter in normalize("NFC", text))
+    return "".join(letter for letter in shown if letter.isprintable())
+
+
+def typed(text: str) -> str:
+    """Return of a text what a field takes, in which each letter has a width of its own."""
+    return "".join(letter for letter in legible(text) if category(letter) not in ("Mn", "Me"))
 
 
 class Pen:
@@ -25,12 +42,12 @@ class Pen:
         self, text: str, size: int = 14, color: Color = TEXT, bold: bool = False
     ) -> pygame.Surface:
         """Return a line of text on a transparent surface."""
-        font = self.font(size, bold)
+        font, text = self.font(size, bold), legible(text)
         if text.isascii():
             return font.render(text, True, color)
         runs = groupby(text, key=self._lacking)
         parts = [
-            (self.spare(size) if lacking else font).render("".join(letters), True, color)
+            _drawn(self.spare(size) if lacking else font, "".join(letters), color)
             for lacking, letters in runs
         ]
         width = sum(part.width for part in parts)
@@ -44,7 +61,7 @@ class Pen:
     def _lacks(self, letter: str) -> bool:
         """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
         font = self.font(16, False)
-        shown, box = (font.render(text, True, TEXT) for text in (letter, NO_LETTER))
+        shown, box = (_drawn(font, text, TEXT) for text in (letter, NO_LETTER))
         return shown.size == box.size and shown.get_buffer().raw == box.get_buffer().raw
 
     def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
@@ -66,7 +83,7 @@ class Pen:
         lines: list[str] = []
         for paragraph in text.splitlines():
             line = ""
-            for word in paragraph.split(" "):
+            for word in legible(paragraph).split(" "):
                 longer = f"{line} {word}" if line else word
                 if font.size(longer)[0] <= width:
                     line = longer
@@ -90,7 +107,7 @@ class Pen:
 
     def shorten(self, text: str, width: int, size: int = 14) -> str:
         """Return as much of a text as fits on a line [px], with … where something was left out."""
-        font = self.font(size, False)
+        font, text = self.font(size, False), legible(text)
         if font.size(text)[0] <= width:
             return text
         while text and font.size(f"{text}…")[0] > width:
@@ -106,6 +123,13 @@ class Pen:
                 pieces.append("")
             pieces[-1] += letter
         return pieces
+
+
+def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
+    """Return a text as a font draws it; of accents alone there is nothing to be seen."""
+    if font.size(text)[0] > 0:
+        return font.render(text, True, color)
+    return pygame.Surface((0, font.get_height()), pygame.SRCALPHA)
 
 
 def _font(size: int, bold: bool) -> pygame.font.Font:

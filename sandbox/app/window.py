@@ -8,6 +8,7 @@ from time import perf_counter
 import pygame
 
 from sandbox.app import race, theme, whatif, wording
+from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
@@ -20,7 +21,7 @@ from sandbox.app.session import Session
 from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.studying import Studying
-from sandbox.app.text import Pen
+from sandbox.app.text import Pen, legible
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
@@ -65,6 +66,7 @@ class Window:
         self.stage = Stage(self._pen, size)
         self.hand = Hand(self.stage)
         self.studying, self._load = Studying(), Load()
+        self.advising = Advising()
         self.panels = Panels(self._pen, size, self.studying, self._load)
         self._entries = levels.entries()
         self._path: Path | None = None
@@ -160,7 +162,7 @@ class Window:
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
-        pygame.display.set_caption(f"{level.title} – {TITLE}")
+        pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
         self._lay_out()
 
     def _list(self, path: Path) -> None:
@@ -176,6 +178,7 @@ class Window:
         self._advised = None
         pygame.display.set_caption(TITLE)
         self.studying.cancel()
+        self.advising.cancel()
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -199,7 +202,7 @@ class Window:
     @property
     def _busy(self) -> bool:
         playing = self.session is not None and self.session.playing
-        return playing or self._quiet < QUIET or self.studying.running
+        return playing or self._quiet < QUIET or self.studying.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
         """Handle what has happened, let time pass, and draw."""
@@ -207,6 +210,8 @@ class Window:
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._handle(event)
+        if self.session is not None:
+            self.advising.follow(self.session)
         self.panels.advise(self.session.advised if self.session else self._advised)
         self.panels.manager.update(seconds)
         self._banner.update(seconds)
@@ -247,6 +252,7 @@ class Window:
     def close(self) -> None:
         """End what works for the window."""
         self.studying.cancel()
+        self.advising.cancel()
 
     def _follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew."""

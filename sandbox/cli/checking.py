@@ -1,4 +1,4 @@
-"""`check`: whether levels are well formed, and can run at their rate."""
+"""`check`: whether levels are well formed, and can start and run at their rate."""
 
 from collections.abc import Sequence
 
@@ -17,7 +17,7 @@ def check(arguments: Sequence[str]) -> int:
     for argument in arguments:
         try:
             _, level = open_level(argument)
-            _check_rate(level)
+            _check_start(level)
         except SandboxError as error:
             bad += 1
             typer.echo(error, err=True)
@@ -33,10 +33,14 @@ def check(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _check_rate(level: Level) -> None:
-    """Refuse a level whose rate is too low for it; only then the engine is needed."""
-    if bounds_the_rate(level):
+def _check_start(level: Level) -> None:
+    """Refuse a level whose rate is too low for it, or in which bodies overlap at the start.
+
+    Only where either could be, the engine is needed.
+    """
+    contact = level.effects.contact
+    if bounds_the_rate(level) or (contact and not contact.overlaps):
         from sandbox.physics.refusal import refusal
 
-        if error := refusal(level):
+        if error := refusal(level, advised=True):
             raise error

@@ -37,6 +37,9 @@ def _article(visit: Visit) -> str:
     ]
     if visit.picture:
         parts.append(f'<img src="{escape(visit.picture)}" alt="{escape(title)}" loading="lazy">')
-    said = visit.error or "\n".join(verdicts.lines(visit.results, complete=True))
+    found = list(verdicts.lines(visit.results, complete=True))
+    if visit.closing:
+        found.append(f"energy: {visit.closing.told}")
+    said = visit.error or "\n".join(found)
     parts.append(f"<pre>{escape(said)}</pre>")
     return f'<article id="{escape(visit.name)}">\n' + "\n".join(parts) + "\n</article>"

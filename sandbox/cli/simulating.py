@@ -1,6 +1,6 @@
 """`simulate`: a run as a CSV file."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import typer
@@ -10,12 +10,15 @@ from sandbox.app import wording as telling
 from sandbox.cli import usage, varying, verdicts
 from sandbox.cli.accuracy import Choice, asking, settled
 from sandbox.cli.varying import Varied, vary
-from sandbox.model.level import Level
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import trace as traces
+from sandbox.physics.advice import tried
 from sandbox.physics.checks import grade
 from sandbox.physics.comparison import Difference, costs, differences
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.export import write_csv
 from sandbox.physics.trace import Trace, needed
 
@@ -48,23 +51,46 @@ def simulate(
         usage.payable(duration, stepping, "--duration")
     with Console(stderr=True).status(f"Simulating {source} ..."):
         recorded = dict.fromkeys([*names, *needed(level)])
-        trace = traces.simulate(level, values, duration, recorded, stepping)
+        trace = _run(level, values, duration, recorded, stepping)
         if varied:
-            changed = traces.simulate(varied.level, values, duration, recorded, stepping)
+            changed = _run(varied.level, values, duration, recorded, stepping)
             cost = costs((level, varied.level), values, stepping)
     if not varied:
         write_csv(output, trace, source, names)
         _say(output, source, trace, names)
-        return report(trace)
+        status = report(trace)
+        _close(trace)
+        return status
     write_csv(output, changed, source, names, change=varied.change)
     _say(output, f"{source} {varied.change.told}", changed, names)
     _compare(varied, differences(trace, changed), cost[1] - cost[0])
+    _close(changed)
     return 0
+
+
+def _run(
+    level: Level,
+    values: Values,
+    duration: float | None,
+    recorded: Iterable[str],
+    stepping: Stepping,
+) -> Trace:
+    """Run a level; if it has to stop, say what was found to help."""
+    try:
+        return traces.simulate(level, values, duration, recorded, stepping, books=True)
+    except SimulationError as error:
+        raise tried(error, level, values, stepping, duration) from error
 
 
 def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
     steps = f"{len(trace.t) - 1} steps at {trace.stepping.rate:g} Hz to t = {trace.t[-1]:.6g} s"
     typer.echo(f"{output}: {source}, {steps}, {len(names) + 1} columns")
+
+
+def _close(trace: Trace) -> None:
+    """Say how the books of the run's energy closed."""
+    if trace.closing:
+        typer.echo(f"energy: {trace.closing.told}")
 
 
 def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
@@ -84,10 +110,9 @@ def chosen(level: Level, record: Sequence[str]) -> list[str]:
     QuantityError
         If the level has no such quantity.
     """
-    if "all" in record:
-        names = [quantity.name for quantity in quantities(level)]
-    elif record:
-        names = [quantity(name, level).name for name in record]
+    if record:
+        each = [quantity(name, level).name for name in record if name != "all"]
+        names = [found.name for found in quantities(level)] if "all" in record else each
     else:
         names = [*needed(level), *_motion(level)]
     return [name for name in dict.fromkeys(names) if name != "t"]

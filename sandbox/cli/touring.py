@@ -12,6 +12,7 @@ from rich.text import Text
 from sandbox.cli import usage, verdicts
 from sandbox.cli.rendering import go_headless
 from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 
 if TYPE_CHECKING:
@@ -30,19 +31,25 @@ def tour(folder: Path) -> int:
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
         visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
-    write_atomically(folder / INDEX, page(visits))
     Console(highlight=False).print(_table(visits))
     for visited in visits:
         _explain(visited)
     bad = sum(not visited.passed for visited in visits)
-    typer.echo(f"{usage.levels(len(visits))}, {bad or 'none'} failed; see {folder / INDEX}")
+    told = f"{usage.levels(len(visits))}, {bad or 'none'} failed"
+    try:
+        write_atomically(folder / INDEX, page(visits))
+    except SandboxError as error:  # of a full disk, say: what was found is told all the same
+        typer.echo(told)
+        typer.echo(error, err=True)
+        return 1
+    typer.echo(f"{told}; see {folder / INDEX}")
     return int(bad > 0)
 
 
 def _table(visits: "list[Visit]") -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0))
     table.add_column("level", no_wrap=True)
-    for title in ("checks", "error / bound", "seconds"):
+    for title in ("checks", "error / bound", "energy", "seconds"):
         table.add_column(title, justify="right", no_wrap=True)
     table.add_column("verdict")
     for visited in visits:
@@ -51,14 +58,24 @@ def _table(visits: "list[Visit]") -> Table:
             visited.name,
             str(len(visited.results)),
             "-" if worst is None else f"{worst:.2g}",
+            _energy(visited),
             f"{visited.seconds:.2f}",
             Text("passed", "green") if visited.passed else Text("failed", "bold red"),
         )
     return table
 
 
+def _energy(visited: "Visit") -> Text:
+    """Return the share of the energy that is unexplained, in colour if the books do not close."""
+    if visited.closing is None:
+        return Text("-")
+    return Text(f"{visited.closing.share:.1g}", "" if visited.closing.closes else "yellow")
+
+
 def _explain(visited: "Visit") -> None:
-    """Say in what way a level failed."""
+    """Say in what way a level failed, and whether its books do not close."""
+    if visited.closing and not visited.closing.closes:
+        typer.echo(f"{visited.name}: energy: {visited.closing.told}")
     if visited.error:
         typer.echo(f"{visited.name}: {visited.error}", err=True)
     if visited.failures:

@@ -8,7 +8,7 @@ from sandbox.model import catalog
 from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.crowds import CrowdError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
-from sandbox.model.files import check_writable
+from sandbox.model.files import check_writable, make_folder
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
@@ -84,11 +84,9 @@ def output_file(path: Path) -> None:
 def output_folder(path: Path) -> Path:
     """Return a folder, made if it is missing."""
     try:
-        path.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        reason = "it is a file" if path.is_file() else error.strerror
-        raise UsageError(f"cannot make the folder {path}: {reason}") from error
-    output_file(path / "any")
+        make_folder(path)
+    except SandboxError as error:
+        raise UsageError(str(error)) from error
     return path
 
 

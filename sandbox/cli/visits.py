@@ -10,8 +10,11 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
+from sandbox.physics.advice import tried
 from sandbox.physics.checks import Result, grade
-from sandbox.physics.trace import simulate
+from sandbox.physics.closing import Closing
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.trace import Trace, simulate
 
 
 @dataclass(slots=True)
@@ -30,6 +33,8 @@ class Visit:
         How long the run took, drawing not included [s].
     picture
         The name of its file; None if it could not be drawn.
+    closing
+        How the books of its energy closed; None if it did not run to its end.
     error
         Why the level could not be read, run or drawn; empty if it could.
     """
@@ -39,6 +44,7 @@ class Visit:
     results: tuple[Result, ...] = ()
     seconds: float = 0.0
     picture: str | None = None
+    closing: Closing | None = None
     error: str = ""
 
     @property
@@ -65,8 +71,18 @@ def visit(name: str, folder: Path) -> Visit:
 def _fill(found: Visit, folder: Path) -> None:
     found.level = level = load(catalog.find(found.name))
     start = perf_counter()
-    found.results = grade(simulate(level))
+    trace = _run(level)
+    found.results = grade(trace)
     found.seconds = perf_counter() - start
+    found.closing = trace.closing
     picture = f"{found.name.replace('/', '-')}.png"
     save_picture(level, level.defaults, folder / picture)
     found.picture = picture
+
+
+def _run(level: Level) -> Trace:
+    """Run a level with books; if it has to stop, say what was found to help."""
+    try:
+        return simulate(level, books=True)
+    except SimulationError as error:
+        raise tried(error, level, level.defaults, level.stepping) from error

@@ -3,11 +3,11 @@
 from pathlib import Path
 
 from sandbox.model.document import refuse
-from sandbox.model.errors import brief
+from sandbox.model.errors import SandboxError, brief
 from sandbox.model.suggest import meant, suggestion
 
-CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange")
-"""The folders in the order of the document; others follow by name."""
+CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange", "machines")
+"""The folders in the order of the document, then what is made of it; others follow by name."""
 
 ORDER = "order.txt"
 """The file that tells in which order the levels of a chapter stand; others follow by name."""
@@ -21,6 +21,21 @@ def root() -> Path:
     package = Path(__file__).resolve().parents[1]
     installed = package / "levels"
     return installed if installed.is_dir() else package.parent / "levels"
+
+
+def sources() -> Path:
+    """Return the folder of the project's sources.
+
+    Raises
+    ------
+    SandboxError
+        If the package is installed without them.
+    """
+    folder = Path(__file__).resolve().parents[2]
+    if not (folder / "pyproject.toml").is_file():
+        package = Path(__file__).resolve().parents[1]
+        raise SandboxError(f"this is written in a checkout of the project; {package} is installed")
+    return folder
 
 
 def names() -> list[str]:

@@ -9,6 +9,7 @@ import ast
 import re
 import warnings
 from collections.abc import Callable, Mapping
+from functools import lru_cache
 from types import CodeType
 from typing import Any, ClassVar, Self
 
@@ -104,6 +105,12 @@ class Expression:
     """What a value must satisfy, in words; empty if any finite number will do."""
     bounds: ClassVar[Mapping[str, float]] = {}
     """The rule for a literal number, in the words of JSON Schema."""
+    least: ClassVar[float] = 0.0
+    most: ClassVar[float] = 1e100
+    """How small and how large a value may be, whatever its sign: within these bounds, and the
+    tighter ones of `sandbox.model.bounds`, what a run computes from it stays within a float's."""
+    unit: ClassVar[str] = ""
+    """SI, of the value."""
     variable: ClassVar[str] = ""
     """What the expression may use beside the parameters, such as the time ``t``."""
 
@@ -151,7 +158,25 @@ class Expression:
             raise ExpressionError(f"{self._shown}is {value:g}, not a finite number")
         if not self._holds(value):
             raise ExpressionError(f"{self._shown}is {value:g}, but must be {self.rule}")
+        if beyond := self.beyond(value):
+            raise ExpressionError(f"{self._shown}is {value:g}{self._unit}, {beyond}")
         return value
+
+    @classmethod
+    def beyond(cls, value: float) -> str:
+        """Say that a value is too large or too small to be computed with; empty if it is not."""
+        unit = f" {cls.unit}" if cls.unit else ""
+        if not abs(value) <= cls.most:
+            bound = f"at least {-cls.most:g}" if value < 0 else f"at most {cls.most:g}"
+            return f"but must be {bound}{unit}; what is computed from numbers beyond overflows"
+        if abs(value) < cls.least:
+            bound = f"at least {cls.least:g}{unit}"
+            return f"but must be {bound}; what is computed from smaller numbers underflows"
+        return ""
+
+    @property
+    def _unit(self) -> str:
+        return f" {self.unit}" if self.unit else ""
 
     @staticmethod
     def _holds(value: float) -> bool:  # noqa: ARG004 (subclasses look at it)
@@ -198,9 +223,17 @@ class Expression:
         return {
             "type": ["number", "string"],
             "maxLength": MAX_LENGTH,
-            **cls.bounds,
+            **cls._limits(),
             "$comment": f"A number or {what}{', ' + cls.rule if cls.rule else ''}.",
         }
+
+    @classmethod
+    def _limits(cls) -> dict[str, float]:
+        """Return what a literal number must satisfy, in the words of JSON Schema."""
+        said = {"maximum": cls.most, **cls.bounds}
+        if cls.least or not cls.bounds:
+            said["minimum"] = cls.least or -cls.most
+        return said
 
 
 class Positive(Expression):
@@ -281,6 +314,7 @@ def _number(source: float) -> float:
         raise ExpressionError("is too large a number") from None
 
 
+@lru_cache(maxsize=2000)
 def _compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of an expression that has been checked, and the names that it uses."""
     if len(source) > MAX_LENGTH:

@@ -1,15 +1,33 @@
-"""Writing files whole or not at all."""
+"""Reading and writing files whole or not at all."""
 
 import os
+import platform
+import re
+import stat
 from contextlib import suppress
+from hashlib import sha256
 from pathlib import Path
 from uuid import uuid4
 
 from sandbox.model.errors import SandboxError
 
+_PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
+"""What a file is called while it is written: by which machine, by which process, and a number."""
 
-def write_atomically(path: Path, data: str | bytes) -> None:
+
+def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> None:
     """Write a file beside its place, then move it there: nobody ever finds half of it.
+
+    What a process that was killed has left of such files in the folder is removed.
+
+    Parameters
+    ----------
+    path
+        Where it belongs.
+    data
+        What it holds.
+    follow
+        Whether it belongs where a link leads that has its name; else it takes the link's place.
 
     Raises
     ------
@@ -17,8 +35,9 @@ def write_atomically(path: Path, data: str | bytes) -> None:
         If it cannot be written; what was there before is then still there.
     """
     check_writable(path)
-    target = Path(os.path.realpath(path))  # a link stays a link
-    beside = target.with_name(f".{uuid4().hex}.part")
+    target = Path(os.path.realpath(path)) if follow else path
+    _sweep(target.parent)
+    beside = target.with_name(f".{_machine()}-{os.getpid()}-{uuid4().hex}.part")
     try:
         with beside.open("xb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
@@ -31,6 +50,51 @@ def write_atomically(path: Path, data: str | bytes) -> None:
         raise
 
 
+def read_ordinary(path: Path, largest: int) -> bytes | None:
+    """Return what a file holds; None if it is a link, a pipe or a device, or larger than that.
+
+    Raises
+    ------
+    OSError
+        If there is no such file, or it cannot be read.
+    """
+    plain = getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+    if path.is_symlink():  # where the system cannot be asked to refuse it
+        return None
+    with open(os.open(path, os.O_RDONLY | plain), "rb") as file:
+        status = os.fstat(file.fileno())
+        if not stat.S_ISREG(status.st_mode) or status.st_size > largest:
+            return None
+        return file.read(largest)
+
+
+def _sweep(folder: Path) -> None:
+    """Remove what processes have begun to write in a folder that are no more."""
+    with suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            found = _PART.fullmatch(entry.name)
+            if found and found[1] == _machine() and not _lives(int(found[2])):
+                with suppress(OSError):
+                    os.unlink(entry.path)
+
+
+def _machine() -> str:
+    return sha256(platform.node().encode()).hexdigest()[:8]
+
+
+def _lives(process: int) -> bool:
+    """Whether there is such a process, or there may be: there, nobody can remove its open file."""
+    if os.name == "nt":  # where to ask a process would end it
+        return process == os.getpid()
+    try:
+        os.kill(process, 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):
+        return True
+    return True
+
+
 def check_writable(path: Path) -> None:
     """Refuse a path at which no file can be written, as far as can be told without writing one.
 
@@ -39,7 +103,10 @@ def check_writable(path: Path) -> None:
     SandboxError
         If the path is taken by something else, or its folder is missing or read-only.
     """
-    target = os.path.realpath(path)
+    try:
+        target = os.path.realpath(path)
+    except FileNotFoundError:  # of a path that begins where one is
+        raise _refusal(path, "the working folder is there no more") from None
     folder = os.path.dirname(target)
     if os.path.isdir(target):
         raise _refusal(path, "it is a folder")
@@ -53,6 +120,22 @@ def check_writable(path: Path) -> None:
         raise _refusal(path, f"the folder {path.parent} is read-only")
     if os.path.exists(target) and not os.access(target, os.W_OK):
         raise _refusal(path, "it is there and read-only")
+
+
+def make_folder(folder: Path) -> None:
+    """Make a folder if it is not there, and refuse it if no file can be written in it.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be made, or is read-only.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        reason = "it is a file" if folder.is_file() else error.strerror
+        raise SandboxError(f"cannot make the folder {folder}: {reason}") from error
+    check_writable(folder / "any")
 
 
 def _refusal(path: Path, reason: str) -> SandboxError:

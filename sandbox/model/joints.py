@@ -10,17 +10,27 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field, Tag
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Curve, Expression, Formula, NonNegative, Positive
+from sandbox.model.bounds import (
+    Coordinate,
+    Damping,
+    Extent,
+    LengthOverTime,
+    SpinOverTime,
+    Stiffness,
+    Width,
+)
+from sandbox.model.expressions import Curve, Expression
 from sandbox.model.locating import Path
+from sandbox.model.mention import BodyName
 from sandbox.model.shapes import Point
 
 
 class Held(Model):
     """A point of a body."""
 
-    body: str
+    body: BodyName
     """whose"""
-    at: Point = (Expression(0), Expression(0))
+    at: Point = (Coordinate(0), Coordinate(0))
     """[x, y] in m, from its centre of mass, along its own axes"""
 
 
@@ -36,7 +46,7 @@ def _end_kind(end: object) -> str | None:
 
 
 End = Annotated[
-    Annotated[str, Tag("a body")]
+    Annotated[BodyName, Tag("a body")]
     | Annotated[Held, Tag("a point of a body")]
     | Annotated[Point, Tag("a fixed point")],
     Discriminator(_end_kind),
@@ -50,7 +60,7 @@ class Rod(Model):
     type: Literal["rod"]
     ends: tuple[End, End]
     """what it holds together; each turns freely"""
-    length: Formula | None = None
+    length: LengthOverTime | None = None
     """m, of the parameters and the time t; the distance at the start if left out"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
@@ -62,7 +72,7 @@ class Rope(Model):
     type: Literal["rope"]
     ends: tuple[End, End]
     """what it ties together"""
-    length: Positive | None = None
+    length: Extent | None = None
     """m; the distance at the start if left out, slack at first if longer"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
@@ -79,7 +89,7 @@ class Pulley(Model):
     """what it is tied to"""
     over: Annotated[tuple[End, ...], Field(min_length=1, max_length=20)]
     """the pegs it runs over, from the first end to the second"""
-    length: Positive | None = None
+    length: Extent | None = None
     """m; the length of its path at the start if left out, slack at first if longer"""
 
 
@@ -119,7 +129,7 @@ class Motor(Model):
     type: Literal["motor"]
     ends: tuple[End, End]
     """the points that it keeps together"""
-    rate: Formula
+    rate: SpinOverTime
     """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
@@ -129,9 +139,9 @@ class Winding(Model):
     """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
 
     type: Literal["winding"]
-    ends: tuple[End, str]
+    ends: tuple[End, BodyName]
     """what it is tied to, outside the wheel; the body that is the wheel"""
-    radius: Positive
+    radius: Extent
     """m, of the circle on which it is wound, about the wheel's centre of mass"""
     unwinds: Literal["clockwise", "counterclockwise"]
     """how the wheel turns when it gives off string"""
@@ -143,11 +153,11 @@ class Spring(Model):
     type: Literal["spring"]
     ends: tuple[End, End]
     """what it pulls at"""
-    stiffness: NonNegative
+    stiffness: Stiffness
     """N/m, k"""
-    length: NonNegative | None = None
+    length: Width | None = None
     """m, l0, where it is slack; the distance at the start if left out"""
-    damping: NonNegative = NonNegative(0)
+    damping: Damping = Damping(0)
     """kg/s, c"""
     pushes_only: bool = False
     """whether it lets go beyond its length l0, as a bumper that is only touched"""

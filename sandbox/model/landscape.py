@@ -4,6 +4,7 @@ import numpy as np
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Profile, Values
+from sandbox.model.mention import BodyName
 from sandbox.model.shapes import Point
 
 POINTS = 241
@@ -17,7 +18,7 @@ class Landscape(Model):
     that goes wrong leaves the curve.
     """
 
-    body: str
+    body: BodyName
     """whose potential energy it is"""
     potential: Profile
     """J, over the parameters and the place x"""

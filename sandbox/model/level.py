@@ -21,12 +21,25 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from sandbox.model.base import Model
+from sandbox.model.bounds import (
+    LARGEST_PARAMETER,
+    Angle,
+    Coefficient,
+    Coordinate,
+    Duration,
+    Extent,
+    Mass,
+    Moment,
+    Speed,
+    Spin,
+)
 from sandbox.model.effects import Effects
-from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive, Values
+from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
 from sandbox.model.joints import (
     End,
     Held,
     Joint,
+    Own,
     Pulley,
     bodies_of,
     body_of,
@@ -35,8 +48,9 @@ from sandbox.model.joints import (
 )
 from sandbox.model.landscape import Landscape
 from sandbox.model.locating import Path
+from sandbox.model.mention import BodyName, Couple, Mention, QuantityName
 from sandbox.model.origin import Origin
-from sandbox.model.shapes import Point, Shape, evaluate
+from sandbox.model.shapes import Point, Shape, Velocity, evaluate
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
 """What bodies, joints and parameters are called: a letter, then letters, digits or _."""
@@ -57,7 +71,7 @@ HIGHEST_RATE = 100_000
 FINEST = 1e-14
 """The least accuracy that may be asked for: below it is rounding."""
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
+Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
 
 
@@ -81,21 +95,21 @@ class Body(Model):
 
     type: Literal["dynamic", "kinematic", "static"] = "dynamic"
     shape: Shape
-    mass: Positive | None = None
+    mass: Mass | None = None
     """kg; dynamic bodies have one, others do not"""
-    moment: Positive | None = None
+    moment: Moment | None = None
     """kg m², about the centre of mass; that of the uniform shape if left out"""
-    position: Point = (Expression(0), Expression(0))
+    position: Point = (Coordinate(0), Coordinate(0))
     """[x, y] in m, y up, at the start; of a dynamic body the position of its centre of mass"""
-    angle: Expression = Expression(0)
+    angle: Angle = Angle(0)
     """rad, counter-clockwise, at the start; from degrees with `"30*deg"`"""
-    velocity: Point = (Expression(0), Expression(0))
+    velocity: Velocity = (Speed(0), Speed(0))
     """[x, y] in m/s, at the start"""
-    angular_velocity: Expression = Expression(0)
+    angular_velocity: Spin = Spin(0)
     """rad/s, counter-clockwise, at the start"""
-    friction: NonNegative | None = None
+    friction: Coefficient | None = None
     """coefficient; a pair's is the product of its bodies' own"""
-    static_friction: NonNegative | None = None
+    static_friction: Coefficient | None = None
     """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
@@ -127,14 +141,14 @@ class ContactEvent(Model):
     """
 
     event: Literal["contact"]
-    bodies: tuple[str, str]
+    bodies: Couple
 
 
 class CrossingEvent(Model):
     """A quantity crosses a value for the first time; measured between steps."""
 
     event: Literal["crossing"]
-    quantity: str
+    quantity: QuantityName
     value: Expression = Expression(0)
     direction: Literal["up", "down", "either"] = "either"
 
@@ -143,15 +157,15 @@ class ApexEvent(Model):
     """A body stops rising for the first time; measured between steps."""
 
     event: Literal["apex"]
-    body: str
+    body: BodyName
 
 
 class LandingEvent(Model):
     """A body's centre falls to a height for the first time; measured between steps."""
 
     event: Literal["landing"]
-    body: str
-    height: Expression = Expression(0)
+    body: BodyName
+    height: Coordinate = Coordinate(0)
     """m"""
 
 
@@ -175,7 +189,7 @@ Instant = Annotated[
 class Check(Model):
     """A quantity, its closed form, and how far the two may differ."""
 
-    quantity: str
+    quantity: QuantityName
     """such as `ball.position.x` or `string.tension`"""
     formula: Formula
     """over the parameters and the time t"""
@@ -234,9 +248,9 @@ class Stepping(Model):
 class View(Model):
     """What part of the plane is shown."""
 
-    center: Point = (Expression(0), Expression(0))
+    center: Point = (Coordinate(0), Coordinate(0))
     """[x, y] in m, of the middle of the picture"""
-    width: Positive = Positive(10)
+    width: Extent = Extent(10)
     """m, of the picture"""
     components: bool = False
     """whether velocities are drawn with their components"""
@@ -267,11 +281,11 @@ class Level(Model):
     """what ties bodies together"""
     stepping: Stepping = Stepping()
     """how time advances"""
-    duration: Positive = Positive(10)
+    duration: Duration = Duration(10)
     """s, how long the checks hold and a run lasts"""
     checks: Annotated[tuple[Check, ...], Field(max_length=200)] = ()
     """the closed forms that a run is held against"""
-    ghosts: Mapping[Name, tuple[Formula, Formula]] = {}
+    ghosts: Mapping[Annotated[Name, Mention("body")], tuple[Formula, Formula]] = {}
     """where the closed form says that a body is: [x, y] over the parameters and t"""
     view: View = View()
     """what part of the plane is shown"""
@@ -291,9 +305,29 @@ class Level(Model):
         return {name: parameter.value for name, parameter in self.parameters.items()}
 
 
+def is_direct(level: Level) -> bool:
+    """Whether contacts are solved directly, together with the exact joints.
+
+    Where the level does not choose, that is so where it has exact joints, and nothing that needs
+    pymunk's solver: joints that are left to it, and slipping whose end is located.
+    """
+    contact, friction = level.effects.contact, level.effects.friction
+    if contact is None:
+        return False
+    if contact.solver is not None:
+        return contact.solver == "direct"
+    joints = level.joints.values()
+    left = any(isinstance(joint, Own) and not joint.exact for joint in joints)
+    ends = friction is not None and friction.located is not None
+    return any(is_exact(joint) for joint in joints) and not (left or ends)
+
+
 def is_alone(name: str, level: Level) -> bool:
-    """Whether a joint is a plain string that shares no body that moves with another exact joint."""
-    if not isinstance(level.joints[name], Pulley):
+    """Whether a joint is a plain string that shares no body that moves with another exact joint.
+
+    Where contacts are solved directly none is alone.
+    """
+    if not isinstance(level.joints[name], Pulley) or is_direct(level):
         return False
     joint = level.joints[name]
     first, *pegs, last = points(joint)

@@ -10,14 +10,15 @@ from operator import getitem
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import rules, wording
 from sandbox.model.consistency import dangling
 from sandbox.model.document import Document, refuse
-from sandbox.model.errors import MAX_MISTAKES, ValueRangeError, brief
-from sandbox.model.expressions import Values
+from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
+from sandbox.model.expressions import MAX_LENGTH, Values
 from sandbox.model.level import Level, Parameter
 from sandbox.model.locating import Path as Place
 from sandbox.model.locating import position
@@ -27,6 +28,11 @@ from sandbox.model.suggest import meant
 
 MAX_BYTES = 5_000_000
 """The largest file that is read: as much as the most bodies need, of some 200 bytes each."""
+
+LONGEST_NAME = 31
+
+MAX_FORMULAS = 300_000
+"""Characters of all different formulas together: to read so many takes two seconds."""
 
 _MENDED = ("expression", "float_type", "int_type", "missing", "greater_than", "finite_number")
 """The types of pydantic's errors that a 1 in the place of the value usually mends."""
@@ -71,8 +77,23 @@ def parse(text: str, source: str = "<text>") -> Level:
     LevelError
         If the level has mistakes.
     """
+    try:
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            return _parsed(text, source)
+    except LevelError:
+        raise
+    except Exception as error:  # a defect, of which whoever reads gets an answer, too
+        what = " ".join(f"{error}".split()) or "no more is known"
+        rule = f"its numbers lead where nothing can be computed ({type(error).__name__}: {what})"
+        raise LevelError((Mistake(source, None, None, "", rule),)) from error
+
+
+def _parsed(text: str, source: str) -> Level:
     document = Document(text, source)
     data = document.read()
+    if (length := _formulas_length(data)) > MAX_FORMULAS:
+        rule = f"holds formulas of {length:,} characters, and {MAX_FORMULAS:,} are the most"
+        refuse(source, rule)
     try:
         level = Level.model_validate_json(text)
     except ValidationError as error:
@@ -84,6 +105,21 @@ def parse(text: str, source: str = "<text>") -> Level:
         document.refuse(found)
     level.read_from(Origin(text, source))
     return level
+
+
+def _formulas_length(data: object) -> int:
+    """Return how many characters all different formulas have that cannot be names as well."""
+    found, pending = set[str](), [data]
+    while pending:
+        part = pending.pop()
+        if isinstance(part, str):
+            if LONGEST_NAME < len(part) <= MAX_LENGTH:  # longer ones are not even read
+                found.add(part)
+        elif isinstance(part, dict):
+            pending += part.values()
+        elif isinstance(part, list):
+            pending += part
+    return sum(map(len, found))
 
 
 def digest(level: Level) -> str:

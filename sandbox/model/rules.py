@@ -5,13 +5,14 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 `Condition` (see `sandbox.model.conditions`), and must hold at the corners of their ranges.
 """
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
+from functools import cache
 from itertools import chain, islice, product
 
 import numpy as np
 
 from sandbox.model.conditions import conditions
-from sandbox.model.consistency import dangling, inconsistencies
+from sandbox.model.consistency import dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
 from sandbox.model.level import Level
@@ -21,9 +22,18 @@ from sandbox.model.parts import Fault, expressions
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
 
+FEWEST = 2
+"""How many are tried of whatever takes long: all parameters at their least, and at their most."""
+
+PATIENCE = 5e5
+"""µs, about how long a level is looked at before fewer are tried; counted, not measured, so that
+the same is found everywhere."""
+
 
 def faults(level: Level) -> list[Fault]:
     """Return everything that is wrong with a level, as far as it makes sense to look."""
+    if found := _most(too_much(level)):
+        return found
     if next(dangling(level), None):
         return _most(inconsistencies(level))
     return _most(chain(inconsistencies(level), _values(level))) or _most(_late(level))
@@ -40,7 +50,9 @@ def broken(level: Level, values: Values) -> Iterator[Fault]:
             yield Fault(condition.path, rule)
 
 
-def corners(level: Level, names: Collection[str] | None = None) -> Iterator[Values]:
+def corners(
+    level: Level, names: Collection[str] | None = None, most: int = MAX_CORNERS
+) -> Iterator[Values]:
     """Yield the defaults, then what the bounds of the parameters combine to.
 
     Parameters
@@ -48,26 +60,44 @@ def corners(level: Level, names: Collection[str] | None = None) -> Iterator[Valu
     level
         Whose parameters.
     names
-        The parameters that vary, the others keep their defaults; all if left out. Of more than
-        eight not all combinations are tried, but each bound alone, and all of a side together.
+        The parameters that vary, the others keep their defaults; all if left out. Where there are
+        more combinations than may be tried, only some are: all of a side together, then each bound
+        alone.
+    most
+        How many combinations are tried at the most.
     """
     defaults = level.defaults
     yield defaults
     ranges = {n: (p.min, p.max) for n, p in level.parameters.items() if names is None or n in names}
-    if 2 ** len(ranges) <= MAX_CORNERS:
+    if ranges:
+        yield from ({**defaults, **bounds} for bounds in islice(_bounds(ranges, most), most))
+
+
+def _bounds(ranges: Mapping[str, tuple[float, float]], most: int) -> Iterator[Values]:
+    if 2 ** len(ranges) <= most:
         for values in product(*ranges.values()):
-            yield {**defaults, **dict(zip(ranges, values, strict=True))}
+            yield dict(zip(ranges, values, strict=True))
         return
     for side in (0, 1):
-        yield {**defaults, **{name: bounds[side] for name, bounds in ranges.items()}}
-        for name, bounds in ranges.items():
-            yield {**defaults, name: bounds[side]}
+        yield {name: bounds[side] for name, bounds in ranges.items()}
+    for name, bounds in ranges.items():
+        for bound in bounds:
+            yield {name: bound}
 
 
 def _values(level: Level) -> Iterator[Fault]:
-    """Every condition holds over the whole ranges of the parameters."""
-    for condition in conditions(level):
-        for values in corners(level, condition.names):
+    """Every condition holds over the whole ranges of the parameters.
+
+    Of a level that would take too long, fewer combinations of their bounds are tried. What that
+    leaves out is told when somebody chooses such values.
+    """
+    asked = list(conditions(level))
+    tried = cache(lambda names, most: list(corners(level, names, most)))
+    spared = sum(c.work * min(2 ** len(c.names), MAX_CORNERS) for c in asked) > PATIENCE
+    varied = sum(1 for condition in asked if condition.names) or 1
+    for condition in asked:
+        most = int(PATIENCE / varied / condition.work) if spared else MAX_CORNERS
+        for values in tried(condition.names, min(max(most, FEWEST), MAX_CORNERS)):
             if rule := condition.fault(values):
                 used = ", ".join(f"{name} = {values[name]:g}" for name in sorted(condition.names))
                 yield Fault(condition.path, f"{rule} when {used}" if used else rule)

@@ -9,9 +9,11 @@ from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
+from sandbox.model.mention import NAMES
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -33,13 +35,22 @@ class _Generate(GenerateJsonSchema):
 
     def dict_schema(self, schema: core_schema.DictSchema) -> JsonSchemaValue:
         """Refuse what has no proper name."""
-        return {**super().dict_schema(schema), "additionalProperties": False}
+        made = {**super().dict_schema(schema), "additionalProperties": False}
+        keys = made.pop("propertyNames", {})  # their pattern is said already
+        return {**made, NAMES: keys[NAMES]} if NAMES in keys else made
+
+
+def grammar() -> dict[str, Any]:
+    """Return the JSON Schema of a level that also says which texts name a body or a quantity.
+
+    An object that has such a key has names for keys.
+    """
+    return Level.model_json_schema(by_alias=True, schema_generator=_Generate)
 
 
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of a level."""
-    made = Level.model_json_schema(by_alias=True, schema_generator=_Generate)
-    explained: dict[str, Any] = _explain({"$schema": DIALECT, **made})
+    explained: dict[str, Any] = _explain({"$schema": DIALECT, **grammar()})
     return explained
 
 
@@ -49,7 +60,14 @@ def text() -> str:
 
 
 def write() -> Path:
-    """Write the schema beside the levels, whole or not at all, and return where."""
+    """Write the schema beside the levels, whole or not at all, and return where.
+
+    Raises
+    ------
+    SandboxError
+        If the package is installed: it keeps the schema that it came with.
+    """
+    catalog.sources()
     target = catalog.root() / "level.schema.json"
     write_atomically(target, text())
     return target
@@ -68,6 +86,8 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
     if not isinstance(part, dict):
         return part
     made = {key: _explain(value) for key, value in part.items()}
+    if isinstance(made.get(NAMES), str):  # which no editor knows
+        del made[NAMES]
     if isinstance(said := made.get("description"), str):
         made["description"] = " ".join(said.split())
     if isinstance(comment := made.pop("$comment", None), str):
@@ -75,5 +95,15 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
     return made
 
 
+def main() -> int:
+    """Write the schema, say where, and return the exit status."""
+    try:
+        sys.stdout.write(f"{write()}\n")
+    except SandboxError as error:
+        sys.stderr.write(f"{error}\n")
+        return 2
+    return 0
+
+
 if __name__ == "__main__":
-    sys.stdout.write(f"{write()}\n")
+    sys.exit(main())

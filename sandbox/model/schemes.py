@@ -7,7 +7,7 @@ rods, pins, rails and wires: it holds back in time as well.
 from collections.abc import Iterator
 
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Formula, NonNegative
+from sandbox.model.expressions import Formula
 from sandbox.model.joints import Joint, Motor, Pivot, Pulley, Rod, Rope, Spring, Weld, Winding
 from sandbox.model.level import Level
 
@@ -41,7 +41,7 @@ def _obstacles(level: Level) -> Iterator[str]:
 
 def _unsmooth_joint(joint: Joint, name: str) -> str | None:
     match joint:
-        case Spring(damping=damping) if damping != NonNegative(0):
+        case Spring(damping=damping) if damping.source != 0:
             return f"the damping of {name}"
         case Spring(pushes_only=True):
             return f"that {name} lets go"

@@ -1,10 +1,11 @@
 """The shapes a body can have.
 
-A dynamic body's position is its centre of mass: the points of a polygon, segment or polyline are
-moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies keep
-their points as they are written, relative to their position.
+A dynamic body's position is its centre of mass: the points of a polygon, segment, polyline or arc
+are moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies
+keep their points as they are written, relative to their position.
 """
 
+from math import tau
 from typing import Annotated, Literal
 
 import numpy as np
@@ -12,16 +13,23 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.expressions import Array, Expression, NonNegative, Positive, Values
+from sandbox.model.bounds import Acceleration, Coordinate, Extent, Speed, Width
+from sandbox.model.expressions import Array, Expression, Values
 
-Point = tuple[Expression, Expression]
-"""Two coordinates: [x, y]."""
+Point = tuple[Coordinate, Coordinate]
+"""Two coordinates: [x, y] in m."""
+
+Velocity = tuple[Speed, Speed]
+"""[x, y] in m/s."""
+
+Fall = tuple[Acceleration, Acceleration]
+"""[x, y] in m/s²."""
 
 XY = tuple[float, float]
 
 
-def evaluate(point: Point, values: Values) -> XY:
-    """Return the coordinates of a point for the given parameters."""
+def evaluate(point: tuple[Expression, Expression], values: Values) -> XY:
+    """Return the components of a point or a vector for the given parameters."""
     return point[0](values), point[1](values)
 
 
@@ -36,15 +44,15 @@ class Disc(Model):
     """A uniform disc: I = m r² / 2."""
 
     type: Literal["disc"]
-    radius: Positive
+    radius: Extent
     """m"""
 
 
 class Hoop(Model):
-    """A thin ring that collides as a disc does: I = m r²."""
+    """A thin ring, touched from outside and, by what is within it, from inside: I = m r²."""
 
     type: Literal["hoop"]
-    radius: Positive
+    radius: Extent
     """m"""
 
 
@@ -52,9 +60,9 @@ class Box(Model):
     """A uniform rectangle: I = m (w² + h²) / 12."""
 
     type: Literal["box"]
-    width: Positive
+    width: Extent
     """m"""
-    height: Positive
+    height: Extent
     """m"""
 
 
@@ -74,7 +82,7 @@ class Segment(Model):
     """m, relative to the body"""
     end: Point
     """m, relative to the body"""
-    thickness: NonNegative = NonNegative(0)
+    thickness: Width = Width(0)
     """m"""
 
 
@@ -84,11 +92,34 @@ class Polyline(Model):
     type: Literal["polyline"]
     points: Annotated[tuple[Point, ...], Field(min_length=2, max_length=2000)]
     """m, relative to the body"""
-    thickness: NonNegative = NonNegative(0)
+    thickness: Width = Width(0)
     """m"""
 
 
-Shape = Annotated[Disc | Hoop | Box | Polygon | Segment | Polyline, Field(discriminator="type")]
+class Arc(Model):
+    """A part of a circle, touched from inside and outside: a loop, a half-pipe, a hollow.
+
+    It is a thin wire, I = m (r² − c²), c the distance of its centre of mass from that of the
+    circle; which lies where the body is, unless that is dynamic.
+    """
+
+    type: Literal["arc"]
+    radius: Extent
+    """m, of the middle of its thickness"""
+    start: Expression
+    """rad, the direction of the one end from the centre; from degrees with `"180*deg"`"""
+    end: Expression
+    """rad, that of the other end; the arc runs to it counter-clockwise, so it is the larger"""
+    thickness: Width = Width(0)
+    """m"""
+
+
+Shape = Annotated[
+    Disc | Hoop | Box | Polygon | Segment | Polyline | Arc, Field(discriminator="type")
+]
+
+ROUND_OFF = 1e-12
+"""rad, by which an arc that goes all the way round may go too far."""
 
 
 def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
@@ -104,6 +135,8 @@ def points_of(shape: Polygon | Segment | Polyline) -> tuple[Point, ...]:
 
 def fault(shape: Shape, values: Values) -> str | None:
     """Say what is wrong with a shape's geometry for the given parameters, if anything is."""
+    if isinstance(shape, Arc):
+        return _arc_fault(shape, values)
     if not isinstance(shape, Polygon | Segment | Polyline):
         return None
     points = np.array([evaluate(point, values) for point in points_of(shape)])
@@ -116,6 +149,18 @@ def fault(shape: Shape, values: Values) -> str | None:
         return f"the points {i} and {(i + 1) % len(points)} are the same"
     with np.errstate(all="ignore"):
         return _polygon_fault(starts, ends) if closed else None
+
+
+def _arc_fault(arc: Arc, values: Values) -> str | None:
+    start, end = arc.start(values), arc.end(values)
+    if not start < end:
+        return f"'end' must be larger than 'start', {start:.6g} rad, but it is {end:.6g} rad"
+    if end - start > tau + ROUND_OFF:
+        return f"an arc goes round once at the most, but this one turns by {end - start:.6g} rad"
+    radius, thickness = arc.radius(values), arc.thickness(values)
+    if thickness >= 2 * radius:
+        return f"'thickness' {thickness:.3g} m leaves nothing of a hollow of radius {radius:.3g} m"
+    return None
 
 
 def _polygon_fault(starts: Array, ends: Array) -> str | None:

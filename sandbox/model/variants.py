@@ -12,10 +12,11 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import wording
+from sandbox.model.bounds import Coefficient
 from sandbox.model.consistency import inconsistencies
 from sandbox.model.effects import Effects
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.expressions import Expression, ExpressionError, Fraction, NonNegative
+from sandbox.model.expressions import Expression, ExpressionError, Fraction
 from sandbox.model.level import Body, Level
 from sandbox.model.parts import Fault
 from sandbox.model.rules import faults
@@ -36,7 +37,7 @@ DEFAULTS: Mapping[str, Settings] = {
 }
 """What is switched on where nothing is said of it; other effects must be told what they are."""
 
-_COEFFICIENTS: Mapping[str, type[Expression]] = {"friction": NonNegative, "restitution": Fraction}
+_COEFFICIENTS: Mapping[str, type[Expression]] = {"friction": Coefficient, "restitution": Fraction}
 """The effects that have a coefficient a body: 'coefficient' is that of every pair."""
 
 

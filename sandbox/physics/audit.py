@@ -31,17 +31,26 @@ class Audit:
     least
         An energy that is nothing beside the scene [J].
     swing
-        By how much leapfrog lets the energy of a spring swing.
+        By how much the scheme lets energy swing.
+    always
+        Whether the books stay open: what grows slowly, swing by swing, does so in no row of steps.
     """
 
-    def __init__(self, world: "World", least: float, swing: float) -> None:
-        self._world, self._least, self._swing = world, least, swing
+    def __init__(
+        self,
+        world: "World",
+        least: float,
+        swing: float,
+        always: bool,
+    ) -> None:
+        self._world, self._least, self._swing, self._always = world, least, swing, always
         self._inertia = world.scene.inertia
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
+        self._lifted = 0.0  # before they were opened
         self._had = self._lowest = 0.0  # when they were opened: the energy; what was stored since
 
-    def look(self, before: Array) -> float:
+    def look(self, before: Array, lifted: float) -> float:
         """Return how much energy has come from nowhere in a row of steps that change much [J].
 
         0 if it is no more than the scene could have, not finite if it is more than a number holds.
@@ -50,6 +59,8 @@ class Audit:
         ----------
         before
             (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        lifted
+            What taking back overlaps has put in since the start [J].
         """
         now = self._world.snapshot
         motion = np.column_stack((now.velocity, now.angular_velocity))
@@ -59,22 +70,23 @@ class Audit:
         self._most = max(kinetic, self._most)
         much = abs(kinetic - self._kinetic) > MUCH * self._most
         self._kinetic = kinetic
-        if not much:
+        if not (much or self._always):
             self._books = None
+            self._lifted = lifted
             return 0.0
         if self._books is None or self._books.steps != self._world.steps - 1:
             self._books = Ledger(self._world, before)
             self._had = self._books.balance.energy
             self._lowest = _stored(self._books.balance)
         self._books.note()
-        return self._gained(self._books.balance)
+        return self._gained(self._books.balance, lifted - self._lifted)
 
-    def _gained(self, balance: Balance) -> float:
+    def _gained(self, balance: Balance, lifted: float) -> float:
         self._lowest = min(self._lowest, _stored(balance))
         put_in = sum(max(work, 0.0) for work in balance.work.values())
-        there_was = self._had - self._lowest + put_in + self._least
+        there_was = self._had - self._lowest + put_in + lifted + self._least
         given = sum(max(-loss, 0.0) for loss in balance.loss.values())  # by what can only take
-        gained = balance.unexplained + given
+        gained = balance.unexplained - lifted + given
         return gained if gained > there_was * self._swing else 0.0
 
 

@@ -30,6 +30,8 @@ class Balance:
         each [N s, N m s].
     unexplained_impulse
         What the momentum has grown by beyond that: (3,).
+    overlaps
+        Of what is unexplained, what taking back overlaps gave, for it moves bodies [J].
     """
 
     kinetic: float
@@ -39,6 +41,7 @@ class Balance:
     unexplained: float
     impulse: Mapping[str, Array]
     unexplained_impulse: Array
+    overlaps: float
 
     @property
     def energy(self) -> float:

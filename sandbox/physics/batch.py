@@ -65,8 +65,8 @@ class Contacts(NamedTuple):
         (k, 2, 2), where those are; the second is nowhere if there is but one [m].
     impulse
         (k, 2), on the second body; the first got the opposite [N s].
-    depth
-        (k,), by how much they overlap [m].
+    depths
+        (k, 2), by how much they overlap at these points [m].
     """
 
     bodies: Integers
@@ -77,7 +77,14 @@ class Contacts(NamedTuple):
     touches: Integers
     points: Array
     impulse: Array
-    depth: Array
+    depths: Array
+
+    @property
+    def depth(self) -> Array:
+        """By how much they overlap where they do so most: (k,) [m]."""
+        most: Array = self.depths[:, 0]
+        two = self.touches > 1
+        return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
 
     def and_(self, others: "Contacts") -> "Contacts":
         """Return these contacts and others."""
@@ -125,7 +132,7 @@ NO_CONTACTS = Contacts(
     np.empty(0, dtype=np.intp),
     np.empty((0, 2, 2)),
     np.empty((0, 2)),
-    np.empty(0),
+    np.empty((0, 2)),
 )
 
 
@@ -214,7 +221,6 @@ class Batch:
         on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
         depth = np.einsum("kpc,kc->kp", overlap, direction)
-        depth = np.where(integers[:, 3] > 1, np.maximum(depth[:, 0], depth[:, 1]), depth[:, 0])
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
         impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body

@@ -1,7 +1,8 @@
 """pymunk's bodies: where they start, their mass and moment, and the corners of their shapes."""
 
+from cmath import rect
 from itertools import pairwise
-from math import inf
+from math import ceil, inf, pi, sin
 
 import numpy as np
 import pymunk
@@ -10,6 +11,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import (
     XY,
+    Arc,
     Box,
     Disc,
     Hoop,
@@ -19,14 +21,33 @@ from sandbox.model.shapes import (
     evaluate,
     points_of,
 )
+from sandbox.physics.errors import SimulationError
+
+FAR = 1000
+"""How many times its size a polygon may be away from its origin before its area is lost in the
+rounding of squares: from there on it is looked at from a corner of its own."""
+
+FACETS = 96
+"""Of how many straight pieces a circle is drawn."""
 
 
-def make_body(spec: Body, level: Level, values: Values) -> pymunk.Body:
-    """Make a body where it starts, without a shape; unless things rotate its moment is infinite."""
+def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
+    """Make a body where it starts, without a shape; unless things rotate its moment is infinite.
+
+    Raises
+    ------
+    SimulationError
+        If its shape has no moment of inertia.
+    """
+    spec = level.bodies[name]
     if spec.type == "dynamic":
         assert spec.mass is not None
         mass = spec.mass(values)
-        body = pymunk.Body(mass, _moment(spec, mass, values) if level.effects.rotation else inf)
+        moment = _moment(spec, mass, values) if level.effects.rotation else inf
+        if not moment > 0:  # of which pymunk ends the process
+            rule = f"its moment of inertia comes out as {moment:g} kg m²; its corners are no shape"
+            raise SimulationError(name, 0.0, rule)
+        body = pymunk.Body(mass, moment)
     else:
         static = spec.type == "static"
         body = pymunk.Body(body_type=pymunk.Body.STATIC if static else pymunk.Body.KINEMATIC)
@@ -53,6 +74,8 @@ def _moment(spec: Body, mass: float, values: Values) -> float:
             return pymunk.moment_for_poly(mass, local_points(spec, values))
         case Segment() | Polyline():
             return _moment_of_line(mass, local_points(spec, values))
+        case Arc() as arc:
+            return mass * (arc.radius(values) ** 2 - abs(_middle_of(arc, values)) ** 2)
 
 
 def _moment_of_line(mass: float, points: list[XY]) -> float:
@@ -64,12 +87,35 @@ def _moment_of_line(mass: float, points: list[XY]) -> float:
     return float(mass * np.sum(length * square) / np.sum(length))
 
 
+def _middle_of(arc: Arc, values: Values) -> complex:
+    """Return the centre of mass of a thin arc from the centre of its circle [m]."""
+    start, end = arc.start(values), arc.end(values)
+    half = (end - start) / 2
+    return rect(arc.radius(values) * sin(half) / half, (start + end) / 2)
+
+
+def center_of(arc: Arc, spec: Body, values: Values) -> complex:
+    """Return where the centre of an arc's circle is, relative to its body [m]."""
+    return -_middle_of(arc, values) if spec.type == "dynamic" else 0j
+
+
+def _points_along(arc: Arc, spec: Body, values: Values) -> list[XY]:
+    start, end = arc.start(values), arc.end(values)
+    center, radius = center_of(arc, spec, values), arc.radius(values)
+    count = max(ceil(FACETS * (end - start) / (2 * pi)), 2)
+    points = [center + rect(radius, start + (end - start) * i / count) for i in range(count + 1)]
+    return [(point.real, point.imag) for point in points]
+
+
 def local_points(spec: Body, values: Values) -> list[XY]:
     """Return the corners of a body's shape relative to it [m]; those of a disc or hoop are none.
 
-    A dynamic body's are moved so that the origin is its centre of mass.
+    A dynamic body's are moved so that the origin is its centre of mass. Those of an arc are some
+    that lie on it, to be drawn.
     """
     shape = spec.shape
+    if isinstance(shape, Arc):
+        return _points_along(shape, spec, values)
     if isinstance(shape, Disc | Hoop):
         return []
     if isinstance(shape, Box):
@@ -78,8 +124,17 @@ def local_points(spec: Body, values: Values) -> list[XY]:
     points = [evaluate(point, values) for point in points_of(shape)]
     if spec.type != "dynamic":
         return points
+    points = _from_near(points)
     cx, cy = _centroid(points, closed=isinstance(shape, Polygon))
     return [(x - cx, y - cy) for x, y in points]
+
+
+def _from_near(points: list[XY]) -> list[XY]:
+    """Return points from the first of them if they are far from the origin, else as they are."""
+    corners = np.array(points)
+    if np.abs(corners).max() <= FAR * np.ptp(corners, axis=0).max():
+        return points
+    return [(float(x), float(y)) for x, y in corners - corners[0]]
 
 
 def _centroid(points: list[XY], *, closed: bool) -> XY:

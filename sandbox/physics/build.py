@@ -7,28 +7,47 @@ rotation every moment is infinite, without friction or restitution the coefficie
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping
+from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.batch import Batch
 from sandbox.physics.bodies import make_body
 from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.constraints import pull_by_pymunk
+from sandbox.physics.hollows import Hollows
 from sandbox.physics.joints import Joints
 from sandbox.physics.laws import Gravity, Law, gravity, laws
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.massflow import Share, mass_share
 from sandbox.physics.motion import Reading
-from sandbox.physics.pairs import give_coefficients, take_bounces
+from sandbox.physics.overlaps import refuse_overlaps
+from sandbox.physics.pairs import (
+    correct_contacts,
+    give_coefficients,
+    stand_proud,
+    take_bounces,
+)
+from sandbox.physics.rounds import make_hollow
 from sandbox.physics.schemes import composition
 from sandbox.physics.solids import Touches
 from sandbox.physics.sticking import Sticking
 from sandbox.physics.stiffness import check_drag, check_springs
-from sandbox.physics.surfaces import HAIR, choose_correction, make_surfaces, run_belts, skip_ids
+from sandbox.physics.surfaces import (
+    DIRECT_HAIR,
+    HAIR,
+    choose_correction,
+    leave_contacts,
+    make_surfaces,
+    run_belts,
+    skip_ids,
+)
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct import Direct
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +80,10 @@ class Scene:
         (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
     reach
         How far from the origin pymunk can look for pairs [m].
+    direct
+        Solves contacts and exact joints together; None where pymunk solves contacts.
+    hollows
+        The arcs, and the hoops that may have something in them; None if there are none.
     gravity, laws
         What acts on the bodies; gravity is pymunk's own.
     hooked
@@ -80,6 +103,8 @@ class Scene:
     sticking: Mapping[frozenset[int], Sticking]
     restitution: Array | None
     reach: float
+    direct: "Direct | None"
+    hollows: Hollows | None
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -91,11 +116,12 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     Raises
     ------
     SimulationError
-        If springs are too stiff for the rate, or a drag too strong.
+        If springs are too stiff for the rate, or a drag too strong; if bodies overlap, and the
+        level does not say that they may.
     """
     space = pymunk.Space()
     space.iterations = stepping.iterations
-    bodies = {name: make_body(spec, level, values) for name, spec in level.bodies.items()}
+    bodies = {name: make_body(name, level, values) for name in level.bodies}
     space.add(*bodies.values())
     pairs = _make_contacts(space, bodies, level, values, stepping)
     mass, moment = _inertia(list(bodies.values()))
@@ -107,7 +133,10 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = Joints(level, values, bodies, batch, agility, _touches(space, level))
+    if level.effects.contact and not level.effects.contact.overlaps:
+        refuse_overlaps(space, bodies, pairs.hollows)
     forces = laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate)
+    direct = _make_direct(level, values, stepping, list(bodies.values()), joints, batch, inertia)
     _check_rate(list(bodies), batch, agility, joints, forces, stepping)
     return Scene(
         space=space,
@@ -123,6 +152,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         sticking=pairs.sticking,
         restitution=pairs.restitution,
         reach=pairs.reach,
+        direct=direct,
+        hollows=pairs.hollows,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
         hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
@@ -184,6 +215,7 @@ class _Pairs(NamedTuple):
     sticking: Mapping[frozenset[int], Sticking]
     restitution: Array | None
     reach: float
+    hollows: Hollows | None
 
 
 def _make_contacts(
@@ -195,22 +227,63 @@ def _make_contacts(
 ) -> _Pairs:
     """Give bodies the shapes with which they touch, and say what happens where they do."""
     if not level.effects.contact:
-        return _Pairs(0, {}, None, inf)
+        return _Pairs(0, {}, None, inf, None)
     ours = not stepping.as_it_comes
     if ours:
         skip_ids(space, level)
+    sequence = level.effects.in_sequence and ours
+    direct = ours and is_direct(level)
+    hair, shapes = _hair(ours=ours, direct=direct), {}
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
-        hair = HAIR if ours else 0.0
-        space.add(*make_surfaces(spec, bodies[name], level, values, hair, kind))
+        shapes[name] = make_surfaces(spec, bodies[name], level, values, hair, kind)
+        space.add(*shapes[name])
+    follows = ours and not (sequence or direct)
+    drift = 1 / stepping.rate if follows else None
+    hollows = make_hollow(space, level, values, shapes, hair, drift)
     reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
-    if level.effects.in_sequence and ours:
-        pairs = _Pairs(0, {}, take_bounces(space, level, values), reach)
+    if sequence or direct:
+        bounces = take_bounces(space, level, values) if sequence else None
+        if not sequence:
+            stand_proud(space)
+        count = correct_contacts(space, level, hollows) if hollows else 0
+        pairs = _Pairs(count, {}, bounces, reach, hollows)
     else:
-        pairs = _Pairs(*give_coefficients(space, level, values), None, reach)
-    if ours:
+        given = give_coefficients(space, level, values, hollows)
+        pairs = _Pairs(*given, None, reach, hollows)
+    if direct:
+        leave_contacts(space)
+    elif ours:
         choose_correction(space, level, values, 1 / stepping.rate)
     return pairs
+
+
+def _hair(*, ours: bool, direct: bool) -> float:
+    """Return how far flat surfaces stand proud [m]."""
+    if not ours:
+        return 0.0
+    return DIRECT_HAIR if direct else HAIR
+
+
+def _make_direct(
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+    bodies: Sequence[pymunk.Body],
+    joints: Joints,
+    batch: Batch,
+    inertia: Array,
+) -> "Direct | None":
+    """Make what solves contacts and exact joints together, where the level wants it."""
+    if stepping.as_it_comes or not is_direct(level):
+        return None
+    from sandbox.physics.contacts.direct import Direct
+    from sandbox.physics.contacts.surfaces import surfaces_of
+
+    assert joints.together
+    surfaces = surfaces_of(level, values, bodies)
+    dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
+    return Direct(batch, joints.together, surfaces, inertia, dt, strikes=strikes)
 
 
 def _touches(space: pymunk.Space, level: Level) -> Touches | None:

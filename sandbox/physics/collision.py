@@ -1,10 +1,11 @@
-"""What an impact of two bodies does, wherever in time it comes.
+"""What impacts of two bodies do, wherever in time they come: one, or some at once.
 
 Impulses along the normal, at the points where the bodies touch, turn their approach into e times as
 fast a parting (Newton's law of restitution); friction takes what Coulomb's law allows; exact joints
 pass both on to what hangs on them. What would part for less than half a step rests from there on.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -61,25 +62,25 @@ class Impact(NamedTuple):
 
 
 class Bounce(NamedTuple):
-    """What an impact does to n bodies.
+    """What one impact, or some at once, do to n bodies.
 
     Attributes
     ----------
     struck
-        (n,), which bodies an impulse reached.
+        (n,), which bodies impulses reached.
     jump
         (n, 3), how their velocities jump [m/s, rad/s].
     held
         (n, 3), how accelerations change from there on where bodies rest on each other
         [m/s², rad/s²].
-    impact
-        The same as it is told.
+    impacts
+        The same as they are told.
     """
 
     struck: Booleans
     jump: Array
     held: Array
-    impact: Impact
+    impacts: tuple[Impact, ...]
 
 
 class Coefficients(NamedTuple):
@@ -90,7 +91,7 @@ class Coefficients(NamedTuple):
 
 
 class _Points(NamedTuple):
-    """The points of a hit: as they part and then, where it rubs, as they slip; k, of n bodies.
+    """The points of hits: as they part and then, where any rubs, as they slip; k, of n bodies.
 
     Attributes
     ----------
@@ -129,61 +130,86 @@ class Collision:
         self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints = scene.joints.together
 
-    def bounce(self, path: Path, hit: Hit) -> Bounce:
-        """Return what comes of a hit.
+    def restitution(self, hit: Hit) -> float:
+        """Return the coefficient of a pair."""
+        return float(self._coefficients.restitution[hit.bodies])
+
+    def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
+        """Return what comes of hits at the same time.
 
         What would part for less than half a step does not part: it rests from there on. Points
         that part already are left out where holding them would give energy: if they are driven
         together, that is the next impact.
+
+        Parameters
+        ----------
+        path
+            Where the bodies are.
+        hits
+            Whose impulses are found at once.
+        dead
+            Whether nothing bounces, whatever its coefficient.
         """
-        place, velocity = path.at(hit.time)
-        e, mu = (float(table[hit.bodies]) for table in self._coefficients)
-        gradient, answer, matrix, runs = self._points(hit, place, rubs=mu > 0)
-        count = len(hit.points)
+        time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
+        place, velocity = path.at(time)
+        e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
+        gradient, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
+        count = len(of)
         rates = np.einsum("knc,nc->k", gradient, velocity) + runs
-        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(hit.time))
-        leaves = -e * np.minimum(rates[:count], 0.0)
-        rests = bool((leaves <= np.maximum(-pulls, 0.0) * (self._dt / 2)).all())
-        if rests:
-            leaves[:] = 0.0
+        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(time))
+        leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
+        rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
+        rests = (np.bincount(of, rises) == 0)[of]
+        leaves[rests] = 0.0
         impulse = _impulses(matrix, rates, leaves, mu)
         works = impulse * (rates + matrix @ impulse / 2)
-        coming = np.flatnonzero(rates[:count] < 0)
-        if len(coming) < count and works[:count].sum() > 0:
-            return self.bounce(path, hit._replace(points=tuple(hit.points[k] for k in coming)))
-        jump, given = np.tensordot(impulse, answer, 1), np.tensordot(impulse, gradient, 1)
-        held = np.zeros_like(jump)
-        if rests:
-            holds = _impulses(matrix[:count, :count], pulls, np.zeros(count), 0.0)
-            held = np.tensordot(holds, answer[:count], 1)
-            lasts = (self._dt - hit.time) - self._dt / 2
-            given += np.tensordot(holds, gradient[:count], 1) * lasts
-        told = -float(np.sum((given * velocity)[self._mass == 0]))
-        driven = -float(impulse @ runs)
-        impact = _impact(hit, impulse, works, told, driven, momentum(self._inertia * jump, place))
+        coming = rates[:count] < 0
+        if not coming.all() and works[:count].sum() > 0:
+            return self.bounce(path, _only(hits, coming), dead=dead)
+        holds = np.zeros_like(rates)
+        rests &= (np.bincount(of, impulse[:count]) > 0)[of]
+        if rests.any():
+            block = matrix[:count, :count][np.ix_(rests, rests)]
+            holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
+        lasts = (self._dt - time) - self._dt / 2
+        impacts = []
+        for index, hit in enumerate(hits):
+            rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
+            push, held = impulse[rows], holds[rows] * lasts
+            given = np.einsum("k,knc->nc", push + held, gradient[rows])
+            moves = self._inertia * np.einsum("k,knc->nc", push, answer[rows])
+            told = -float(np.sum((given * velocity)[self._mass == 0]))
+            driven = -float(push @ runs[rows])
+            impacts.append(_impact(hit, push, works[rows], told, driven, momentum(moves, place)))
         struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
-        return Bounce(struck, jump, held, impact)
+        jump, onwards = (np.tensordot(sizes, answer, 1) for sizes in (impulse, holds))
+        return Bounce(struck, jump, onwards, tuple(impacts))
 
-    def _points(self, hit: Hit, place: Array, *, rubs: bool) -> _Points:
-        gradient = _gradient(hit, place, rubs=rubs)
+    def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
+        gradient = _gradient(hits, place, rubs=rubs)
         stiff = self._joints.stiff(place) if self._joints else None
         answer = answers(gradient, self._agility, stiff)
         matrix = np.einsum("knc,lnc->kl", answer, gradient)
         runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
-        runs[: len(hit.points)] = 0.0  # what runs lies along a surface
+        runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
         return _Points(gradient, answer, matrix, runs)
 
 
-def _gradient(hit: Hit, place: Array, *, rubs: bool) -> Array:
-    """Return how fast velocities take the points of an impact apart, and along: (k, n, 3)."""
-    directions = [hit.normal] * len(hit.points)
-    points = list(hit.points)
+def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
+    """Return hits at some of their points."""
+    left = iter(wanted.tolist())
+    kept = [hit._replace(points=tuple(p for p in hit.points if next(left))) for hit in hits]
+    return [hit for hit in kept if hit.points]
+
+
+def _gradient(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+    """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
+    at = [(hit.bodies, point, hit.normal) for hit in hits for point in hit.points]
     if rubs:
-        directions += [1j * d for d in directions]
-        points *= 2
-    gradient = np.zeros((len(points), *place.shape))
-    for row, (point, way) in enumerate(zip(points, directions, strict=True)):
-        for body, sign in zip(hit.bodies, (-1, 1), strict=True):
+        at += [(bodies, point, 1j * normal) for bodies, point, normal in at]
+    gradient = np.zeros((len(at), *place.shape))
+    for row, (bodies, point, way) in enumerate(at):
+        for body, sign in zip(bodies, (-1, 1), strict=True):
             arm = point - complex(*place[body, :2].tolist())
             turning = arm.real * way.imag - arm.imag * way.real
             gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
@@ -201,8 +227,8 @@ def _impact(
     return Impact(*known, whole, told, driven, rubbed, pressed, given)
 
 
-def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:
-    """Return the impulses at the points of an impact: pushes, and then friction: (k,) [N s].
+def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
+    """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
 
     Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
     times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto: Sequential
@@ -218,7 +244,7 @@ def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:
     leaves
         How fast each point shall part.
     mu
-        The coefficient of friction.
+        The coefficient of friction of each.
     """
     impulse, count = np.zeros(len(rates)), len(leaves)
     for _ in range(SWEEPS if len(rates) > count else 1):
@@ -227,7 +253,7 @@ def _impulses(matrix: Array, rates: Array, leaves: Array, mu: float) -> Array:
         impulse[:count] = pushes(matrix[:count, :count], -lacks)
         for row in range(count, len(rates)):
             slip = rates[row] + matrix[row] @ impulse
-            most = mu * impulse[row - count]
+            most = mu[row - count] * impulse[row - count]
             impulse[row] = min(max(impulse[row] - slip / matrix[row, row], -most), most)
         if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
             break

@@ -27,33 +27,53 @@ class SimulationError(SandboxError):
         Steps a second at which it should hold; None if no rate that a level may have does [Hz].
     reason
         What is wrong.
+    hint
+        What may help, which nobody has tried; empty if nothing is known.
     place
         Where in the level's file the cause stands, if the world could not even start.
     """
 
     def __init__(
-        self, subject: str, time: float, reason: str, rate: float | None = None, path: Path = ()
+        self,
+        subject: str,
+        time: float,
+        reason: str,
+        rate: float | None = None,
+        path: Path = (),
+        hint: str = "",
     ) -> None:
         self.subject = subject
         self.time = time
         self.reason = reason
+        self.hint = hint
         self.place = ""
         self._path = path
         self.rate = ceil(rate) if rate is not None and rate <= HIGHEST_RATE else None
-        super().__init__(f"stopped at t = {time:.6g} s: {reason}")
+        super().__init__(self.told(hint))
 
     def __reduce__(self) -> tuple[object, ...]:
         """Let it be told in another process, too."""
-        told = self.subject, self.time, self.reason, self.rate, self._path
+        told = self.subject, self.time, self.reason, self.rate, self._path, self.hint
         return type(self), told, {"place": self.place}
 
     def __str__(self) -> str:
-        return f"{self.place}: {self.reason}" if self.place else super().__str__()
+        return self.told(self.hint)
+
+    def told(self, advice: str) -> str:
+        """Return the message with some advice; none if that is empty."""
+        begin = self.place or f"stopped at t = {self.time:.6g} s"
+        return f"{begin}: {self.reason}" + (f"; {advice}" if advice else "")
 
     def when(self, condition: str) -> "SimulationError":
         """Return the same, of values of the parameters only."""
         reason = f"{self.reason} when {condition}"
-        return SimulationError(self.subject, self.time, reason, self.rate, self._path)
+        return SimulationError(self.subject, self.time, reason, self.rate, self._path, self.hint)
+
+    def advised(self, hint: str, rate: float | None) -> "SimulationError":
+        """Return the same with what was found to help, and a rate that holds [Hz]."""
+        found = SimulationError(self.subject, self.time, self.reason, rate, self._path, hint)
+        found.place = self.place
+        return found
 
     def refuse(self, level: Level) -> None:
         """Say where in a level that cannot start the cause stands, instead of when it stopped.
@@ -63,6 +83,22 @@ class SimulationError(SandboxError):
         parts = (part for part in ("joints", "bodies") if self.subject in getattr(level, part))
         path = self._path or next(((part, self.subject) for part in parts), ())
         self.place = level.place(path) if path else ""
+
+
+class BreakdownError(SimulationError):
+    """A run that ended for a reason that nothing has foreseen: a defect, told as well as can be.
+
+    What was raised is its cause.
+    """
+
+    def __init__(self, error: Exception, time: float) -> None:
+        what = " ".join(f"{error}".split()) or "no more is known"
+        told = f"the numbers of this scene lead where nothing can be computed ({what})"
+        super().__init__("", time, told)
+        self._error = error
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (Exception(str(self._error)), self.time), {"place": self.place}
 
 
 class SchemeError(SandboxError):
@@ -80,12 +116,29 @@ class JointFailure(Exception):  # noqa: N818 (not an error to be shown: the worl
         super().__init__(reason)
 
 
-class EndlessImpacts(Exception):  # noqa: N818 (as above)
-    """Elastic bodies that collide in one moment more often than can be followed."""
+class NoForces(Exception):  # noqa: N818 (as above)
+    """Two bodies that touch, between which no forces were found."""
 
-    def __init__(self, body: int) -> None:
+    def __init__(self, a: int, b: int) -> None:
+        self.bodies = a, b
+        super().__init__(f"bodies {a} and {b}")
+
+
+OFTEN = (
+    "bodies that touch collide too often to be followed: their masses are too far apart, or they"
+    " are wedged in; let their 'restitution' be less"
+)
+
+
+class EndlessImpacts(Exception):  # noqa: N818 (as above)
+    """Bodies that collide in one moment more often than can be followed.
+
+    Attributes
+    ----------
+    body
+        The index of one of them; the reason may name it, as {body}.
+    """
+
+    def __init__(self, body: int, reason: str = OFTEN) -> None:
         self.body = body
-        super().__init__(
-            "elastic bodies that touch collide too often to be followed: their masses are too far"
-            " apart, or they are wedged in; let their 'restitution' be less than 1"
-        )
+        super().__init__(reason)

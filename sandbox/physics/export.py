@@ -109,6 +109,8 @@ def _provenance(trace: Trace, source: str, change: Change | None) -> Iterator[tu
     yield "iterations", str(stepping.iterations)
     yield "scheme", stepping.scheme
     yield "effects", ", ".join(level.effects.declared) or "none"
+    if trace.closing:
+        yield "energy", trace.closing.told
     yield "versions", ", ".join(f"{name} {version}" for name, version in _versions())
     yield "platform", f"{platform.system()} {platform.machine()}"
 

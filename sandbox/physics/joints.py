@@ -6,7 +6,7 @@ five times as fast. All other exact joints are solved together. pymunk solves wh
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 import numpy as np
 import pymunk
@@ -31,7 +31,7 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
-from sandbox.model.level import Level, is_alone, span
+from sandbox.model.level import Level, is_alone, is_direct, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.anchor import Anchor, length
@@ -46,6 +46,9 @@ from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Motion
 from sandbox.physics.pulley import PulleyString
 from sandbox.physics.solids import Solids, Touches
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct import Direct
 
 Lengths = Rod | Rope | Pulley | Rail
 Turning = Pivot | Weld | Motor | Winding
@@ -143,7 +146,7 @@ class Joints:
         self.own = self._take_own(level, bodies, lengths, values)
         origin = _origin(bodies)
         rows, others = self._take_ours(level, bodies, lengths, values, origin)
-        if rows or others or level.effects.sticking:
+        if rows or others or level.effects.sticking or is_direct(level):
             self.together = ExactJoints(rows, others, batch, agility[:, 0], agility[:, 2], origin)
         together = (self.together,) if self.together else ()
         self._solved = (*self.strings.values(), *self.own.values(), *together)
@@ -256,19 +259,23 @@ class Joints:
         radius = self.radii.get(name)
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
 
-    def solvers(self, until: Callable[[], float]) -> list[Callable[[], None]]:
+    def solvers(
+        self, until: Callable[[], float], direct: "Direct | None"
+    ) -> list[Callable[[], None]]:
         """Return what must run after pymunk's solver.
 
         Parameters
         ----------
         until
             Tells the time at the end of the next drift [s].
+        direct
+            What solves contacts as well; None if nothing does.
         """
         work: list[Callable[[], None]] = [string.solve for string in self.strings.values()]
         if self.touches:
             work.append(self._stick)
-        if together := self.together:
-            work.append(lambda: together.solve(until()))
+        if exact := direct or self.together:
+            work.append(lambda: exact.solve(until()))
         return work
 
     def time(self, kick: float, drift: float) -> None:

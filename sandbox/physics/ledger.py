@@ -17,7 +17,7 @@ What cannot give energy is not believed to: surfaces that press on each other, i
 joint that keeps its length. What they do all the same is left unexplained.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,8 @@ from sandbox.model.expressions import Array
 from sandbox.model.joints import Spring, bodies_of, is_exact
 from sandbox.physics.balance import Balance
 from sandbox.physics.batch import Contacts
+from sandbox.physics.contacts.direct import Stage
+from sandbox.physics.joints import Pulls
 from sandbox.physics.kick import Kick, completed, pressed, rubbing
 from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.spring import SpringForce
@@ -39,6 +41,9 @@ from sandbox.physics.slipping import Stop
 
 if TYPE_CHECKING:
     from sandbox.physics.world import World
+
+SEEN = 1e-12
+"""The share of a place, or of a metre, by which a body must have been moved to be seen to be."""
 
 
 class Ledger:
@@ -66,7 +71,8 @@ class Ledger:
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
         self._mass = scene.inertia
         self._surfaces = surfaces(scene.bodies.values())
-        self._elastic = _elastic(world)
+        # solved directly, friction takes from a rebound what it would give otherwise
+        self._elastic = _elastic(world) and not (scene.direct and level.effects.friction)
         self._potential = dict.fromkeys(accounts.potentials(level), 0.0)
         self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
         self._losses = dict.fromkeys(accounts.losses(level), 0.0)
@@ -82,7 +88,9 @@ class Ledger:
         self._back = begun is not None
         self.steps = world.steps - self._back
         self._velocity = scene.batch.velocity() if begun is None else begun
-        self._slack = scene.joints.pulls(len(self._mass)).tension <= 0
+        slack = scene.joints.pulls(len(self._mass)).tension <= 0
+        self._slack = slack, slack  # in the last kick, and in that before it
+        self._overlaps = 0.0
         start = self._middle(0.5 - self._back, self._velocity)
         if self._composed:
             start = Instant.of(self._world.snapshot)
@@ -110,22 +118,40 @@ class Ledger:
             self._change_over()
         before = self._velocity if self._back else self._drifted()
         self._back = False
+        self._part(before)
         after = self._scene.batch.velocity()
         t = world.t if world.forces.seen is None else float(world.forces.seen.t)
-        inertia = self._inertia(t)
         seen = world.forces.seen or self._middle(0.0, before)
-        kick = Kick(t, world.dt, seen, world.snapshot.position, (before + after) / 2, inertia)
+        moment = Kick(t, world.dt, seen, world.snapshot.position, before, self._inertia(t))
         self._carry(t, before, after)
-        rest = inertia * (after - before)
-        rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
-        rest -= self._joints(kick)
-        jump = self._jump(kick)
-        rest -= jump
-        rest -= self._own(kick, rest)
-        rest -= self._hand(kick, rest)
-        self._touch(kick, rest, kick.work(jump))
+        pulls = self._scene.joints.pulls(len(self._mass))
+        begun = before
+        for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
+            kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
+            self._book(kick, ended - begun, pulls._replace(tension=tension), contacts)
+            begun = ended
+        slack = pulls.tension <= 0
+        self._slack = slack, self._slack[0] if len(self._slack[0]) == len(slack) else slack
         self._velocity, self._end = after, self._middle(0.5, after)
         self._store(self._end)
+
+    def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
+        """Return the parts of the last kick, with impulses for forces."""
+        world, direct = self._world, self._scene.direct
+        if direct and direct.stages:
+            return direct.stages
+        return (Stage(world.dt, after, tension * world.dt, self._kicked()),)
+
+    def _book(self, kick: Kick, change: Array, pulls: Pulls, contacts: Contacts) -> None:
+        """Book a kick that changes velocities so: (n, 3)."""
+        rest = kick.inertia * change
+        rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
+        rest -= self._joints(kick, pulls)
+        jump = self._jump(kick)
+        rest -= jump
+        rest -= self._own(kick, rest, contacts)
+        rest -= self._hand(kick, rest, contacts)
+        self._touch(kick, rest, kick.work(jump), contacts)
 
     def _follow(self) -> None:
         """Book the kicks of a step, in which nothing acts but smooth forces and joints.
@@ -176,6 +202,7 @@ class Ledger:
             kinetic + sum(self._potential.values()) - begun - explained,
             {name: impulse.copy() for name, impulse in self._impulses.items()},
             self._momentum(self._end) - begun_with - given,
+            self._overlaps,
         )
 
     def _middle(self, ahead: float, velocity: Array, t: float | None = None) -> Instant:
@@ -197,6 +224,11 @@ class Ledger:
     def _kinetic(self, motion: Instant) -> float:
         velocity = _velocity(motion)
         return float(np.sum(self._inertia(motion.t) * velocity * velocity) / 2)
+
+    def _stored(self, motion: Instant) -> float:
+        """Return what is stored somewhere [J]."""
+        stores = (law for law in self._laws if law.book == "potential")
+        return sum(float(law.potential_energy(motion).sum()) for law in stores)
 
     def _store(self, motion: Instant) -> float:
         """Note what is stored, and return the whole energy [J]."""
@@ -262,6 +294,20 @@ class Ledger:
         energy, momentum_then = self._start
         self._start = energy + lifted, momentum_then
 
+    def _part(self, drifted: Array) -> None:
+        """See what taking back overlaps gave: bodies are not where their drift ended, (n, 3)."""
+        if not len(self._world.contacts.bodies):
+            return
+        now, half = self._world.snapshot, self._world.dt / 2
+        ended = self._end._replace(
+            position=self._end.position + half * drifted[:, :2],
+            angle=self._end.angle + half * drifted[:, 2],
+        )
+        moved = np.abs(now.position - ended.position).max()
+        if moved > SEEN * (1 + np.abs(now.position).max()):
+            there = ended._replace(position=now.position, angle=now.angle)
+            self._overlaps += self._stored(there) - self._stored(ended)
+
     def _rub(self, work: float) -> None:
         """Book the work of friction."""
         if "friction" in self._losses:
@@ -320,31 +366,30 @@ class Ledger:
         law.add(kick.seen, wrench)
         return np.where(kick.inertia > 0, wrench * kick.length, 0.0)
 
-    def _joints(self, kick: Kick) -> Array:
+    def _joints(self, kick: Kick, pulls: Pulls) -> Array:
         """Book the impulses of the exact joints, and return them: (n, 3)."""
-        pulls = self._scene.joints.pulls(len(self._mass))
         told = kick.inertia[:, 0] == 0
         drives = pulls.changes | (pulls.gradient[:, told] != 0).any(axis=(1, 2))
-        impulses = -self._world.dt * pulls.tension[:, None, None] * pulls.gradient
+        impulses = -pulls.tension[:, None, None] * pulls.gradient
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._works:
             self._works["joints"] += float(works[drives].sum())
-        if len(self._slack) < len(works):
+        last, before = self._slack
+        if len(last) < len(works):
             self._lose("sticking", float(works[~drives].sum()))
-        elif (jerked := pulls.pulls_only & self._slack & ~drives).any():
+        # a rope that is caught in one drift is stopped in the kick before it and the one after it
+        elif (jerked := pulls.pulls_only & (last | before) & ~drives).any():
             self._lose("impacts", float(works[jerked].sum()))
-        self._slack = pulls.tension <= 0
         together: Array = impulses.sum(axis=0)
         self._give("supports", together, kick.place)
         return together
 
-    def _own(self, kick: Kick, rest: Array) -> Array:
+    def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
         """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
         impulse = np.zeros_like(rest)
         if not self._hung:
             return impulse
-        contacts = self._kicked()
         for row in self._hung:
             impulse[row] = rest[row]
             impulse[row, :2] -= pressed(contacts, row)
@@ -371,23 +416,22 @@ class Ledger:
         """Book a loss; what would be a gain stays unexplained."""
         self._losses[name] += min(work, 0.0)
 
-    def _hand(self, kick: Kick, rest: Array) -> Array:
+    def _hand(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
         """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
         impulse = np.zeros_like(rest)
         hold = self._world.hand.hold
         if hold is None:
             return impulse
         row, (x, y) = hold
-        pull = rest[row, :2] - pressed(self._kicked(), row)
+        pull = rest[row, :2] - pressed(contacts, row)
         impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
         self._works["hand"] += kick.work(impulse)
         self._impulses.setdefault("hand", np.zeros(3))
         self._give("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: Kick, rest: Array, jumped: float) -> None:
+    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> None:
         """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
-        contacts = self._kicked()
         if not len(contacts.bodies):
             return
         touching = np.zeros(len(rest), dtype=bool)
@@ -398,11 +442,18 @@ class Ledger:
         across, drives = rubbing(
             completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
         )
+        if (
+            not kick.length
+        ):  # in an impact friction and rebound act at once, and give nothing together
+            across = min(across, 0.0)
         drives = {name: work for name, work in drives.items() if name in self._works}
         self._put_in(drives)
         self._rub(across)
-        if not self._elastic:
-            self._lose("impacts", jumped + pressing - across - sum(drives.values()))
+        lost = jumped + pressing - across - sum(drives.values())
+        if lost > 0 and not kick.length and "sticking" in self._losses:
+            self._losses["sticking"] += lost  # who sticks presses on each other in the same impact
+        elif not self._elastic:
+            self._lose("impacts", lost)
 
 
 def _velocity(motion: Instant) -> Array:

@@ -19,7 +19,7 @@ from sandbox.physics.build import Scene
 from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Instant, Motion
-from sandbox.physics.outline import width
+from sandbox.physics.outline import plain, width
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.stiffness import PROBE, just_stable, limit
 
@@ -91,7 +91,7 @@ def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need
     for (name, body), speed, moves in zip(
         scene.bodies.items(), speeds, (scene.mass > 0).tolist(), strict=True
     ):
-        wide = min(map(width, body.shapes), default=0.0)
+        wide = min(map(width, plain(body.shapes)), default=0.0)
         if moves and wide > 0 and speed > 0 and name not in located:
             yield Need(speed / wide, f"the body '{name}'")
 

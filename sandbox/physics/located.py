@@ -27,10 +27,11 @@ from sandbox.physics.impacts import impacts
 from sandbox.physics.motion import momentum
 from sandbox.physics.outline import Outline, outlines
 from sandbox.physics.pairs import pair_coefficients
-from sandbox.physics.sweep import Hit, Path, meet
+from sandbox.physics.pileup import PRESSED
+from sandbox.physics.sweep import Hit, Path, meet, touching
+from sandbox.physics.turns import Tally, Turns
 
-MOST = 10_000
-"""How many impacts a step may have."""
+SHUT_IN = "{body} is wedged in: what presses on it does not give way; leave it more room"
 
 
 class Cut(NamedTuple):
@@ -100,6 +101,8 @@ class Located:
         self._collision, self._held = Collision(coefficients, scene, dt), held
         self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
         self._joints, self._solids = scene.joints.together, scene.joints.solids
+        linked = self._joints is not None
+        self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
         self._row = np.array([o.body for o in outlines])
         a, b = np.triu_indices(len(outlines), 1)
         i, j = self._row[a], self._row[b]
@@ -207,7 +210,7 @@ class Located:
             np.array([len(i.points) for i in self.impacts], dtype=np.intp),
             np.array([[(p.real, p.imag) for p in points] for points in two]),
             np.array([(i.impulse.real, i.impulse.imag) for i in self.impacts]),
-            np.zeros(len(two)),
+            np.zeros((len(two), 2)),
         )
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
@@ -250,16 +253,25 @@ class Located:
     def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Let one impact come after the other until the drift is over."""
         hits = self._hits(path, near, 0.0, adds)
+        tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
         while hits:
-            if len(self.impacts) == MOST:
-                raise EndlessImpacts(max(hits[0].bodies))
-            hit = min(hits, key=lambda h: h.time)
-            struck = self._collide(path, hit)
-            place, end = path.place_at(hit.time), path.place_at(self._dt)
-            bend = np.abs(path.pull) * (self._dt - hit.time) ** 2
+            groups = self._turns.next(hits)
+            time, struck = groups[0][0].time, np.zeros_like(path.struck)
+            for group in groups:
+                struck |= self._collide(path, group, tally)
+            place, end = path.place_at(time), path.place_at(self._dt)
+            bend = np.abs(path.pull) * (self._dt - time) ** 2
             again = [p for p in self._near(place, end, bend) if struck[self._row[[*p]]].any()]
             hits = [h for h in hits if not struck[[*h.bodies]].any()]
-            hits += self._hits(path, again, hit.time, adds)
+            hits += self._hits(path, again, time, adds)
+
+    def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
+        """Return all that touches, directly or through others, what is hit."""
+        time, shapes = group[0].time, self._outlines
+        place = path.place_at(time)
+        near = self._near(place, place, np.zeros_like(place))
+        found = (touching(path, shapes[a], shapes[b], time) for a, b in near)
+        return self._turns.linked(group, [hit for hit in found if hit])
 
     def _hits(
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
@@ -269,13 +281,22 @@ class Located:
         found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
         return [hit for hit in found if hit]
 
-    def _collide(self, path: Path, hit: Hit) -> Booleans:
-        """Let two bodies bounce off each other, and return which bodies it reached: (n,)."""
-        bounce = self._collision.bounce(path, hit)
-        self.pulled += self._pulled(path, hit.time, bounce.struck)
-        path.turn(hit.time, bounce.jump, bounce.struck)
+    def _collide(self, path: Path, group: list[Hit], tally: Tally) -> Booleans:
+        """Let bodies bounce off each other, and return which bodies it reached: (n,).
+
+        What would do so for ever, if ever more gently, comes to rest with all that it touches.
+        """
+        time, around = group[0].time, self._around(path, group) if tally.count(group) else []
+        dead = bool(around) and tally.gentle(around)
+        bounce = self._collision.bounce(path, around if dead else group, dead=dead)
+        self.pulled += self._pulled(path, time, bounce.struck)
+        path.turn(time, bounce.jump, bounce.struck)
         path.pull += bounce.held
-        self.impacts.append(bounce.impact)
+        self.impacts += bounce.impacts
+        if dead:
+            left = min(self._around(path, group), key=lambda hit: hit.parting)
+            if left.parting < PRESSED * group[0].parting:
+                raise EndlessImpacts(max(left.bodies, key=lambda b: self._mass[b]), SHUT_IN)
         return bounce.struck
 
 

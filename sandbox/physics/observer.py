@@ -5,6 +5,8 @@ Where something hits there is no such mean (see `impacts` and `sequence`), and j
 where a step has several kicks (see `exact.solver`).
 """
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -15,8 +17,11 @@ from sandbox.physics.forces import Forces
 from sandbox.physics.impacts import impacts
 from sandbox.physics.motion import Instant
 from sandbox.physics.schemes import Substep
-from sandbox.physics.sequence import Sequence
 from sandbox.physics.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct import Direct
+    from sandbox.physics.sequence import Sequence
 
 
 class Observer:
@@ -30,8 +35,8 @@ class Observer:
         What moves.
     forces
         What gravity and the force laws do.
-    sequence
-        What impacts in sequence do; None without.
+    strikes
+        What finds impacts, and tells what they did; None where that is pymunk.
     """
 
     def __init__(
@@ -40,11 +45,11 @@ class Observer:
         stepping: Stepping,
         scene: Scene,
         forces: Forces,
-        sequence: Sequence | None,
+        strikes: "Sequence | Direct | None",
     ) -> None:
         self._dt, self._leapfrog = 1 / stepping.rate, not stepping.as_it_comes
-        self._mass, self._joints = scene.mass, scene.joints
-        self._forces, self._sequence = forces, sequence
+        self._mass, self._joints, self._hollows = scene.mass, scene.joints, scene.hollows
+        self._forces, self._strikes = forces, strikes
         self._bounces = level.effects.restitution is not None
         self._untouched = np.zeros(len(scene.mass))
         self._untouched.setflags(write=False)
@@ -72,14 +77,16 @@ class Observer:
         velocity = (before + after) / 2
         if len(parts) > 1 and self._joints.together:
             velocity, acceleration = self._joints.together.motion(velocity, self._forces.smooth)
-        if self._sequence:
-            struck = self._sequence.last
-            hit = np.flatnonzero(struck.jump.any(axis=1))
+        if self._strikes:
+            struck = self._strikes.last
+            hit = np.flatnonzero(struck.struck)
             acceleration[hit] = (after - struck.velocity)[hit] / (self._dt / 2)
             velocity[hit] = struck.velocity[hit]
         elif contacts.first.any() or self._bounces:
             solid, pull = self._joints.solids.pairs, self._forces.smooth
             place = state[:, :3]
+            if self._hollows:
+                contacts = self._hollows.impacts(contacts)
             hit, onwards = impacts(
                 contacts, solid, place, before, after, pull, self._mass, self._dt
             )
@@ -114,8 +121,8 @@ class Observer:
         normal = friction = self._untouched
         if len(contacts.bodies):
             normal = _sums(contacts, contacts.normal / kick, len(normal))
-            if self._sequence:
-                normal = normal + self._sequence.last.impulse / kick
+            if self._strikes:
+                normal = normal + self._strikes.last.impulse / kick
             friction = _sums(contacts, contacts.friction / kick, len(friction))
         motion = Instant.at(t, state, velocity)
         return Snapshot(

@@ -18,6 +18,9 @@ from sandbox.model.expressions import Array
 FLUSH = 1e-10
 """m, by which the two ends of a side may differ in distance and both touch."""
 
+FEELER = 1 << 31
+"""The category of shapes that only arcs meet: the corners of what may be within one."""
+
 
 @dataclass(frozen=True, slots=True)
 class Outline:
@@ -67,8 +70,17 @@ class Gap(NamedTuple):
 
 def outlines(bodies: Sequence[pymunk.Body]) -> list[Outline]:
     """Return the outlines of all shapes, in an order that does not depend on memory addresses."""
-    found = [_outline(shape, row, body) for row, body in enumerate(bodies) for shape in body.shapes]
+    found = [
+        _outline(shape, row, body)
+        for row, body in enumerate(bodies)
+        for shape in plain(body.shapes)
+    ]
     return sorted(found, key=lambda o: (o.body, [(c.real, c.imag) for c in o.corners]))
+
+
+def plain(shapes: Iterable[pymunk.Shape]) -> list[pymunk.Shape]:
+    """Return the shapes that are not there for arcs only."""
+    return [shape for shape in shapes if shape.filter.categories != FEELER]
 
 
 def surfaces(bodies: Iterable[pymunk.Body]) -> Array:
@@ -205,5 +217,5 @@ def width(shape: pymunk.Shape) -> float:
 
 def smallest(space: pymunk.Space) -> float:
     """Return how wide the narrowest shape of a dynamic body is [m], 0 if there is none."""
-    dynamic = [s for s in space.shapes if s.body and s.body.body_type == pymunk.Body.DYNAMIC]
+    dynamic = [s for s in plain(space.shapes) if s.body and s.body.body_type == pymunk.Body.DYNAMIC]
     return min(map(width, dynamic), default=0.0)

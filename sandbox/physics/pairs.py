@@ -8,6 +8,7 @@ import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
+from sandbox.physics.hollows import Hollows
 from sandbox.physics.sticking import Sticking, sticking
 from sandbox.physics.surfaces import HAIR
 
@@ -37,15 +38,21 @@ def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarra
     """
     for shape in space.shapes:
         shape.elasticity = 0.0
-        if isinstance(shape, pymunk.Circle):
-            shape.unsafe_set_radius(shape.radius + HAIR)
+    stand_proud(space)
     return pair_coefficients(level, values, "restitution")
 
 
+def stand_proud(space: pymunk.Space) -> None:
+    """Let discs stand proud, as all else does."""
+    for shape in space.shapes:
+        if isinstance(shape, pymunk.Circle):
+            shape.unsafe_set_radius(shape.radius + HAIR)
+
+
 def give_coefficients(
-    space: pymunk.Space, level: Level, values: Values
+    space: pymunk.Space, level: Level, values: Values, hollows: Hollows | None
 ) -> tuple[int, dict[frozenset[int], Sticking]]:
-    """Give pairs coefficients of their own.
+    """Give pairs coefficients of their own, and correct those contacts that pymunk gets wrong.
 
     Returns how many callbacks a contact each makes, and of the pairs whose static coefficient is
     larger the friction, by the numbers of their bodies.
@@ -58,21 +65,40 @@ def give_coefficients(
             a, b = sorted(pair.bodies)
             coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
     sticky = sticking(level, values)
-    for a, b in coefficients | sticky:
+    hollow = hollows.pairs if hollows else frozenset()
+    watched = dict.fromkeys((*coefficients, *sticky, *sorted(hollow)))
+    for a, b in watched:
         chosen, stick = coefficients.get((a, b), {}), sticky.get((a, b))
+        round_ = hollows if (a, b) in hollow else None
         space.on_collision(
-            kinds[a], kinds[b], pre_solve=_setter(chosen, stick), post_solve=_judge(stick)
+            kinds[a], kinds[b], pre_solve=_setter(chosen, stick, round_), post_solve=_judge(stick)
         )
     numbered = {frozenset(kinds[name] - 1 for name in pair): s for pair, s in sticky.items()}
-    return len(coefficients | sticky) + len(sticky), numbered
+    return len(watched) + len(sticky), numbered
 
 
-def _setter(coefficients: dict[str, float], stick: Sticking | None) -> Collision:
+def correct_contacts(space: pymunk.Space, level: Level, hollows: Hollows) -> int:
+    """Correct the contacts that pymunk gets wrong, and return how many callbacks one each makes."""
+    kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
+    for a, b in sorted(hollows.pairs):
+        space.on_collision(kinds[a], kinds[b], pre_solve=_setter({}, None, hollows))
+    return len(hollows.pairs)
+
+
+def _setter(
+    coefficients: dict[str, float],
+    stick: Sticking | None,
+    hollows: Hollows | None,
+) -> Collision:
     def choose(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
+        if hollows and not hollows.correct(arbiter):
+            return
         for attribute, value in coefficients.items():
             setattr(arbiter, attribute, value)
         if stick:
             stick.choose(arbiter)
+        if hollows:
+            hollows.follow(arbiter)
 
     return choose
 

@@ -1,9 +1,9 @@
 """Bodies that touch each other and collide: one pair after the other, and all at once.
 
 The pair that approaches fastest collides first, which may make neighbours approach, and so on.
-Bodies with e < 1 that stay together would collide for ever, ever more gently. From some point on
-they no longer bounce, and what is left is solved at once: no pair may approach, and only pushes are
-allowed.
+Pairs that approach equally fast collide at once, so that what was symmetric stays so. Bodies with
+e < 1 that stay together would collide for ever, ever more gently. From some point on they no longer
+bounce, and what is left is solved at once: no pair may approach, and only pushes are allowed.
 """
 
 import numpy as np
@@ -15,17 +15,38 @@ from sandbox.physics.errors import EndlessImpacts
 ROUNDING = 1e-12
 """An approach slower than this share of the speeds that it is the difference of is none."""
 
+EQUAL = 1e-9
+"""The share of an approach by which another may be slower and count as equally fast: mirror images
+differ by what was rounded on the way."""
+
 MANY = 100
 """How many impacts each contact of a pile-up may have before what is left stops bouncing. Twice as
 many as 50 equal balls in a row with e = 0.9 need; those with less stay together by then."""
 
-MOST = 300_000
-"""The same for all contacts together where one is elastic: there, nothing may be left."""
+GENTLE = 0.01
+"""The share of its approach that many impacts must leave of each for that, e to their number: balls
+with e = 0.99 have 459."""
+
+MOST = 100_000
+"""How many impacts all contacts together may have; where elastic ones go on, nothing may be left. A
+ball between a wall and another that comes has as many if that is 1e9 times as heavy. They take 0.4
+s."""
+
+SEVERAL = 10
+"""As many count where several collide at once and share bodies: that takes so much longer."""
+
+CROWD = 500
+"""With so many contacts an impact takes twice as long, and only half as many may be."""
+
+PRESSED = 1e-6
+"""Bodies are wedged in if so much of their approach is left by whatever may push them apart."""
+
+WEDGED = (
+    "elastic bodies are wedged in, and would collide for ever: what presses them together does not"
+    " give way; let their 'restitution' be less than 1, or leave them room"
+)
 
 TINY = 1e-300
-
-PARALLEL = 1e-9
-"""The determinant, of two points' answers to impulses, below which they are one point."""
 
 
 def answers(gradient: Array, agility: Array, holds: Array | None) -> Array:
@@ -72,37 +93,103 @@ class Pile:
         self._impulse = np.zeros(len(parting))
 
     def settle(self, bodies: Integers) -> Array:
-        """Return the impulses after which nothing approaches: (k,) [N s]."""
-        bounces = self._restitution > 0
-        most = MANY * len(bounces) if bounces.any() else 0
-        if (self._restitution == 1).any():
-            most = MOST
-        for _ in range(most):
-            fastest = int((self._parting + self._allowed).argmin())
-            if self._parting[fastest] >= -self._allowed[fastest]:
+        """Return the impulses after which nothing approaches: (k,) [N s].
+
+        Raises
+        ------
+        EndlessImpacts
+            If elastic bodies are wedged in, or collide more often than can be followed.
+        """
+        count = len(bodies)
+        if not self._restitution.any():
+            return self._rest()
+        most, until = MOST * CROWD // (CROWD + count), MANY * count
+        impacts, work, liveliest = 0, 0, 0.0  # the largest e since it was looked at last
+        while work < most:
+            equal, e = self._bounce()
+            if not equal:
                 return self._impulse
-            self._bounce(fastest)
-        fastest = int((self._parting + self._allowed).argmin())
-        if most and self._restitution[fastest] == 1:
-            raise EndlessImpacts(int(bodies[fastest].max()))
+            impacts, work = impacts + equal, work + (1 if equal == 1 else _work(equal))
+            liveliest = max(liveliest, e)
+            if impacts >= until:
+                if self._ends(bodies, impacts / count, liveliest):
+                    return self._rest()
+                until, liveliest = impacts + MANY * count, 0.0
+        if liveliest == 1:
+            raise EndlessImpacts(self._blamed(bodies))
+        return self._rest()
+
+    def _ends(self, bodies: Integers, had: float, liveliest: float) -> bool:
+        """Whether nothing is left of a bounce after so many impacts a contact, or ever will be."""
+        if had < 2 * MANY and self._wedged():  # once is enough
+            if liveliest == 1:
+                raise EndlessImpacts(self._blamed(bodies), WEDGED)
+            return True
+        return bool(liveliest**had < GENTLE)
+
+    def _blamed(self, bodies: Integers) -> int:
+        """Return a body of those that approach fastest."""
+        return int(bodies[(self._parting + self._allowed).argmin()].max())
+
+    def _rest(self) -> Array:
+        """Let what is left stop bouncing, and return the impulses: (k,) [N s]."""
         self._impulse += pushes(self._answers, self._parting)
         return self._impulse
 
-    def _bounce(self, first: int) -> None:
-        """Turn round the approach of a point, and of its partner if that approaches too."""
-        e, second = self._restitution[first], int(self._partner[first])
-        if second >= 0 and self._parting[second] < -self._allowed[second]:
-            both = np.array((first, second))
-            block = self._answers[np.ix_(both, both)]
-            if np.linalg.det(block) > PARALLEL * block[0, 0] * block[1, 1]:
-                size = -(1 + e) * np.linalg.solve(block, self._parting[both])
-                if size.min() >= 0:
-                    self._impulse[both] += size
-                    self._parting += size @ self._answers[both]
-                    return
-        push = -(1 + e) * self._parting[first] / self._answers[first, first]
-        self._impulse[first] += push
-        self._parting += push * self._answers[first]
+    def _wedged(self) -> bool:
+        """Whether some would approach whatever pushed them apart."""
+        left = self._parting + self._answers @ pushes(self._answers, self._parting)
+        return bool(left.min() < PRESSED * self._parting.min())
+
+    def _bounce(self) -> tuple[int, float]:
+        """Turn round the fastest approach, and those with the same e that are equally fast.
+
+        Returns how many those are, 0 if nothing approaches, and their e.
+        """
+        approach = self._parting + self._allowed
+        first = approach.argmin()
+        fastest, e = approach[first], float(self._restitution[first])
+        if fastest >= 0:
+            return 0, e
+        equal = approach <= (1 - EQUAL) * fastest
+        if np.count_nonzero(equal) == 1 and self._partner[first] < 0:
+            push = -(1 + e) * self._parting[first] / self._answers[first, first]
+            self._impulse[first] += push
+            self._parting += push * self._answers[first]
+            return 1, e
+        group = self._with_partners(np.flatnonzero(equal & (self._restitution == e)))
+        answers = self._answers[group]
+        sizes = _at_once(answers[:, group], (1 + e) * self._parting[group])
+        self._impulse[group] += sizes
+        self._parting += sizes @ answers
+        return len(group), e
+
+    def _with_partners(self, group: Integers) -> Integers:
+        """Add the other points of the same sides, as far as they approach."""
+        beside = self._partner[group]
+        beside = beside[beside >= 0]
+        beside = beside[self._parting[beside] < -self._allowed[beside]]
+        return np.union1d(group, beside) if len(beside) else group
+
+
+def _work(count: int) -> int:
+    """Return how many impacts one by one take as long as some at once."""
+    return SEVERAL + count**3 // 1000
+
+
+def _at_once(answers: Array, parting: Array) -> Array:
+    """Return impulses that push and let nothing approach: (k,) [N s].
+
+    After them nothing parts either, unless some would have to pull for that.
+    """
+    if np.count_nonzero(answers) == len(parting):  # they do not reach each other
+        return np.asarray(-parting / answers.diagonal())
+    if np.isfinite(answers).all() and np.isfinite(parting).all():
+        sizes: Array = np.asarray(np.linalg.lstsq(answers, -parting, rcond=None)[0], np.float64)
+        left = np.abs(parting + answers @ sizes).max()
+        if sizes.min() >= 0 and left <= ROUNDING * np.abs(parting).max():
+            return sizes
+    return pushes(answers, parting)
 
 
 def pushes(answers: Array, parting: Array) -> Array:

@@ -32,6 +32,8 @@ class Impacts(NamedTuple):
 
     Attributes
     ----------
+    struck
+        (n,), which bodies they reached.
     jump
         (n, 3), the changes of the velocities [m/s, rad/s].
     velocity
@@ -40,6 +42,7 @@ class Impacts(NamedTuple):
         (n,), the sizes of the impulses on each body, added up [N s].
     """
 
+    struck: Booleans
     jump: Array
     velocity: Array
     impulse: Array
@@ -79,7 +82,9 @@ class Sequence:
         self._place = self._begun = self._pull = np.zeros_like(agility)
         self._lasted = dt
         self._before: partial[Array] | None = None  # what held in the kick before that
-        self.last = Impacts(self._begun, self._begun, self._begun[:, 0])
+        none = np.zeros(len(agility), dtype=bool)
+        self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
+        self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
 
     def collide(self, pull: Array, *, start: bool) -> None:
         """Let what touches and approaches collide, and change the velocities.
@@ -111,7 +116,7 @@ class Sequence:
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
-        self.last = Impacts(jump, velocity + jump, impulse)
+        self.last = Impacts(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
         self._before = (
             None if start else partial(_held, begins, self._begun, self._lasted, self._pull)
         )
@@ -155,8 +160,11 @@ class Sequence:
         answer = answers(gradient, self._agility, holds)
         matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
         a, b = points.bodies.T
-        pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
-        pushes = pile.settle(points.bodies)
+        asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))
+        if asked != self._asked:  # bodies that are held are kicked again and again
+            pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
+            self._asked, self._pushes = asked, pile.settle(points.bodies)
+        pushes = self._pushes
         jump += np.tensordot(pushes, answer, 1)
         np.add.at(impulse, a, pushes)
         np.add.at(impulse, b, pushes)

@@ -35,11 +35,11 @@ class Solids:
         joined = self._numbers[a] - 1, self._numbers[b] - 1
         self.pairs = np.concatenate((self.pairs, np.array([joined], dtype=np.intp)))
         parts = self._parts[a] | self._parts[b]
-        group = pymunk.ShapeFilter(group=self._numbers[a])
+        group = self._numbers[a]
         for name in parts:
             self._parts[name] = parts
             for shape in self._bodies[name].shapes:
-                shape.filter = group
+                shape.filter = shape.filter._replace(group=group)
         return True
 
 
@@ -101,5 +101,5 @@ class Touches:
             np.append(contacts.touches, np.ones(len(bodies), dtype=np.intp)),
             np.concatenate((contacts.points, places)),
             np.append(contacts.impulse, np.zeros((len(bodies), 2)), axis=0),
-            np.append(contacts.depth, none),
+            np.append(contacts.depths, np.zeros((len(bodies), 2)), axis=0),
         )

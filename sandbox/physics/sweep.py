@@ -16,7 +16,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans
 from sandbox.physics.exact.grip import Grip
-from sandbox.physics.outline import FLUSH, Outline, dot, gap
+from sandbox.physics.outline import FLUSH, Gap, Outline, dot, gap
 
 TOUCH = -1e-9
 """m, the gap of shapes that touch: flat ones stand proud by as much, and what comes to rest must
@@ -25,6 +25,9 @@ be in contact, whatever the last digit says."""
 CLOSE = 1e-12
 """m, how exactly that is met; at a distance from the origin this share of it, if that is more:"""
 FAR = 1e-15
+
+NEAR = 1e-10
+"""m, by which shapes may be further apart and touch, where all that do are asked for."""
 
 TRIES = 200
 """How often two outlines are advanced towards each other in a step."""
@@ -47,12 +50,15 @@ class Hit(NamedTuple):
         The unit vector from the first to the second.
     points
         Where they touch, in the plane [m].
+    parting
+        How fast they part there, where they do so least [m/s].
     """
 
     time: float
     bodies: tuple[int, int]
     normal: complex
     points: tuple[complex, ...]
+    parting: float
 
 
 class Path:
@@ -177,24 +183,50 @@ def meet(
         here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
         cores = here.put(one.corners), there.put(other.corners)
         found = gap(*cores, one.radius + other.radius)
-        n = found.normal
-        if found.distance <= TOUCH + max(CLOSE, FAR * abs(here.place), FAR * abs(there.place)):
-            if _passes(one, cores, n) or _passes(other, cores[::-1], -n):
+        if found.distance <= _touch(here, there):
+            if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
                 return None
-            points = tuple(p + n * one.radius for p in found.points)
-            parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
+            hit = _hit(t, (one, other), (here, there), found)
             rates = here.velocity, there.velocity, gets[0][0], gets[1][0]
             allowed = ROUNDING * max(abs(rate) for rate in rates)
             if t == since:
-                allowed += max(abs(dot(n, b - a)) for a, b in zip(*gets, strict=True))
-            if parting < -allowed:
-                return Hit(t, (one.body, other.body), n, points)
-            if parting <= allowed:
+                allowed += max(abs(dot(found.normal, b - a)) for a, b in zip(*gets, strict=True))
+            if hit.parting < -allowed:
+                return hit
+            if hit.parting <= allowed:
                 return None
-        t += _clear(n, (here, there), cores, (one, other), until - t)
+        t += _clear(found.normal, (here, there), cores, (one, other), until - t)
         if t > until:
             return None
     return None
+
+
+def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
+    """Return where two shapes touch at a time, None if they do not, whether they part or not."""
+    here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+    cores = here.put(one.corners), there.put(other.corners)
+    found = gap(*cores, one.radius + other.radius)
+    if found.distance > _touch(here, there) + NEAR:
+        return None
+    if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
+        return None
+    return _hit(t, (one, other), (here, there), found)
+
+
+def _touch(here: _Motion, there: _Motion) -> float:
+    """Return the gap at which bodies touch [m]."""
+    return TOUCH + max(CLOSE, FAR * abs(here.place), FAR * abs(there.place))
+
+
+def _hit(
+    t: float, outlines: tuple[Outline, Outline], bodies: tuple[_Motion, _Motion], found: Gap
+) -> Hit:
+    """Return what two shapes do that touch."""
+    (one, other), (here, there) = outlines, bodies
+    n = found.normal
+    points = tuple(p + n * one.radius for p in found.points)
+    parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
+    return Hit(t, (one.body, other.body), n, points, parting)
 
 
 def _clear(

@@ -6,6 +6,7 @@ from math import ceil
 
 import numpy as np
 
+from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import (
     ApexEvent,
@@ -17,6 +18,8 @@ from sandbox.model.level import (
 )
 from sandbox.model.quantities import quantity
 from sandbox.physics.batch import Integers
+from sandbox.physics.closing import Closer, Closing
+from sandbox.physics.errors import BreakdownError
 from sandbox.physics.ledger import Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.snapshot import Snapshot
@@ -45,6 +48,8 @@ class Trace:
         those that touch from the start must part before.
     impact_times
         For those whose first impact was located, when it was [s]: before that instant.
+    closing
+        How the books of its energy closed; None if none were kept.
     """
 
     level: Level
@@ -55,6 +60,7 @@ class Trace:
     units: Mapping[str, str]
     first_contacts: Mapping[Pair, int]
     impact_times: Mapping[Pair, float]
+    closing: Closing | None = None
 
     @property
     def smooth(self) -> bool:
@@ -166,6 +172,8 @@ def simulate(
     duration: float | None = None,
     record: Iterable[str] | None = None,
     stepping: Stepping | None = None,
+    *,
+    books: bool = False,
 ) -> Trace:
     """Run a level and record it.
 
@@ -181,6 +189,8 @@ def simulate(
         The quantities to record; those that the level's checks need if left out.
     stepping
         How time advances; as the level says if left out.
+    books
+        Whether to keep the books of its energy along, which costs about 0.1 ms a step.
 
     Raises
     ------
@@ -190,11 +200,21 @@ def simulate(
         If the run had to stop.
     """
     world = build(level, values, stepping)
-    recorder = Recorder(world, needed(level) if record is None else record)
-    for _ in range(count_steps(world, duration)):
-        world.advance()
-        recorder.note()
-    return recorder.trace
+    try:
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            recorder = Recorder(world, needed(level) if record is None else record)
+            closer = Closer(world) if books else None
+            for _ in range(count_steps(world, duration)):
+                world.advance()
+                recorder.note()
+                if closer:
+                    closer.note()
+            trace = recorder.trace
+            return replace(trace, closing=closer.closing) if closer else trace
+    except SandboxError:
+        raise
+    except Exception as error:
+        raise BreakdownError(error, world.t) from error
 
 
 def count_steps(world: World, duration: float | None = None) -> int:

@@ -2,7 +2,7 @@
 
 It looks at what is observed anyway, and changes nothing. What makes a look dear, energies and the
 joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad: of
-them it asks only that everything is somewhere.
+them it asks only that everything is somewhere, and that their energy does not go on multiplying.
 """
 
 from collections.abc import Callable
@@ -14,13 +14,14 @@ import numpy as np
 from sandbox.model import accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body, Level, Stepping
-from sandbox.model.shapes import Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import Arc, Box, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.audit import Audit
 from sandbox.physics.batch import Contacts
 from sandbox.physics.bodies import local_points
 from sandbox.physics.build import Scene
 from sandbox.physics.convex import twice_area
 from sandbox.physics.errors import SimulationError, way_out
+from sandbox.physics.gains import Gains, kinetic
 from sandbox.physics.limits import Need, called, slowing, steepness
 from sandbox.physics.motion import Instant
 from sandbox.physics.snapshot import Snapshot
@@ -32,11 +33,27 @@ EVERY = 8
 DEEP = 0.5
 """The share of its thickness that a body may be within another."""
 
+HALFWAY = 0.5
+"""The share of what is allowed of it from which on a depth is watched: a body that is pressed
+through another is next seen on its far side, and less deep."""
+
+LITTLE = 0.01
+"""The same share, below which bodies do not overlap to speak of."""
+
 PARTED = 0.05
 """The share of the thinnest body's thickness by which an exact joint may be off."""
 
+TURNS = "forces of contact and exact joints are found in turn here, and do not come to terms"
+"""What goes wrong where contacts are not solved directly: a heavy body on a light one."""
+
 UNNOTICED = 1e-3
-"""A motion of this share of its thickness in a step is none to speak of."""
+"""The share by which bodies may be deeper in each other than they were at the start."""
+
+DIVERGED = 1e4
+"""How many times the energy that there was Euler's schemes may make of it."""
+
+TIGHTEST = 1e-3
+"""What 1 − (ω dt / 2)² is at the least taken for."""
 
 NUDGE = 1e-6
 """By how much a body is displaced to see how its force changes, of its thickness."""
@@ -70,27 +87,39 @@ class Watchdog:
         scene: Scene,
         start: Snapshot,
         contacts: Contacts,
-        audit: Callable[[float, float], Audit],
+        audit: Callable[[float, float, bool], Audit],
     ) -> None:
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
-        self._strict = not stepping.as_it_comes
+        self._strict, self._scheme = not stepping.as_it_comes, stepping.scheme
+        joined = scene.joints.together is not None and level.effects.contact is not None
+        self._turns = joined and scene.direct is None
         self._thick = np.where(
             scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
         )
+        self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
-        self._closed = self._strict and not accounts.works(level)
-        self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._energy, self._lowest = self._energies(start)
-        self._least, self._swing = self._unnoticed(start), self._swings(start)
+        swing = self._swings(start) if self._strict else DIVERGED
+        thickness = np.where(np.isfinite(self._thick), self._thick, 0.0)
+        self._gains = Gains(scene, start, thickness, swing, stepping.rate)
+        self._closed = not accounts.works(level)
         self._audit = None
-        if stepping.scheme == "leapfrog" and not self._closed:
-            self._audit = audit(self._least, self._swing)
+        if stepping.scheme != "fourth-order" and not self._closed:
+            self._audit = audit(self._gains.least, swing, not self._strict)
+        self._deep: dict[tuple[int, int], Array] = {}  # pairs deep in each other, and their normals
         self._recent = [start]
         self.good = start
-        if not isfinite(self._energy):
-            self._refuse_beyond(int(np.argmax(self._kinetic(start))), start)
+        if not isfinite(self._gains.energies(start)[0]):
+            self._refuse_beyond(int(np.argmax(kinetic(scene, start))), start)
 
-    def look(self, now: Snapshot, contacts: Contacts, before: Array, *, disturbed: bool) -> None:
+    def look(
+        self,
+        now: Snapshot,
+        contacts: Contacts,
+        before: Array,
+        *,
+        disturbed: bool,
+        cut: bool = False,
+    ) -> None:
         """Look at what was observed.
 
         Parameters
@@ -101,6 +130,8 @@ class Watchdog:
             (n, 3), the velocities that the last kick began with [m/s, rad/s].
         disturbed
             Whether a hand has given energy to the scene.
+        cut
+            Whether impacts have cut the last drift.
 
         Raises
         ------
@@ -110,19 +141,18 @@ class Watchdog:
         """
         self.good = self._recent[-1]
         self._look_for_lost(now)
-        if not self._strict:
-            self._recent = [now]
-            return
-        if len(contacts.bodies):
+        if self._strict and len(contacts.bodies):
             self._look_for_sunk(now, contacts)
-        if self._audit and not disturbed and (gained := self._audit.look(before)):
-            self._refuse(now, gained)
+        self._gains.follow(now, contacts, None if cut else before)
+        if self._audit and not disturbed:
+            self._refuse_if(now, self._audit.look(before, self._gains.lifted))
         self._recent.append(now)
         if len(self._recent) > EVERY:
             self.good = self._recent[0]
-            self._look_for_parted(now)
+            if self._strict:
+                self._look_for_parted(now)
             if self._closed and not disturbed:
-                self._look_for_energy(now)
+                self._refuse_if(now, self._gains.look(now))
             self._recent = self._recent[-1:]
 
     def _look_for_lost(self, now: Snapshot) -> None:
@@ -135,7 +165,7 @@ class Watchdog:
             row = int(gone.argmax())
             reason = f"the body '{self._names[row]}' is no longer anywhere finite"
             cause, rate = self._without_value(row, now) or self._cause(row)
-            raise SimulationError(self._names[row], float(now.t), f"{reason}{cause}", rate)
+            self._stop(row, now, f"{reason}{cause}", rate)
         if lost.any():
             self._refuse_beyond(int(lost.argmax()), now)
 
@@ -156,18 +186,34 @@ class Watchdog:
         name = self._names[row]
         reason = f"'{name}' is so fast, so far away or so heavy that its energy is no finite number"
         cause, rate = self._known_cause(row) or ("", None)
-        raise SimulationError(name, float(now.t), f"{reason}{cause}", rate)
+        self._stop(row, now, f"{reason}{cause}", rate)
+
+    def _stop(self, row: int, now: Snapshot, reason: str, rate: float | None) -> NoReturn:
+        hint = "" if rate is None else way_out(rate, self._rate)
+        raise SimulationError(self._names[row], float(now.t), reason, rate, hint=hint)
 
     def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
         depth = self._depth(contacts)
         worst = int(depth.argmax())
-        if not depth[worst] > self._deepest:
+        if depth[worst] > self._deepest:
+            told = f"{contacts.depth[worst]:.3g} m deep in '{{}}', more than half its thickness"
+            self._refuse_sunk(now, contacts.bodies[worst].tolist(), told)
+        was_deep, self._deep = self._deep, {}
+        if self._deepest > 1 or not (was_deep or depth[worst] > HALFWAY):
             return
-        a, b = sorted(contacts.bodies[worst].tolist(), key=lambda row: float(self._thick[row]))
-        reason = (
-            f"'{self._names[a]}' is {contacts.depth[worst]:.3g} m deep in '{self._names[b]}', more"
-            f" than half its thickness"
-        )
+        for pair, direction, deep in zip(
+            contacts.bodies.tolist(), contacts.direction, (depth > HALFWAY).tolist(), strict=True
+        ):
+            before = was_deep.get((pair[0], pair[1]))
+            if before is not None and before @ direction < 0:
+                self._refuse_sunk(now, pair, "pressed through '{}'")
+            if deep:
+                self._deep[pair[0], pair[1]] = direction
+
+    def _refuse_sunk(self, now: Snapshot, pair: list[int], told: str) -> NoReturn:
+        """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
+        a, b = sorted(pair, key=lambda row: float(self._thick[row]))
+        reason = f"'{self._names[a]}' is {told.format(self._names[b])}"
         speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
         way = DEEP * self._thick[a]
         if speed > way * self._rate:
@@ -176,9 +222,7 @@ class Watchdog:
         else:
             needed = 4 * self._rate
             reason += ": what presses on it is too much for the solver"
-        raise SimulationError(
-            self._names[a], float(now.t), f"{reason}; {way_out(needed, self._rate)}", needed
-        )
+        self._stop(a, now, reason, needed)
 
     def _depth(self, contacts: Contacts) -> Array:
         """Return how deep pairs are in each other, over what is allowed: (k,)."""
@@ -189,62 +233,41 @@ class Watchdog:
         thin = self._thick.min(initial=inf)
         name, gap = self._scene.joints.parting()
         if gap > PARTED * thin:
-            reason = (
-                f"the joint '{name}' has parted by {gap:.3g} m: bodies that overlap are pushed"
-                " apart against it; let them start apart, or give 'contact' a 'correction' of 0"
-            )
-            raise SimulationError(name, float(now.t), reason)
+            reason = f"the joint '{name}' has parted by {gap:.3g} m"
+            hint = "let bodies start apart, or give 'contact' a 'correction' of 0"
+            if self._turns and self._apart:
+                reason, hint = f"{reason}: {TURNS}", f"{hint}, or the 'solver' \"direct\""
+            else:
+                reason = f"{reason}: bodies that overlap are pushed apart against it"
+            raise SimulationError(name, float(now.t), reason, hint=hint)
 
-    def _look_for_energy(self, now: Snapshot) -> None:
-        energy, stored = self._energies(now)
-        self._lowest = min(self._lowest, stored)
-        there_was = self._energy - self._lowest + self._least
-        gained = energy - self._energy
-        if gained > there_was * self._swing or not isfinite(gained):
+    def _refuse_if(self, now: Snapshot, gained: float) -> None:
+        """Stop if energy has come from nowhere [J]."""
+        if gained:
             self._refuse(now, gained)
 
     def _refuse(self, now: Snapshot, gained: float) -> NoReturn:
         """Stop, for so much energy has come from nowhere [J]."""
-        row = int(np.argmax(self._kinetic(now)))
+        row = int(np.argmax(kinetic(self._scene, now)))
         if not isfinite(gained):
             self._refuse_beyond(row, now)
         name = self._names[row]
         reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
         cause, rate = self._cause(row)
-        raise SimulationError(name, float(now.t), f"{reason}{cause}", rate)
-
-    def _kinetic(self, now: Snapshot) -> Array:
-        square = np.sum(now.velocity * now.velocity, axis=1)
-        return (self._scene.mass * square + self._scene.moment * now.angular_velocity**2) / 2
-
-    def _energies(self, now: Snapshot) -> tuple[float, float]:
-        """Return the whole energy and what is stored of it [J]."""
-        stores = (law for law in self._laws if law.book == "potential")
-        stored = sum(float(law.potential_energy(now).sum()) for law in stores)
-        return float(self._kinetic(now).sum()) + stored, stored
-
-    def _unnoticed(self, start: Snapshot) -> float:
-        """Return an energy that is nothing beside the scene: of a hair's motion, and of its height.
-
-        Taking back overlaps lifts bodies; it cannot lift them higher than the scene is wide.
-        """
-        mass, finite = self._scene.mass, np.where(np.isfinite(self._thick), self._thick, 0.0)
-        motion = float(np.sum(mass * (UNNOTICED * finite * self._rate) ** 2)) / 2
-        field = self._scene.gravity
-        if field is None or not mass.any():
-            return motion
-        extent = float(np.ptp(start.position[mass > 0], axis=0).max() + finite.max())
-        return motion + float(mass.sum() * np.hypot(*field.acceleration)) * extent
+        self._stop(row, now, f"{reason}{cause}", rate)
 
     def _swings(self, start: Snapshot) -> float:
         """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
         needed, _ = limit(self._scene.joints.springs, self._scene.agility, start.angle)
-        return 1 / max(1 - (needed / self._rate) ** 2, UNNOTICED)
+        return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
 
     def _cause(self, row: int) -> tuple[str, float | None]:
         """Return the force that was too strong for a body, and the rate that it needs [Hz]."""
-        known = self._known_cause(row)
-        return known or (f"; {way_out(MARGIN * self._rate, self._rate)}", MARGIN * self._rate)
+        if not self._strict:
+            return f": the scheme '{self._scheme}' gives some in every step", None
+        if known := self._known_cause(row):
+            return known
+        return f": {TURNS}" if self._turns else "", MARGIN * self._rate
 
     def _known_cause(self, row: int) -> tuple[str, float] | None:
         worst = max(self._blamed(row), default=None)
@@ -252,7 +275,7 @@ class Watchdog:
             return None
         needed = MARGIN * worst.rate
         cause = f"{worst.subject} changes too fast for a step"
-        return f": {cause}; {way_out(needed, self._rate)}", needed
+        return f": {cause}", needed
 
     def _blamed(self, row: int) -> list[Need]:
         """Return what asked for more than the rate, with room to spare.
@@ -279,7 +302,7 @@ def _thickness(body: Body, values: Values) -> float:
         case Polygon():
             corners = np.array(local_points(body, values))
             return float(abs(twice_area(corners)) / _around(corners)) * 2
-        case Segment() | Polyline():
+        case Segment() | Polyline() | Arc():
             return inf
 
 

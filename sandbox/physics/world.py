@@ -11,17 +11,25 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import partial
 from math import inf
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 import pymunk
 
+from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.audit import Audit
 from sandbox.physics.batch import NO_CONTACTS, Contacts
 from sandbox.physics.build import Scene, make_scene
-from sandbox.physics.errors import EndlessImpacts, JointFailure, SimulationError, way_out
+from sandbox.physics.errors import (
+    BreakdownError,
+    EndlessImpacts,
+    JointFailure,
+    NoForces,
+    SimulationError,
+    way_out,
+)
 from sandbox.physics.fence import Fence
 from sandbox.physics.forces import Forces
 from sandbox.physics.hand import Hand
@@ -37,6 +45,9 @@ from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.stiffness import check_springs
 from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct import Direct
 
 Pair = frozenset[str]
 
@@ -69,10 +80,19 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
 
         stepping = resolved(level, values, stepping)
     try:
-        return World(level, values, stepping)
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            return World(level, values, stepping)
     except SimulationError as error:
         error.refuse(level)
         raise
+    except SandboxError:
+        raise
+    except JointFailure as error:
+        failure = SimulationError(error.joint, 0.0, str(error))
+        failure.refuse(level)
+        raise failure from error
+    except Exception as error:  # whatever it is, whoever builds gets an answer
+        raise BreakdownError(error, 0.0) from error
 
 
 class World:
@@ -136,10 +156,12 @@ class World:
         self._kicks_after: float = 1  # steps from the last to the time of the next kick
         self._drifts_then: float = 1  # and how many the drift lasts that follows it
         # joints take turns with contacts: there their last pull acts from the start of a kick
-        pulling = self._joints.together if level.effects.contact else None
+        turns = level.effects.contact is not None and self.scene.direct is None
+        pulling = self._joints.together if turns else None
         self.forces = Forces(self.scene, pulling, leapfrog=self._leapfrog)
         self._sequence = self._make_sequence()
-        self._observer = Observer(level, stepping, self.scene, self.forces, self._sequence)
+        strikes = self._sequence or self.scene.direct
+        self._observer = Observer(level, stepping, self.scene, self.forces, strikes)
         self.located = locate(level, values, self.scene, self.dt) if self._leapfrog else None
         self._hook = self._make_hook()
         self._settling = Settling(
@@ -239,6 +261,15 @@ class World:
             raise self._ended
         if steps < 1:
             raise ValueError(f"steps is {steps}, but must be at least 1")
+        try:
+            with np.errstate(all="ignore"):  # what is not finite is told by name
+                return self._advance(steps)
+        except SandboxError:
+            raise
+        except Exception as error:  # noqa: BLE001 (whatever it is, whoever steps gets an answer)
+            self._fail(error)
+
+    def _advance(self, steps: int) -> Snapshot:
         for _ in range(steps - 1):
             self.step()
         if self._leading:
@@ -248,8 +279,7 @@ class World:
             before = self._seen[1] if self._seen[0] == self.steps else self._batch.velocity()
         self.step()
         try:
-            with np.errstate(all="ignore"):  # what is not finite is told by name
-                self._observe(before)
+            self._observe(before)
         except JointFailure as error:  # that only a look at it finds
             self.snapshot = self._watchdog.good
             self._fail(error)
@@ -311,8 +341,10 @@ class World:
             before.insert(0, self._apply_forces)
         if self._sequence:
             before.append(self._collide)
+        if direct := self.scene.direct:
+            before.append(partial(self._begin, direct))
         after = self._joints.solvers(
-            lambda: (self.steps + self._kicks_after + self._drifts_then) * self.dt
+            lambda: (self.steps + self._kicks_after + self._drifts_then) * self.dt, direct
         )
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
@@ -361,6 +393,13 @@ class World:
         self._kicks_after, self._drifts_then, self.forces.older = ahead, drift / self.dt, start
         return self._settling.kick(start, length, drift, self.forces.smooth)
 
+    def _begin(self, direct: "Direct") -> None:
+        """Tell what solves contacts what else acts in a kick."""
+        pull = self.forces.smooth
+        if self.hand.hold:
+            pull = pull + self.hand.pull(self._batch.velocity(), self.scene.agility, self.dt)
+        direct.begin(pull, start=self._kicks_after == 0)
+
     def _collide(self) -> None:
         """Let one impact come after the other, if that is how the level wants them."""
         assert self._sequence
@@ -374,6 +413,8 @@ class World:
     def _start(self) -> Snapshot:
         """Observe the initial state; for leapfrog, also give the first half kick."""
         self.begun = start = self._batch.velocity()
+        if self.scene.direct:
+            self.scene.direct.forget()
         self._seen = -1, start
         if not self._leapfrog:
             self._joints.time(self.dt, self.dt)
@@ -400,7 +441,7 @@ class World:
             snapshot = self._observer.snapshot(
                 self.t, state, start, acceleration, self.contacts, kick
             )
-            if self.level.effects.contact:
+            if self.level.effects.contact and not self.scene.direct:
                 # what pymunk remembers for the next step are impulses: leave it a whole step's
                 self._settling.kick(start, self.dt, self.dt, self.forces.smooth)
                 self._batch.set_velocity(after)
@@ -425,7 +466,8 @@ class World:
         self.snapshot = self._observer.snapshot(self.t, state, *rates, contacts, self.dt)
         self.contacts = contacts
         try:
-            self._watchdog.look(self.snapshot, contacts, before, disturbed=self.disturbed)
+            cut = bool(self.located and self.located.impacts)
+            self._watchdog.look(self.snapshot, contacts, before, disturbed=self.disturbed, cut=cut)
         except SimulationError as error:
             self._ended, self.snapshot = error, self._watchdog.good
             raise
@@ -433,7 +475,10 @@ class World:
     def _read_contacts(self) -> Contacts:
         if not self.level.effects.contact:
             return NO_CONTACTS
-        contacts = (self.stops and self.stops.kicked) or self._batch.contacts()
+        if direct := self.scene.direct:
+            contacts = direct.contacts
+        else:
+            contacts = (self.stops and self.stops.kicked) or self._batch.contacts()
         touches = self._joints.touches
         return touches.with_latest(contacts) if touches else contacts
 
@@ -457,13 +502,21 @@ class World:
     def _fail(self, error: Exception) -> NoReturn:
         """Raise what a hook has kept; such a world has ended."""
         self._ended = error
-        if isinstance(error, JointFailure):
+        if isinstance(error, NoForces):
+            names = list(self.scene.bodies)
+            told = "no forces were found between '{}' and '{}'".format(
+                *(names[b] for b in error.bodies)
+            )
+            self._ended = SimulationError(names[error.bodies[0]], self.t, told)
+        elif isinstance(error, JointFailure):
             rate = error.finer and error.finer * self.stepping.rate
-            told = f"{error}; {way_out(rate, self.stepping.rate)}" if rate else str(error)
-            self._ended = SimulationError(error.joint, self.t, told, rate)
+            hint = way_out(rate, self.stepping.rate) if rate else ""
+            self._ended = SimulationError(error.joint, self.t, str(error), rate, hint=hint)
         elif isinstance(error, EndlessImpacts):
             body = list(self.scene.bodies)[error.body]
-            self._ended = SimulationError(body, self.t, str(error))
+            self._ended = SimulationError(body, self.t, str(error).format(body=f"'{body}'"))
+        elif not isinstance(error, SandboxError):
+            self._ended = BreakdownError(error, self.t)
         raise self._ended from error
 
     def grab(self, body: str, point: tuple[float, float]) -> None:

@@ -109,6 +109,9 @@ def test_the_arrow_points_where_the_ball_goes(session: Session, stage: Stage) ->
     assert count(above, theme.ARROW) == 0
 
 
+RINGS = (("disc", 0.2), ("hoop", 1.0))  # m
+
+
 def test_only_what_a_hand_can_move_is_picked(pen: Pen) -> None:
     session = Session(
         scenes.level(
@@ -139,6 +142,18 @@ def test_only_what_a_hand_can_move_is_picked(pen: Pen) -> None:
     assert pick((0, -1)) is None
 
 
+def test_what_is_within_a_hoop_is_picked_and_the_hoop_only_at_its_rim(pen: Pen) -> None:
+    inner, hoop = ({"shape": {"type": t, "radius": r}, "mass": "mass"} for t, r in RINGS)
+    session = Session(scenes.level(bodies={"ball": inner, "hoop": hoop}, ghosts={}, checks=[]))
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+
+    picked = [stage.body_at(stage.camera.to_screen((x, 0)), margin=0) for x in (0.1, 0.5, 0.9)]
+
+    assert picked == ["ball", None, "hoop"]
+
+
 @pytest.mark.parametrize(
     "shape",
     [
@@ -148,6 +163,7 @@ def test_only_what_a_hand_can_move_is_picked(pen: Pen) -> None:
         {"type": "polygon", "vertices": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]},
         {"type": "segment", "start": [-1, 0], "end": [1, 0.5], "thickness": 0.1},
         {"type": "polyline", "points": [[-1, 0], [0, 1], [1, 0]]},
+        {"type": "arc", "radius": 1, "start": 0, "end": "200*deg", "thickness": 0.1},
     ],
 )
 @pytest.mark.parametrize("kind", ["dynamic", "static"])
@@ -264,6 +280,7 @@ def test_rounding_is_not_drawn_as_motion(pen: Pen) -> None:
 
 @pytest.mark.parametrize("half", [1e3, 1e9, 1e16, 1e100])
 @pytest.mark.parametrize("runs", [False, True])
+@pytest.mark.usefixtures("boundless")
 def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
     pen: Pen, monkeypatch: pytest.MonkeyPatch, half: float, runs: bool
 ) -> None:

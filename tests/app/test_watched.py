@@ -10,6 +10,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.loading import load
+from sandbox.physics.advice import Advice
 from tests.app.person import Person
 from tests.physics.scenes import GRAVITY, box, disc, floor, level, orbit
 
@@ -88,8 +89,14 @@ def test_the_window_offers_a_rate_for_a_run_that_stopped(person: Person, tmp_pat
         if person.session.failure:
             break
     person.wait()
+    assert person.session.trying
+    assert person.session.advised is None  # what has not been tried is not offered
+    person.window.advising.cancel()
+    person.session.take(Advice("tried: at 2,611 Hz it holds", 2611.0))
+    person.wait()
     offer = person.window.panels.offer
     assert offer is not None
+    assert str(person.session.failure).endswith("for a step; tried: at 2,611 Hz it holds")
 
     person.click(offer.rect)
 

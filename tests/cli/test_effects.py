@@ -16,7 +16,7 @@ def test_a_run_without_an_effect_is_told_in_the_levels_own_quantities(
     outcome = run("simulate", write(), "--with", "drag.linear=0.5", "--output", tmp_path / "x.csv")
 
     # with k = c/m: y = 10 − g (t/k − (1 − exp(−k t))/k²), 5.8197 after 1 s
-    first, header, row, summary = outcome.out.splitlines()
+    first, header, row, summary, _energy = outcome.out.splitlines()
     assert outcome.status == 0
     assert "fall.json with drag (linear 0.5), 60 steps" in first
     assert header.split("  ")[0] == "quantity"

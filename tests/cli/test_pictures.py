@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from sandbox.cli import touring
 from sandbox.cli.visits import visit
+from sandbox.model.errors import SandboxError
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
 
 PNG = b"\x89PNG\r\n"
@@ -110,6 +112,23 @@ def test_a_visit_passes_only_if_every_check_was_made_and_held(
     write("levels/motion/fall.json", checks=[check])
 
     assert visit("motion/fall", tmp_path).passed is passed
+
+
+@pytest.mark.usefixtures("chapters")
+def test_a_full_disk_does_not_lose_what_a_tour_has_found(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(path: Path, _: object) -> None:
+        raise SandboxError(f"cannot write {path}: No space left on device")
+
+    monkeypatch.setattr(touring, "write_atomically", full)
+
+    outcome = run("tour", "--output", tmp_path)
+
+    assert outcome.status == 1
+    assert "passed" in outcome.out
+    assert "none failed" in outcome.out
+    assert "No space left on device" in outcome.err
 
 
 def test_a_tour_into_a_file_is_wrong_usage(run: Run, write: Write) -> None:

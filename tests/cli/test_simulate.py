@@ -1,6 +1,7 @@
 """`simulate`: the file, the verdicts, the exit status."""
 
 import csv
+import re
 import shlex
 from pathlib import Path
 
@@ -111,13 +112,15 @@ def test_a_scheme_that_is_not_for_the_level_is_said(run: Run, write: Write, tmp_
 def test_it_says_steps_and_verdicts(run: Run, write: Write, tmp_path: Path) -> None:
     outcome = run("simulate", write(), "--output", tmp_path / "out.csv")
 
-    first, header, verdict = outcome.out.splitlines()
+    first, header, verdict, energy = outcome.out.splitlines()
     assert "60 steps at 60 Hz to t = 1 s" in first
     assert header.split() == [
         "quantity", "measured", "expected", "error", "tolerance", "verdict",
     ]  # fmt: skip
     assert verdict.startswith("ball.position.y ")
     assert verdict.endswith("passed")
+    assert re.fullmatch(r"energy: closes to \S+ of \S+ J turned over", energy)
+    assert f"# {energy}" in (tmp_path / "out.csv").read_text(encoding="utf-8").splitlines()
     assert outcome.err == ""
 
 
@@ -128,8 +131,8 @@ def test_a_check_that_fails_is_an_exit_status_of_1_and_a_whole_file(
     outcome = run("simulate", write(checks=[height(), check]), "--output", tmp_path / "out.csv")
 
     assert outcome.status == 1
-    assert outcome.out.splitlines()[-2].split("  ")[-1].strip() == "passed"
-    assert verdict in outcome.out.splitlines()[-1]
+    assert outcome.out.splitlines()[-3].split("  ")[-1].strip() == "passed"
+    assert verdict in outcome.out.splitlines()[-2]
     assert len(table(tmp_path / "out.csv")[1]) == 61
 
 
@@ -227,6 +230,7 @@ def test_a_bad_level_fails_with_its_mistakes(run: Run, write: Write, tmp_path: P
     assert list(tmp_path.iterdir()) == [path]
 
 
+@pytest.mark.usefixtures("boundless")
 def test_a_run_that_has_to_stop_writes_nothing(run: Run, write: Write, tmp_path: Path) -> None:
     bodies = {"ball": {"shape": {"type": "disc", "radius": 1}, "mass": 1, "velocity": [1e153, 0]}}
     path = write(bodies=bodies, checks=[], duration=1e5)
@@ -236,3 +240,15 @@ def test_a_run_that_has_to_stop_writes_nothing(run: Run, write: Write, tmp_path:
     assert outcome.status == 1
     assert outcome.err.startswith("stopped at t = ")
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_what_cannot_be_recorded_is_refused_beside_everything(
+    run: Run, write: Write, tmp_path: Path
+) -> None:
+    output = tmp_path / "out.csv"
+
+    outcome = run("simulate", write(), "--record", "all", "--record", "bogus", "--output", output)
+
+    assert outcome.status == 2
+    assert "'bogus' is not a quantity of this level" in outcome.err
+    assert not output.exists()

@@ -159,7 +159,7 @@ def test_runs_the_same_in_another_process(name: str, played: Played, elsewhere: 
 
 
 def test_pays_only_for_what_it_declares(level: Level) -> None:
-    """No shape without contact, no Python without a force law, a string, a sequence or a cut.
+    """No shape without contact, no Python without a law, a string, a sequence, a cut or an arc.
 
     Springs that neither damp nor let go are pulled by pymunk, where nothing touches.
     """
@@ -174,7 +174,9 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     assert bool(world.scene.space.shapes) == (effects.contact is not None)
     jointed = any(effects.contact or not _is_plain(joint) for joint in level.joints.values())
     located = any(e and e.located for e in (effects.contact, effects.friction))
-    hooked = jointed or laws or pairs or sticky or sequence or located
+    direct = effects.contact is not None and effects.contact.solver == "direct"
+    arcs = any(body.shape.type == "arc" for body in level.bodies.values())
+    hooked = jointed or laws or pairs or sticky or sequence or located or direct or arcs
     assert bool(world.hooks) == bool(hooked)
 
 

@@ -11,7 +11,7 @@ from sandbox.model import catalog
 from sandbox.model.joints import Joint, Motor, Rod, Rope, Spring
 from sandbox.model.level import Level
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Recorder, Trace, count_steps
+from sandbox.physics.trace import Recorder, Trace, count_steps, simulate
 from sandbox.physics.world import build
 from tests.levels.sweep import marked, steps
 from validation.case import textbook
@@ -33,7 +33,15 @@ CONSERVATIVE = {
     "force",
 }
 
-LAND = {"kinematics/doubled-speed", "momentum/inelastic"}
+LAND = {
+    "kinematics/doubled-speed",
+    "momentum/inelastic",
+    "machines/seesaw",
+    "machines/sliding-ladder",
+    "machines/trebuchet",
+    "machines/drawbridge",
+    "machines/ragdoll",
+}
 """Levels with smooth contact and no restitution whose bodies meet, and lose energy by it."""
 
 ENDS = {
@@ -55,6 +63,8 @@ GAIN_SPEED = {
     "energy/helix": "the bead comes to the end of its wire",
     "energy/four-slides": "the beads come to the ends of their wires",
     "energy/brachistochrone": "the straight wire ends",
+    "machines/marble-run": "the marble comes to the end of its wire",
+    "energy/loop": "the marble comes to the end of the track, whose bend begins behind a straight",
     "rotation/drum-and-weight": "the weight unwinds more string than a drum has",
 }
 """The same, and what moves there goes faster and faster round its bends: the swing of leapfrog's
@@ -129,3 +139,18 @@ def test_energy_stays_within_its_bound_and_does_not_grow(name: str) -> None:
     assert error.max() <= 1e-5
     if name not in GAIN_SPEED:
         assert error[-tenth:].max() <= max(1.5 * error[:tenth].max(), 1e-12)
+
+
+def test_a_wrecking_ball_and_its_wall_get_no_energy_from_their_blows() -> None:
+    """But for what overlaps give that are taken back: no more than to lift a brick by v dt, 5.0 J.
+
+    Measured: 2.4 J; the ball comes with 2,824 J.
+    """
+    level = textbook("machines/wrecking-ball")
+
+    total = simulate(level, record=["system.energy"]).columns["system.energy"]
+
+    least = np.minimum.accumulate(total)
+    speed = np.sqrt(2 * 9.81 * 4.5 * (1 - np.cos(np.radians(55))))
+    assert (total - least).max() <= 20 * 9.81 * speed / level.stepping.rate
+    assert total[-1] < total[0] - 1000

@@ -4,7 +4,8 @@ from pathlib import Path
 import pytest
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import check_writable, read_ordinary, write_atomically
+from tests.elsewhere import python
 
 
 @pytest.mark.parametrize("data", ["g = 9.81 m/s²\n", b"\x89PNG\r\n"])
@@ -37,6 +38,48 @@ def test_a_write_that_breaks_off_leaves_what_was_there(
     assert list(tmp_path.iterdir()) == [path]
     if isinstance(error, OSError):
         assert str(caught.value) == f"cannot write {path}: No space left on device"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="nobody can be asked there whether a process lives")
+def test_what_a_killed_process_has_begun_to_write_goes_with_the_next_file(tmp_path: Path) -> None:
+    code = (
+        "import os, signal; from pathlib import Path; from sandbox.model.files import *\n"
+        "Path.replace = lambda *_: os.kill(os.getpid(), signal.SIGKILL)\n"
+        f"write_atomically(Path({str(tmp_path / 'file')!r}), 'half')"
+    )
+    assert python("-c", code).returncode == -9
+    assert len(list(tmp_path.glob(".*.part"))) == 1
+    left = next(tmp_path.glob(".*.part"))
+    mine = left.with_name(f"{left.name[:9]}-{os.getppid()}-{'0' * 32}.part")
+    mine.touch()  # of a process that lives
+    (tmp_path / ".another.part").touch()
+
+    write_atomically(tmp_path / "file", "whole")
+
+    assert {path.name for path in tmp_path.iterdir()} == {"file", mine.name, ".another.part"}
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_link_gives_way_where_it_is_not_followed(tmp_path: Path) -> None:
+    (tmp_path / "real").write_text("old")
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+
+    write_atomically(tmp_path / "link", "new", follow=False)
+
+    assert not (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real").read_text() == "old"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_only_an_ordinary_file_of_some_size_is_read(tmp_path: Path) -> None:
+    (tmp_path / "real").write_bytes(b"x" * 10)
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+    os.mkfifo(tmp_path / "pipe")
+
+    assert read_ordinary(tmp_path / "real", 10) == b"x" * 10
+    assert read_ordinary(tmp_path / "real", 9) is None
+    assert read_ordinary(tmp_path / "link", 10) is None
+    assert read_ordinary(tmp_path / "pipe", 10) is None
 
 
 def test_a_new_file_has_the_permissions_of_any_other(tmp_path: Path) -> None:

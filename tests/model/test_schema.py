@@ -9,7 +9,7 @@ import pytest
 from sandbox.model import catalog
 from sandbox.model.effects import Effects
 from sandbox.model.level import Level
-from sandbox.model.schema import schema, text, write
+from sandbox.model.schema import main, schema, text, write
 
 SCHEMA = schema()
 
@@ -33,6 +33,19 @@ def test_it_is_written_whole(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 
     assert write().read_text(encoding="utf-8") == text()
     assert [path.name for path in tmp_path.iterdir()] == ["level.schema.json"]
+
+
+def test_an_installed_package_keeps_its_schema(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "sandbox" / "levels" / "level.schema.json"
+    file.parent.mkdir(parents=True)
+    file.write_text("as it was installed")
+    monkeypatch.setattr(catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py"))
+
+    assert main() == 2
+    assert "is written in a checkout of the project" in capsys.readouterr().err
+    assert file.read_text() == "as it was installed"
 
 
 def test_every_reference_leads_to_a_definition() -> None:

@@ -1,5 +1,6 @@
 """An accuracy that is asked for is delivered, and what cannot be had is said."""
 
+import json
 import os
 import time
 from collections.abc import Callable, Iterator
@@ -335,6 +336,7 @@ def test_nothing_that_moves_has_no_accuracy() -> None:
         calibrate(scene)
 
 
+@pytest.mark.usefixtures("boundless")
 def test_a_level_that_never_runs_says_why() -> None:
     force = [{"body": "ball", "force": ["1e100*exp(200*t)", 0]}]
     scene = level({"ball": disc()}, {"force": force}, duration=2)
@@ -443,6 +445,70 @@ def test_a_spoilt_file_is_not_used(counted: list[float], mangle: Callable[[str],
     assert len(counted) == 2
 
 
+def _edited(text: str) -> str:
+    """Let an entry say 1 Hz and explicit Euler, at the error that was found for something else."""
+    entry = json.loads(text)
+    entry[2]["chosen"]["stepping"] |= {"rate": 1.0, "scheme": "explicit-euler"}
+    return json.dumps(entry)
+
+
+@pytest.mark.parametrize("edit", [_edited, lambda text: text.replace('"rate":', '"rate":1')])
+def test_a_setting_that_a_hand_has_changed_is_not_believed(
+    counted: list[float], edit: Callable[[str], str]
+) -> None:
+    found = calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    assert edit(file.read_text()) != file.read_text()
+    file.write_text(edit(file.read_text()))
+
+    assert calibrated(oscillator(), target=1e-3).chosen.stepping == found.chosen.stepping
+    assert len(counted) == 2
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_setting_is_not_written_through_a_link(counted: list[float], tmp_path: Path) -> None:
+    other = tmp_path / "another's file"
+    calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    content = file.read_bytes()
+    other.write_bytes(content)
+    file.unlink()
+    file.symlink_to(other)
+
+    calibrated(oscillator(), target=1e-3)
+
+    assert len(counted) == 2  # nor is it read through one
+    assert other.read_bytes() == content
+    assert not file.is_symlink()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_setting_is_not_written_into_a_folder_that_is_a_link(
+    counted: list[float], tmp_path: Path
+) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "cache").mkdir()
+    memory.folder().symlink_to(tmp_path / "elsewhere")
+    told: list[str] = []
+
+    calibrated(oscillator(), target=1e-3, tell=told.append)
+
+    assert "is a link, which may lead anywhere" in told[0]
+    assert list((tmp_path / "elsewhere").iterdir()) == []
+    assert len(counted) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no such pipes there")
+def test_a_pipe_in_the_place_of_a_setting_is_not_waited_for(counted: list[float]) -> None:
+    calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    file.unlink()
+    os.mkfifo(file)
+
+    assert calibrated(oscillator(), target=1e-3).chosen.error <= 1e-3
+    assert len(counted) == 2
+
+
 def test_a_folder_that_cannot_be_written_costs_only_the_memory(
     counted: list[float], tmp_path: Path
 ) -> None:
@@ -459,7 +525,7 @@ def test_a_folder_that_cannot_be_written_costs_only_the_memory(
 
 @pytest.mark.usefixtures("counted")
 def test_a_full_disk_costs_only_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
-    def full(*_: object) -> None:
+    def full(*_: object, **__: object) -> None:
         raise OSError(28, os.strerror(28))
 
     monkeypatch.setattr(memory, "write_atomically", full)

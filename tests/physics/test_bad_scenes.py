@@ -17,8 +17,11 @@ from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, Spec, box, disc, fixed, level
 
 GROUND = fixed({"type": "box", "width": 400, "height": 10}, (0, -5))
-PILE: dict[str, Any] = {**GRAVITY, "contact": {}, "rotation": {}}
-SEQUENCE: dict[str, Any] = {"contact": {}, "restitution": {"impacts": "sequence"}}
+PILE: dict[str, Any] = {**GRAVITY, "contact": {"overlaps": True}, "rotation": {}}
+SEQUENCE: dict[str, Any] = {
+    "contact": {"overlaps": True},
+    "restitution": {"impacts": "sequence"},
+}
 FAR = 1e8  # m
 
 
@@ -124,7 +127,7 @@ from tests.physics.scenes import GRAVITY, disc, level
 from sandbox.physics.world import build
 
 bodies = {f"b{i}": disc((0, 1)) for i in range(COUNT)}
-world = build(level(bodies, {**GRAVITY, "contact": {}}))
+world = build(level(bodies, {**GRAVITY, "contact": {"overlaps": True}}))
 world.advance(3)
 print(bool((abs(world.snapshot.position) < 100).all()), flush=True)
 """

@@ -58,8 +58,20 @@ def test_moments_of_inertia_are_those_of_the_textbook(shape: Spec, moment: float
     assert made.moment[0] == pytest.approx(moment, rel=1e-12)
 
 
+@pytest.mark.parametrize("away", [1e6, 1e9, 1e14])
+def test_a_polygon_has_the_same_moment_however_far_its_corners_are_from_the_origin(
+    away: float,
+) -> None:
+    """An area is a difference of squares, of which rounding left nothing but a negative moment."""
+    corners = [[away, away], [away + 4, away], [away, away + 2]]
+    other = disc((9, 9))
+    made = scene({"body": body({"type": "polygon", "vertices": corners}), "b": other}, EVERYTHING)
+
+    assert made.moment[0] == pytest.approx(3 * (4**2 + 2**2) / 18, rel=1e-12)
+
+
 def test_a_level_may_give_a_moment_of_its_own() -> None:
-    made = scene({"body": disc(moment=7), "floor": floor()}, EVERYTHING)
+    made = scene({"body": disc(moment=7), "floor": floor(-1)}, EVERYTHING)
 
     assert made.bodies["body"].moment == made.moment[0] == 7
 
@@ -158,7 +170,7 @@ def test_flat_surfaces_stand_proud_by_a_hair_and_discs_do_not(clockwise: bool) -
     corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]][:: -1 if clockwise else 1]
     square = body({"type": "polygon", "vertices": corners})
     bodies = {"square": square, "box": box(size=(2, 2)), "disc": disc(radius=0.7), "floor": floor()}
-    made = scene(bodies, {"contact": {}})
+    made = scene(bodies, {"contact": {"overlaps": True}})
     insets = []
     for name in ("square", "box"):
         (shape,) = made.bodies[name].shapes
@@ -203,13 +215,16 @@ def test_without_rotation_moments_are_infinite_and_nothing_turns() -> None:
 
 
 def test_without_friction_and_restitution_their_coefficients_are_zero() -> None:
-    made = scene({"a": disc(), "b": box((5, 0)), "floor": floor()}, {"contact": {}})
+    made = scene({"a": disc(), "b": box((5, 0)), "floor": floor()}, {"contact": {"overlaps": True}})
 
     assert {(s.friction, s.elasticity) for s in made.space.shapes} == {(0.0, 0.0)}
 
 
 def test_coefficients_are_the_bodies_own() -> None:
-    bodies = {"a": disc(friction=0.4, restitution=0.3), "floor": floor(friction=0.5, restitution=1)}
+    bodies = {
+        "a": disc(friction=0.4, restitution=0.3),
+        "floor": floor(-1, friction=0.5, restitution=1),
+    }
     made = scene(bodies, {"contact": {}, "friction": {}, "restitution": {}})
 
     found = {s.body: (s.friction, s.elasticity) for s in made.space.shapes}
@@ -234,7 +249,10 @@ def test_an_overlap_is_taken_back_by_its_share_a_step(
     rest: Spec = {"restitution": 1} if restitution else {}
     made = level(
         {"a": disc(**rest), "floor": floor(-0.4, **rest)},
-        {"contact": {**contact, "slop": 0}, **({"restitution": {}} if restitution else {})},
+        {
+            "contact": {**contact, "slop": 0, "overlaps": True},
+            **({"restitution": {}} if restitution else {}),
+        },
         stepping={"rate": rate},
     )
     world = build(made)

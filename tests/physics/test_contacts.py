@@ -346,7 +346,7 @@ def test_an_impact_passes_through_a_row_of_blocks_at_once() -> None:
 def test_bodies_that_start_deep_inside_each_other_part_gently() -> None:
     """Position correction moves without speed: nothing leaves with more energy than it came."""
     bodies = {f"box{i}": box((0.1 * i, 0.4 + 0.75 * i), size=(1, 1)) for i in range(4)}
-    scene = level({**bodies, "floor": floor()}, {**GRAVITY, "contact": {}})
+    scene = level({**bodies, "floor": floor()}, {**GRAVITY, "contact": {"overlaps": True}})
     settle = run(build(scene), 600)
     energy = settle.position[..., :4, 1].sum(axis=1)
 
@@ -357,7 +357,7 @@ def test_bodies_that_start_deep_inside_each_other_part_gently() -> None:
 @pytest.mark.parametrize("make", MAKES)
 def test_bodies_in_one_place_come_to_rest_somewhere_finite(make: Callable[..., Spec]) -> None:
     bodies = {name: make((0, 1)) for name in "abc"}
-    effects = {**GRAVITY, "contact": {}, "rotation": {}}
+    effects = {**GRAVITY, "contact": {"overlaps": True}, "rotation": {}}
     end = build(level({**bodies, "floor": floor()}, effects)).advance(600)
 
     assert np.isfinite(end.position).all()

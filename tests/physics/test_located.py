@@ -1,6 +1,7 @@
 """Impacts located in time: bullets, bounces at their own time, and what they keep."""
 
 from math import cos, pi, sin, sqrt
+from time import process_time
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.errors import SimulationError
 from sandbox.physics.ledger import Ledger
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.trace import simulate
@@ -284,6 +286,137 @@ def test_a_row_that_touches_passes_the_shot_on(names: list[str]) -> None:
     end = build(level(balls, effects)).advance(60)
 
     assert np.abs(end.velocity[:, 0] - [0, 0, 0, 0, 2]).max() <= 1e-12
+
+
+@pytest.mark.parametrize("impacts", ["together", "sequence"])
+@pytest.mark.parametrize(("rows", "e"), [(2, 1), (3, 0.5), (4, 0.9), (5, 0.5)])
+def test_mirror_images_stay_so_where_a_break_is_located(rows: int, e: float, impacts: str) -> None:
+    """Taken one after the other, impacts at the same time end up to 1.3 m/s apart."""
+    places = [(i, 2 * j - i) for i in range(rows) for j in range(i + 1)]
+    balls = {
+        f"ball{k}": disc((0.05 * sqrt(3) * i, 0.05 * j), radius=0.05, restitution=sqrt(e))
+        for k, (i, j) in enumerate(places)
+    }
+    cue = disc((-0.5, 0), radius=0.05, velocity=[3, 0], restitution=sqrt(e))
+    effects = {**located(*balls, "cue"), "restitution": {"impacts": impacts}}
+    end = build(level({**balls, "cue": cue}, effects)).advance(24)
+    mirrored = [*(places.index((i, -j)) for i, j in places), len(places)]
+
+    assert np.abs(end.velocity - end.velocity[mirrored] * [1, -1]).max() <= 1e-12  # 2e-15 m/s
+    assert (np.abs(end.velocity[:, 1]) > 1e-3).any(), "they have met"
+
+
+def test_a_ball_that_falls_straight_into_a_wedge_stays_in_the_middle() -> None:
+    """It hits both sides at once, again and again; one after the other it went 5 cm aside."""
+    sides = {
+        side: fixed({"type": "segment", "start": [0, 0], "end": [x, 20]}, restitution=1)
+        for side, x in (("left", -2), ("right", 2))
+    }
+    ball = disc((0, 3), radius=0.1, restitution=1)
+    flight = run(build(level({"ball": ball, **sides}, {**GRAVITY, **located("ball")})), 120)
+
+    assert flight.velocity[:, 0, 1].max() > 1
+    assert np.abs(flight.position[:, 0, 0]).max() <= 1e-10
+
+
+def between(play: float, speed: float, e: float = 1) -> Level:
+    """A ball of 0.1 m between two walls, with some play."""
+    wall = {"type": "box", "width": 0.2, "height": 4}
+    walls = {
+        side: fixed(wall, (way * (0.2 + play / 2), 0), restitution=1)
+        for side, way in (("left", -1), ("right", 1))
+    }
+    ball = disc((0, 0), radius=0.1, velocity=[speed, 0], restitution=e)
+    effects = located("ball")
+    effects["contact"] = {"located": ["ball"], "overlaps": True}
+    return level({"ball": ball, **walls}, effects)
+
+
+@pytest.mark.parametrize(
+    ("play", "speed", "said"),
+    [
+        (1e-3, 100, "'ball' would have more than 500 impacts in one step: it is too fast for the"),
+        (0, 1, "collide too often to be followed: .* or they are wedged in"),
+        (-1e-3, 1, "collide too often to be followed: .* or they are wedged in"),
+    ],
+)
+def test_a_ball_without_room_is_told_soon(play: float, speed: float, said: str) -> None:
+    """They took 4 s a step."""
+    start = process_time()
+    with pytest.raises(SimulationError, match=said) as told:
+        build(between(play, speed)).advance(5)
+
+    assert process_time() - start < 1  # 0.25 s
+    assert told.value.subject == "ball"
+
+
+def test_a_ball_with_little_room_bounces_as_often_as_it_should() -> None:
+    """1 mm of play, 20 m/s: 333 impacts in a 60th of a second."""
+    world = build(between(1e-3, 20))
+    world.advance()
+
+    assert abs(len(world.impacts) - 20 / 60 / 1e-3) <= 1
+    assert abs(world.snapshot.velocity[0, 0]) == 20
+
+
+def test_what_loses_its_bounces_between_two_walls_comes_to_rest() -> None:
+    """The first check above is for what does not: this has 70 impacts, and no more speed."""
+    world = build(between(1e-6, 1, e=0.5))
+    world.advance(60)
+
+    assert np.abs(world.snapshot.velocity[0]).max() <= 1e-5
+
+
+def test_a_cart_that_a_heavy_one_presses_on_a_dead_wall_stops_it() -> None:
+    """0.1 kg is struck by 8.4 kg again and again, and loses its rebound at the wall each time.
+
+    All that comes of it is that both stand; 10,000 impacts were not enough to see it.
+    """
+    bodies = {
+        "light": box((-0.6, 0), mass=0.1, restitution=sqrt(0.066)),
+        "heavy": box((0, 0), mass=8.4, velocity=[-1, 0], restitution=sqrt(0.066)),
+        "wall": fixed({"type": "box", "width": 0.5, "height": 3}, (-1.1, 0), restitution=0),
+    }
+    end = build(level(bodies, located("light", "heavy"))).advance(60)
+
+    assert np.abs(end.velocity).max() <= 1e-12
+    assert np.abs(end.position[:2, 0] - [-0.6, -0.1]).max() <= 1e-8
+
+
+@pytest.mark.parametrize("e", [0, 0.5])
+def test_balls_that_a_plate_presses_on_the_ground_are_told_to_be_wedged_in(e: float) -> None:
+    plate = fixed({"type": "box", "width": 1, "height": 0.2}, (0, 0.51), restitution=sqrt(e))
+    balls = {
+        name: disc((0, y), radius=0.1, restitution=sqrt(e))
+        for name, y in (("low", 0.1), ("high", 0.3))
+    }
+    bodies = {
+        **balls,
+        "floor": floor(restitution=sqrt(e)),
+        "plate": {**plate, "type": "kinematic", "velocity": [0, -1]},
+    }
+    scene = level(bodies, {**located(*balls), "restitution": {"impacts": "sequence"}})
+
+    with pytest.raises(SimulationError, match=r"'(low|high)' is wedged in: what presses on it"):
+        build(scene).advance(6)
+
+
+@pytest.mark.parametrize(("speed", "gaps"), [(0.05, (0.01, 0.01)), (1, (0.3, 0.1))])
+def test_three_alike_with_little_bounce_go_on_together(
+    speed: float, gaps: tuple[float, float]
+) -> None:
+    """With e below 7 − 4 √3 = 0.0718 they collide for ever, within a moment."""
+    places = (0, 0.5 + gaps[0], 1 + sum(gaps))
+    carts = {
+        f"cart{i}": box((x, 0.25), velocity=[speed * (i == 0), 0], restitution=sqrt(0.066))
+        for i, x in enumerate(places)
+    }
+    scene = {**carts, "track": floor(restitution=0)}
+    effects = {**GRAVITY, **located(*carts), "restitution": {"impacts": "sequence"}}
+    end = build(level(scene, effects, stepping={"rate": 120})).advance(240)
+
+    assert worst(end.velocity[:3, 0], speed / 3) <= 1e-11  # 2e-13
+    assert np.abs(np.diff(end.position[:3, 0]) - 0.5).max() <= 1e-8  # the hair
 
 
 @pytest.mark.parametrize("rate", [240, 960])

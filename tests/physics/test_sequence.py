@@ -1,6 +1,7 @@
 """Impacts one after the other: rows, clusters, piles, and the speed that collides."""
 
 from math import cos, pi, radians, sin, sqrt
+from time import process_time
 
 import numpy as np
 import pytest
@@ -10,8 +11,9 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.batch import Integers
 from sandbox.physics.errors import SimulationError
-from sandbox.physics.pileup import pushes
+from sandbox.physics.pileup import Pile, pushes
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.world import World, build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, run, worst
@@ -169,6 +171,58 @@ def test_a_break_of_fifteen_discs_keeps_energy_and_momentum() -> None:
     assert (np.hypot(*flight.velocity[-1].T) > 1e-3).sum() > 8, "it goes through the triangle"
 
 
+def rack(rows: int, e: float, size: float, mass: float, rate: float) -> tuple[Level, list[int]]:
+    """A ball that comes straight on at a triangle; and which ball is whose mirror image."""
+    rest: Spec = {"restitution": sqrt(e)}
+    places = [(i, 2 * j - i) for i in range(rows) for j in range(i + 1)]
+    balls = {
+        f"ball{k}": disc((sqrt(3) * size * i, size * j), radius=size, mass=0.17, **rest)
+        for k, (i, j) in enumerate(places)
+    }
+    cue = disc((-0.5, 0), radius=0.04, mass=mass, velocity=[3, 0], **rest)
+    made = level({**balls, "cue": cue}, SEQUENCE, stepping={"rate": rate})
+    return made, [*(places.index((i, -j)) for i, j in places), len(places)]
+
+
+@pytest.mark.parametrize("rows", [2, 3, 4, 5])
+@pytest.mark.parametrize("e", [1, 0.9, 0.5])
+@pytest.mark.parametrize(("size", "mass", "rate"), [(0.03, 0.17, 960), (0.11, 1.7, 240)])
+def test_mirror_images_stay_so_in_a_straight_break(
+    rows: int, e: float, size: float, mass: float, rate: float
+) -> None:
+    """Taken one after the other, approaches that are equally fast end up to 1.3 m/s apart."""
+    made, mirrored = rack(rows, e, size, mass, rate)
+    world = build(made)
+    flight = run(world, int(0.3 * rate))
+    energy, momentum = kinetic(world, flight), world.scene.mass @ flight.velocity
+    images = flight.velocity[:, mirrored] * [1, -1]
+
+    assert np.abs(flight.velocity - images).max() <= 1e-12  # 8e-15 m/s
+    assert (flight.velocity[-1, :, 0] != 0).sum() >= 3, "it goes through the triangle"
+    assert np.abs(momentum - momentum[0]).max() <= 1e-14
+    assert worst(energy, energy[0]) <= 1e-12 if e == 1 else energy[-1] < energy[0]
+
+
+@pytest.mark.parametrize("e", [1, 0.6, 0])
+@pytest.mark.parametrize("mass", [0.2, 1, 5])
+def test_what_is_struck_equally_from_both_sides_stays(e: float, mass: float) -> None:
+    """And those that struck it bounce as off a wall."""
+    end = build(row(np.array([1, mass, 1]), np.array([2.0, 0, -2.0]), e)).advance(10)
+
+    assert np.abs(end.velocity[:, 0] - [-2 * e, 0, 2 * e]).max() <= 1e-14
+
+
+@pytest.mark.parametrize("hang", [1, 2, 3])
+@pytest.mark.parametrize("drawn", [1, 2])
+def test_a_cradle_hit_from_both_sides_sends_both_back(drawn: int, hang: int) -> None:
+    """All balls alike: each velocity is passed through the row."""
+    comes = np.array([1.5] * drawn + [0.0] * hang + [-1.5] * drawn)
+    away = 0.35 * np.sign(comes)
+    flight = run(build(row(np.ones(len(comes)), comes, away=away)), 60)
+
+    assert np.abs(flight.velocity[-1, :, 0] + comes).max() <= 1e-14
+
+
 @pytest.mark.parametrize(("count", "e"), [(5, 0), (5, 0.1), (50, 0), (50, 0.5)])
 def test_balls_that_hardly_bounce_go_on_together(count: int, e: float) -> None:
     """They would collide for ever; at last none approaches, and all have the same velocity."""
@@ -176,6 +230,58 @@ def test_balls_that_hardly_bounce_go_on_together(count: int, e: float) -> None:
     end = build(row(np.ones(count), 3.0 * first, e)).advance(60)
 
     assert np.abs(end.velocity[:, 0] - 3 / count).max() <= 1e-12  # 1e-14
+
+
+def turned_round(mass: float, e: float) -> float:
+    """Return the speed of a heavy body after a ball of 1 kg has bounced to and fro before it."""
+    light, heavy = 0.0, -1.0
+    for _ in range(2000):
+        if max(-light, light - heavy) <= 1e-13:
+            break
+        if -light > light - heavy:
+            light *= -e
+        else:
+            push = (1 + e) * (light - heavy) * mass / (1 + mass)
+            light, heavy = light - push, heavy + push / mass
+    return heavy
+
+
+@pytest.mark.parametrize("e", [0.99, 0.999])
+def test_what_bounces_well_is_turned_round_by_however_many_impacts(e: float) -> None:
+    """A ball between a wall and 10 t has 314: if it came to rest after 200, so would the 10 t."""
+    wall = fixed({"type": "box", "width": 0.2, "height": 1}, (0, 0), restitution=sqrt(e))
+    heavy, light = (
+        disc((x, 0), radius=0.1, mass=m, velocity=[v, 0], restitution=sqrt(e))
+        for x, m, v in ((0.4, 1e4, -1.0), (0.2, 1.0, 0.0))
+    )
+    end = build(level({"wall": wall, "light": light, "heavy": heavy}, SEQUENCE)).advance()
+
+    assert end.velocity[2, 0] == pytest.approx(turned_round(1e4, e), abs=1e-9)
+
+
+def test_a_pile_up_is_solved_once_though_its_kick_is_repeated(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Carts that collide hundreds of times, in a first kick that settles after 150 tries."""
+    carts = {
+        f"cart{i}": box((x, 0.25), mass=m, velocity=[v, 0], restitution=sqrt(0.06))
+        for i, (x, m, v) in enumerate(
+            [(0, 5.55, 0.05), (0.5, 0.109, 0.0), (1, 2.6, 0.0), (1.51, 0.1005, -0.05)]
+        )
+    }
+    effects = {**GRAVITY, **SEQUENCE, "rotation": {}}
+    solved: list[int] = []
+    settle = Pile.settle
+
+    def counted(pile: Pile, bodies: Integers) -> Array:
+        solved.append(len(bodies))
+        return settle(pile, bodies)
+
+    monkeypatch.setattr(Pile, "settle", counted)
+    world = build(level({**carts, "track": floor(restitution=0)}, effects))
+
+    assert len(solved) == 1
+    assert np.ptp(world.advance().velocity[:3, 0]) <= 1e-12
 
 
 def test_elastic_impacts_without_end_are_told() -> None:
@@ -188,6 +294,24 @@ def test_elastic_impacts_without_end_are_told() -> None:
     with pytest.raises(SimulationError, match="collide too often") as told:
         build(level({"wall": wall, "light": light, "heavy": heavy}, SEQUENCE))
     assert told.value.subject in ("light", "heavy")
+
+
+@pytest.mark.parametrize("gap", [0, 0.01])
+def test_what_is_pressed_on_an_elastic_floor_is_told_soon(gap: float) -> None:
+    """A plate comes down on two balls; only two of the three impacts lose energy."""
+    plate = {"type": "box", "width": 1, "height": 0.2}
+    bodies = {
+        "floor": floor(restitution=1),
+        "low": disc((0, 0.1), radius=0.1, restitution=1),
+        "high": disc((0, 0.3), radius=0.1, restitution=0.5),
+        "plate": {**fixed(plate, (0, 0.5 + gap), restitution=1), "type": "kinematic"},
+    }
+    bodies["plate"]["velocity"] = [0, -1]
+
+    start = process_time()
+    with pytest.raises(SimulationError, match="are wedged in, and would collide for ever"):
+        build(level(bodies, SEQUENCE)).advance(6)
+    assert process_time() - start < 0.5  # 0.01 s; it took 0.8 s a kick, of up to 500
 
 
 def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None:

@@ -96,6 +96,7 @@ def test_a_spring_at_the_rim_asks_for_more_than_one_at_the_centre() -> None:
         build(scene(1.01 * 4 / H**2 / 3))
 
 
+@pytest.mark.usefixtures("boundless")
 def test_a_spring_that_no_rate_can_hold_is_refused() -> None:
     """ω² = 1e600 /s² is more than a number holds."""
     hard = spring([1, 0], "ball", stiffness=1e300)

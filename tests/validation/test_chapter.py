@@ -1,7 +1,11 @@
 """The map from the document to the levels leaves out no level, and names none that is not there."""
 
+from pathlib import Path
+
+import pytest
+
 from sandbox.model import catalog
-from validation.chapter import PAGE, PARTS, page
+from validation.chapter import PAGE, PARTS, main, page
 
 
 def test_every_level_plays_a_part_of_the_document() -> None:
@@ -13,4 +17,14 @@ def test_parts_have_names_of_their_own() -> None:
 
 
 def test_the_page_in_the_docs_is_the_map_as_it_is() -> None:
-    assert PAGE.read_text(encoding="utf-8") == page()
+    assert (catalog.sources() / PAGE).read_text(encoding="utf-8") == page()
+
+
+def test_an_installed_package_writes_no_map(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(catalog, "__file__", str(tmp_path / "sandbox" / "model" / "catalog.py"))
+
+    assert main() == 2
+    assert "is written in a checkout of the project" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -2,6 +2,7 @@
 
 import json
 import math
+import sys
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from sandbox.model.loading import load
 from sandbox.physics.trace import needed, simulate
 from tests.physics.scenes import small_swings
 from validation.cli import app
+from validation.cost import command
 from validation.cost.report import as_json, milliseconds, order_in_words, times
 from validation.cost.summary import cost_to_reach, failed, headline, order, pareto
 from validation.cost.sweep import QUICK, Budget, Point, Sweep, errors, timed
@@ -202,6 +204,39 @@ def test_no_such_level_has_failed_and_no_such_folder_is_wrong_usage(
     assert done.exit_code == status
     assert done.stderr
     assert "Traceback" not in done.output
+
+
+def test_a_folder_for_diagrams_is_made_before_anything_is_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "not" / "there"
+    monkeypatch.setattr(command, "sweep_all", lambda *_, **__: [] if folder.is_dir() else None)
+
+    assert command.measure([], None, folder, quick=True) == []
+
+
+@pytest.mark.parametrize("place", ["file", "file/in it"])
+def test_a_file_in_the_place_of_the_folder_is_told_before_anything_is_measured(
+    tmp_path: Path, place: str
+) -> None:
+    (tmp_path / "file").touch()
+
+    done = CliRunner().invoke(app, ["cost", *LEVELS, "--output", str(tmp_path / place)])
+
+    assert done.exit_code == 2
+    assert "cannot make the folder" in done.output
+
+
+def test_without_the_library_that_draws_it_is_told_before_anything_is_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "validation.cost.figure", None)
+
+    done = CliRunner().invoke(app, ["cost", *LEVELS, "--output", str(tmp_path)])
+
+    assert done.exit_code == 2
+    assert "a diagram needs the library" in done.output
+    assert "mechanics-sandbox[report]" in done.output
 
 
 def test_prices_and_ratios_are_told_in_two_digits() -> None:

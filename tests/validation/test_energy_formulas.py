@@ -211,3 +211,11 @@ def test_a_cycloid_takes_as_long_from_anywhere(start: float) -> None:
 
 def test_a_bead_that_falls_through_half_a_circle_weighs_three_times_as_much_at_its_foot() -> None:
     assert energy.trough_force(2.0, 1.5, 1.5, 9.81) == pytest.approx(3 * 2.0 * 9.81)
+
+
+@given(positive, positive)
+def test_the_slowest_that_stays_in_a_loop_is_weightless_at_its_top(radius: float, g: float) -> None:
+    slowest = sqrt(5 * g * radius)
+
+    assert energy.loop_speed(slowest, radius, g) == pytest.approx(sqrt(g * radius))
+    assert energy.loop_force(2.0, slowest, radius, g) == pytest.approx(0, abs=1e-10 * g)

@@ -126,3 +126,17 @@ def test_a_weight_on_a_drum_falls_freely_if_the_drum_is_light() -> None:
 def test_a_point_that_circles_steadily_is_drawn_to_the_axis() -> None:
     assert rotation.rim_acceleration(2.0, 3.0, 0.0) == -18
     assert rotation.rim_acceleration(2.0, 0.0, 0.5) == 1j
+
+
+def test_what_slides_in_a_hollow_swings_as_a_pendulum_and_what_rolls_more_slowly() -> None:
+    slides, rolls = (rotation.rolling_period(k, 0.9, 9.81, 0.01) for k in (0.0, rotation.DISC))
+
+    assert slides == pytest.approx(2 * pi * np.sqrt(0.9 / 9.81), rel=1e-5)
+    assert rolls == pytest.approx(slides * np.sqrt(1.5))
+
+
+@given(factors, st.floats(0.1, 3))
+def test_what_rolls_down_a_hollow_keeps_its_energy(factor: float, angle: float) -> None:
+    speed = rotation.trough_speed(factor, 0.9, 9.81, angle)
+
+    assert (1 + factor) * speed**2 / 2 == pytest.approx(9.81 * 0.9 * (1 - np.cos(angle)))

@@ -25,9 +25,12 @@ from validation.cases import (
     given_forces,
     glancing,
     gravitation,
+    hollows,
     incline,
     incline_limits,
     least_action,
+    machines,
+    mechanisms,
     orbits,
     pendulums,
     projectile,
@@ -77,6 +80,7 @@ PHENOMENA = (
     bursts,
     sticking,
     rolling,
+    hollows,
     free_rotation,
     wheels,
     pendulums,
@@ -87,6 +91,8 @@ PHENOMENA = (
     least_action,
     chapter_code,
     beads,
+    machines,
+    mechanisms,
 )
 
 

@@ -43,6 +43,15 @@ def cases() -> Iterator[Case]:
         )
 
 
+def _rounding(g: float) -> float:
+    """Return how well a tension is known that is chosen by the length of the string, relatively.
+
+    Lengths of 3 m are known to 6e-16 m; differenced twice, at 60 Hz, that is 2e-12 m/s², or a few
+    times as much where both ends round, beside g. Measured: 5.4e-12 at 1 m/s², 4e-13 at 9.81 m/s².
+    """
+    return 1e-12 if g > 5 else 1e-11
+
+
 def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
     case = partial(Case, level=level, parameters=parameters)
     yield case(
@@ -55,7 +64,7 @@ def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
             / 2
         ),
         tolerance=1e-10,
-        because="string and contact take turns, but start from each other's right impulse",
+        because="string and contact are solved together",
         naive_misses=1e-3,
     )
     yield case(
@@ -64,6 +73,6 @@ def _drawn(level: str, parameters: Parameters) -> Iterator[Case]:
         expected=lambda p, _: newton.table_pulley_tension(
             p["m1"], p["m2"], p["g"], p.get("mu", 0.0)
         ),
-        tolerance=1e-12,
-        because="as for the displacement, and known to the rounding of the velocities",
+        tolerance=_rounding(parameters.get("g", 9.81)),
+        because="as for the displacement, and known to the rounding of the string's length",
     )

@@ -1,18 +1,19 @@
 """`python -m validation cost`."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import typer
 
 from sandbox.model import catalog
-from sandbox.model.files import check_writable
+from sandbox.model.files import check_writable, make_folder
 from validation import output
 from validation.cost.report import as_json, asked, asked_table, summed, table
 from validation.cost.run import sweeps
 from validation.cost.summary import failed
 from validation.cost.sweep import QUICK, Budget, Sweep
 from validation.environment import environment
+from validation.extras import needed_for
 
 
 def measure(
@@ -27,6 +28,9 @@ def measure(
     """
     if json_file:
         check_writable(json_file)
+    if folder:
+        make_folder(folder)
+    draw = _drawer() if folder else None
     for name in names:
         catalog.find(name)
     found = sweep_all(list(names) or catalog.textbook(), quick=quick)
@@ -36,15 +40,20 @@ def measure(
         typer.echo(summed(found))
     if json_file:
         output.write(content(found), json_file)
-    if folder:
-        from validation.cost.figure import draw  # matplotlib takes its time
-
+    if folder and draw:
         for sweep in found:
             draw(sweep, folder)
         typer.echo(f"Drawn in {folder}.")
     wrong = failed(found)
     output.complain(wrong)
     return wrong
+
+
+def _drawer() -> Callable[[Sweep, Path], Path]:
+    """Return what draws diagrams, for which matplotlib takes its time."""
+    with needed_for("a diagram"):
+        from validation.cost.figure import draw
+    return draw
 
 
 def content(found: Sequence[Sweep]) -> dict[str, object]:

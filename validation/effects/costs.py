@@ -8,8 +8,9 @@ import numpy as np
 
 from sandbox.model import catalog
 from sandbox.model.crowds import crowd
-from sandbox.model.level import Level
+from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
+from sandbox.model.shapes import Arc
 from sandbox.model.writing import text
 from sandbox.physics.timing import STEPS, Step, step_seconds
 from sandbox.physics.trace import count_steps
@@ -144,6 +145,8 @@ def _ways(level: Level) -> tuple[str, ...]:
         "located ends of slipping": friction and friction.located,
         "static friction": any(body.static_friction for body in level.bodies.values()),
         "friction of pairs": friction and friction.pairs,
+        "arcs": contact and any(isinstance(b.shape, Arc) for b in level.bodies.values()),
+        "contacts solved directly": is_direct(level),
     }
     return tuple(way for way, is_taken in taken.items() if is_taken)
 

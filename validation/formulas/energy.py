@@ -219,6 +219,20 @@ def trough_force(mass: float, drop: float, radius: float, g: float) -> float:
     return mass * (g + landing_speed(0.0, g, drop) ** 2 / radius)
 
 
+def loop_speed(speed: float, radius: float, g: float) -> float:
+    """Return the speed at the top of a loop of what slides into it at the bottom [m/s].
+
+    v² = v0² − 4 g r, as long as it stays on the track: v0² ≥ 5 g r; `radius` is that of the way of
+    its centre [m].
+    """
+    return float(np.sqrt(speed**2 - 4 * g * radius))
+
+
+def loop_force(mass: float, speed: float, radius: float, g: float) -> float:
+    """Return the force of the track at the top of a loop [N]: m v² / r − m g, see `loop_speed`."""
+    return mass * (loop_speed(speed, radius, g) ** 2 / radius - g)
+
+
 def time_of_descent(x: Curve, y: Curve, g: float) -> float:
     """Return the time from rest at p = 0 down a smooth curve to p = 1 [s].
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from validation.formulas.arrays import Array
+from validation.formulas.lagrange import pendulum_period
 
 HOOP = 1.0
 DISC = 1 / 2
@@ -73,6 +74,20 @@ def race_time(factor: float, way: float, angle: float, g: float) -> float:
     √(2 s / a) with the acceleration of rolling; 0 < θ < π/2, g, s > 0.
     """
     return float(np.sqrt(2 * way * (1 + factor) / (g * np.sin(angle))))
+
+
+def rolling_period(factor: float, length: float, g: float, amplitude: float) -> float:
+    """Return the period of a round body that rolls to and fro in a hollow [s].
+
+    Its centre swings at the distance l from the hollow's, and turning makes it heavier by k: so it
+    does as a pendulum of the length (1 + k) l; 0 < amplitude < π, g > 0.
+    """
+    return pendulum_period((1 + factor) * length, g, amplitude)
+
+
+def trough_speed(factor: float, length: float, g: float, amplitude: float) -> float:
+    """Return its speed at the lowest point [m/s]: m g l (1 − cos θ) = (1 + k) m v² / 2."""
+    return float(np.sqrt(2 * g * length * (1 - np.cos(amplitude)) / (1 + factor)))
 
 
 def rolling_speed(factor: float, speed: float) -> float:

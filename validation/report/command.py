@@ -7,7 +7,7 @@ import typer
 from rich.console import Console
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.files import make_folder, write_atomically
 from validation import plots
 from validation.output import save
 from validation.report import page, parts
@@ -37,7 +37,7 @@ def write(output: Path, source: Path | None, *, quick: bool, figures: bool) -> b
     """
     if source and not source.is_dir():
         raise SandboxError(f"cannot read {source}: there is no such folder")
-    _make(output)
+    make_folder(output)
     contents = {part.command: _collected(part, source, quick=quick) for part in parts.PARTS}
     found = page.report(contents, quick=quick)
     for command, content in contents.items():
@@ -64,16 +64,7 @@ def _collected(
 
 
 def _draw(found: page.Report, folder: Path) -> None:
-    _make(folder)
+    make_folder(folder)
     for name, figure in found.figures.items():
         for form in plots.FORMS:
             write_atomically(folder / f"{name}.{form}", plots.written(figure, form))
-
-
-def _make(folder: Path) -> None:
-    """Make a folder if it is not there, and refuse it if no file can be written in it."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise SandboxError(f"cannot write {folder}: {error.strerror}") from error
-    check_writable(folder / PAGE)

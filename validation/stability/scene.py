@@ -25,9 +25,12 @@ ROTATION = "8. Rotational dynamics: torque and moment of inertia"
 LAGRANGE = "9. Lagrangian mechanics: constraints and pendulums"
 
 
-def pile(size: float) -> Document:
-    """Return the effects of bodies of a size [m] that lie on each other."""
-    return {**GRAVITY, "contact": {"slop": SLOP * size}, "friction": {}, "rotation": {}}
+def pile(size: float, *, overlaps: bool = False) -> Document:
+    """Return the effects of bodies of a size [m] that lie on each other, or begin in each other."""
+    contact: Document = {"slop": SLOP * size}
+    if overlaps:
+        contact["overlaps"] = True
+    return {**GRAVITY, "contact": contact, "friction": {}, "rotation": {}}
 
 
 def text_of(number: float) -> str:

@@ -13,11 +13,12 @@ from pygame_gui import (
     UIManager,
 )
 from pygame_gui.core import ObjectID, UIContainer, UIElement
-from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer, UITextEntryLine
+from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
+from sandbox.app.panels.field import LONGEST, Field
 from sandbox.app.panels.widgets import press, scroll, scrolled
-from sandbox.app.text import Pen
+from sandbox.app.text import Pen, legible
 from sandbox.model import catalog
 
 ROW = 28  # px
@@ -50,7 +51,8 @@ def entry(path: Path, chapter: str) -> Entry:
     """Return the entry of a file, whatever is in it."""
     try:
         told = json.loads(path.read_text(encoding="utf-8"))
-        title, more = str(told["title"]), [str(told.get(k, "")) for k in ("summary", "reference")]
+        title = legible(str(told["title"])).strip() or path.stem
+        more = [str(told.get(k, "")) for k in ("summary", "reference")]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         title, more = path.stem, []  # why it cannot be read is told when it is opened
     words = " ".join((chapter, path.stem.replace("-", " "), title, *more)).casefold()
@@ -78,11 +80,12 @@ class LevelList:
     ) -> None:
         width = rect.width - 2 * MARGIN
         self.column = UIContainer(rect, manager)
-        self.field = UITextEntryLine(
+        self.field = Field(
             pygame.Rect(MARGIN, MARGIN, width, FIELD), manager, container=self.column,
             initial_text=sought, placeholder_text="Find a level ( / )",
         )  # fmt: skip
         self.field.set_forbidden_characters(["/"])  # the key that leads here
+        self.field.set_text_length_limit(LONGEST)
         top = FIELD + 2 * MARGIN
         below = pygame.Rect(0, top, rect.width, max(rect.height - top, 1))
         self._container = UIScrollingContainer(

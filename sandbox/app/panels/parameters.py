@@ -6,9 +6,10 @@ from math import isfinite
 
 import pygame
 from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIManager
-from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer, UITextEntryLine
+from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer
 
 from sandbox.app import theme, wording
+from sandbox.app.panels.field import Field
 from sandbox.app.rounding import rounded, step
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
@@ -26,7 +27,7 @@ class Row:
 
     parameter: Parameter
     slider: UIHorizontalSlider
-    field: UITextEntryLine
+    field: Field
     shown: str
     """What the field says when nobody types."""
 
@@ -70,7 +71,7 @@ class Parameters:
         for image, x in texts:
             place = image.get_rect(midleft=(x, rect.y + 13))
             UIImage(place, image, manager, container=container)
-        field = UITextEntryLine(box, manager, container=container)
+        field = Field(box, manager, container=container)
         field.set_allowed_characters(list("0123456789.,-+eE"))
         field.set_text_length_limit(16)
         slider = UIHorizontalSlider(
@@ -110,7 +111,7 @@ class Parameters:
                 return self._typed(name, row)
         return None
 
-    def focus(self, direction: int) -> UITextEntryLine | None:
+    def focus(self, direction: int) -> Field | None:
         """Go on to the next field, or back to the one before, and return it if there is any."""
         fields = [row.field for row in self._rows.values()]
         if not fields:

@@ -8,7 +8,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import lines
-from sandbox.app.stage.outline import Outline
+from sandbox.app.stage.outline import RIM, Outline
 from sandbox.app.theme import Color
 from sandbox.model.shapes import XY
 
@@ -47,7 +47,7 @@ def _disc(
     radius = max(outline.radius * camera.scale, LEAST)
     if not lines.near((center,)) or radius > lines.FAR:
         return
-    width = max(round(radius / 6), 2) if outline.hollow else 0
+    width = max(round(radius / RIM), 2) if outline.hollow else 0
     pygame.draw.aacircle(surface, outline.color, center, radius, width)
     if not outline.hollow and radius > 5:
         pygame.draw.aacircle(surface, rim, center, radius, 1)
@@ -83,7 +83,9 @@ def draw_surface(
     """
     corners = camera.path(outline.placed(position, angle))
     edge = theme.SURFACE_EDGE
-    if outline.closed:
+    if outline.hollow:
+        corners.append(corners[0])
+    elif outline.closed:
         lines.fill(surface, outline.color, corners)
         if outline.radius is None:
             lines.path(surface, edge, [*corners, corners[0]], 2)

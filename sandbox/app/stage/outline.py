@@ -8,10 +8,13 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import XY, Disc, Hoop, Polyline, Segment
+from sandbox.model.shapes import XY, Arc, Disc, Hoop, Polyline, Segment
 from sandbox.physics.bodies import local_points
 
 CORNERS_OF_A_CIRCLE = 48
+
+RIM = 6
+"""The radius of a hoop over the width of its rim, as it is drawn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +63,8 @@ class Outline:
         c, s = cos(angle), sin(angle)
         x, y = c * offset[0] + s * offset[1], c * offset[1] - s * offset[0]
         if self.radius is not None:
-            return hypot(x, y) <= self.radius + margin
+            within = self.radius * (1 - 1 / RIM) - margin if self.hollow else 0.0
+            return within <= hypot(x, y) <= self.radius + margin
         near = margin + self.thickness / 2
         return (self.closed and self._inside(x, y)) or self._distance(x, y) <= near
 
@@ -100,7 +104,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> Outline:
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
-    line = isinstance(shape, Segment | Polyline)
+    line = isinstance(shape, Segment | Polyline | Arc)
     return Outline(
         name=name,
         row=row,
@@ -111,7 +115,7 @@ def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> O
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
         closed=not line,
         hollow=isinstance(shape, Hoop),
-        thickness=shape.thickness(values) if isinstance(shape, Segment | Polyline) else 0.0,
+        thickness=shape.thickness(values) if isinstance(shape, Segment | Polyline | Arc) else 0.0,
     )
 
 

@@ -17,7 +17,7 @@ from sandbox.app.stage.landscape import Relief
 from sandbox.app.stage.outline import Outline, outlines
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Rail, Winding
+from sandbox.model.joints import Rail, Winding, body_of
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.anchor import Plane
 from sandbox.physics.trace import count_steps
@@ -228,7 +228,7 @@ class Stage:
             spring = springs.get(name)
             ends = spring.span(snapshot) if spring else None
             places = ends or [anchor.look(snapshot)[0] for anchor in paths[name]]
-            if isinstance(joint, Rail):
+            if isinstance(joint, Rail) and body_of(joint.ends[1]) is None:
                 places = self._far_along(joint, places[1])
             path = [(float(place.real), float(place.imag)) for place in places]
             if isinstance(joint, Winding):

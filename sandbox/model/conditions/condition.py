@@ -15,6 +15,8 @@ class Condition(NamedTuple):
     """The parameters that it depends on."""
     broken: Callable[[Values], str | None]
     """Say what is wrong for the given parameters, if anything is."""
+    work: float = 10.0
+    """µs, about what it takes to look: so that what a whole level takes can be bounded."""
 
     def fault(self, values: Values) -> str | None:
         """Say what is wrong; an expression without a value has a condition of its own to tell."""

@@ -23,13 +23,15 @@ def conditions(level: Level) -> Iterator[Condition]:
         places = {name: level.bodies[name].position for name in dynamic}
         names = names_in((center.center, center.power, *places.values()))
         wrong = partial(_centre_fault, center, places)
-        yield Condition(("effects", "attraction", index, "center"), names, wrong)
+        yield Condition(
+            ("effects", "attraction", index, "center"), names, wrong, 10 + 5 * len(places)
+        )
     if pull := level.effects.gravitation:
         pulled = pull.bodies or dynamic
         places = {name: level.bodies[name].position for name in pulled}
         names = names_in((pull.softening, *places.values()))
         wrong = partial(_meeting_fault, pull, places)
-        yield Condition(("effects", "gravitation"), names, wrong)
+        yield Condition(("effects", "gravitation"), names, wrong, 10 + 5 * len(places))
 
 
 def _meeting_fault(pull: Gravitation, places: Mapping[str, Point], values: Values) -> str | None:

@@ -5,8 +5,9 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.expressions import Positive, Values
+from sandbox.model.expressions import Values
 from sandbox.model.joints import (
     Joint,
     Motor,
@@ -53,7 +54,7 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
         case Rod(length=length):
             long = distance if length is None else float(length.over(values, np.zeros(())))
             return _rod_fault(distance, long)
-        case Rope(length=Positive() as length) | Pulley(length=Positive() as length):
+        case Rope(length=Extent() as length) | Pulley(length=Extent() as length):
             return _string_fault(distance, length(values))
         case Pivot() | Motor() if distance > NEAR:
             return f"a {joint.type}'s two points must be one, but they are {distance:g} m apart"

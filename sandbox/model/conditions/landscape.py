@@ -23,7 +23,7 @@ def conditions(level: Level) -> Iterator[Condition]:
     for axis, bounds in (("x", landscape.x), ("y", landscape.y)):
         yield Condition((*path, axis), names_in(bounds), partial(_bounds_fault, bounds))
     names = names_in((landscape.potential, landscape.x)) - {landscape.potential.variable}
-    yield Condition((*path, "potential"), names, partial(_curve_fault, landscape))
+    yield Condition((*path, "potential"), names, partial(_curve_fault, landscape), 50)
 
 
 def _bounds_fault(bounds: Point, values: Values) -> str | None:

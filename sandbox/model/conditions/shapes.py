@@ -6,10 +6,14 @@ from functools import partial
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
-from sandbox.model.shapes import fault
+from sandbox.model.shapes import Polygon, Polyline, Segment, fault, points_of
 
 
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield what must hold of a level's shapes."""
     for name, body in level.bodies.items():
-        yield Condition(("bodies", name, "shape"), names_in(body.shape), partial(fault, body.shape))
+        shape = body.shape
+        corners = len(points_of(shape)) if isinstance(shape, Polygon | Segment | Polyline) else 0
+        pairs = corners**2 if isinstance(shape, Polygon) else 0
+        work = 1 + 8 * corners + pairs / 12  # two formulas a corner; do any two edges cross?
+        yield Condition(("bodies", name, "shape"), names_in(shape), partial(fault, shape), work)

@@ -27,11 +27,11 @@ JUMP = 1e-6
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield what must hold of the formulas over time by which a scene moves."""
     for path, formula in _formulas(level):
-        yield Condition(path, _names(formula, level), partial(_lost, formula, level))
+        yield Condition(path, _names(formula, level), partial(_lost, formula, level), 50)
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
             names, uneven = _names(joint.length, level), partial(_uneven, joint.length, level)
-            yield Condition(("joints", name, "length"), names, uneven)
+            yield Condition(("joints", name, "length"), names, uneven, 3000)
 
 
 def _names(formula: Formula, level: Level) -> frozenset[str]:
@@ -52,15 +52,19 @@ def _times(level: Level, values: Values) -> Array:
 
 
 def _lost(formula: Formula, level: Level, values: Values) -> str | None:
-    """Say when a formula first has no value."""
+    """Say when a formula first has no value, or one that is too large."""
     times = _times(level, values)
     try:
-        lost = ~np.isfinite(formula.over(values, times))
+        found = formula.over(values, times)
     except ExpressionError as error:
         return str(error)
-    if not lost.any():
-        return None
-    return f"'{brief(str(formula.source))}' has no finite value at t = {times[lost.argmax()]:.3g} s"
+    shown = brief(str(formula.source))
+    if (lost := ~np.isfinite(found)).any():
+        return f"'{shown}' has no finite value at t = {times[lost.argmax()]:.3g} s"
+    first = (np.abs(found) > formula.most).argmax()
+    if beyond := formula.beyond(float(found[first])):
+        return f"'{shown}' is {found[first]:g} {formula.unit} at t = {times[first]:.3g} s, {beyond}"
+    return None
 
 
 def _uneven(length: Formula, level: Level, values: Values) -> str | None:

@@ -28,23 +28,55 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     surfaces.located_slips_fit,
     surfaces.impacts_of_constant_masses,
     surfaces.sticking_or_bouncing,
+    surfaces.arcs_fit,
     effects.laws_act,
     effects.landscape_fits,
     joints.constant_masses,
     surfaces.belts_fit,
     effects.effects_used,
-    bodies.not_too_many,
     effects.rotation_used,
     stepping.scheme_fits,
     stepping.accuracy_alone,
     stepping.accuracy_within_reach,
 )
 
+_ALONE = frozenset(
+    {
+        names.parameters_fit,
+        *_NAMES,
+        names.timeless_conditions,
+        surfaces.contact_declared,
+        bodies.fields_fit,
+        bodies.rise_and_fall,
+        effects.rotation_used,
+        stepping.accuracy_alone,
+        stepping.accuracy_within_reach,
+    }
+)
+"""What can be told although a body that is named does not exist. The others ask what the bodies
+are that a joint or an effect names, and would fail, or tell what only follows from a wrong name."""
+
+
+_SIZES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
+    bodies.not_too_many,
+    bodies.not_too_many_edges,
+    joints.not_too_many_wires,
+)
+"""What is asked before anything that takes longer, the more there is."""
+
+
+def too_much(level: Level) -> Iterator[Fault]:
+    """Yield of what there is too much in a level to look at it any further."""
+    for rule in _SIZES:
+        yield from rule(level)
+
 
 def inconsistencies(level: Level) -> Iterator[Fault]:
     """Yield whatever in a level contradicts something else in it."""
+    misnamed = next(names.known_bodies(level), None)
     for rule in _RULES:
-        yield from rule(level)
+        if rule in _ALONE or not misnamed:
+            yield from rule(level)
 
 
 def dangling(level: Level) -> Iterator[Fault]:

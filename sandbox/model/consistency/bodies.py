@@ -10,6 +10,9 @@ from sandbox.model.shapes import Polygon, Polyline, Shape
 MAX_SURFACES = 30_000
 """How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
 
+MAX_PAIRS_OF_EDGES = 10_000_000
+"""How many pairs of edges polygons may have: to look at so many takes a second."""
+
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
     "dynamic": (),
     "kinematic": ("mass", "moment"),
@@ -44,6 +47,18 @@ def rise_and_fall(level: Level) -> Iterator[Fault]:
 def given(body: Body, field: str) -> bool:
     """Whether a field says anything; its default may be written out."""
     return bool(getattr(body, field) != type(body).model_fields[field].default)
+
+
+def not_too_many_edges(level: Level) -> Iterator[Fault]:
+    """Polygons have no more edges than can be held against each other."""
+    corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
+    pairs = sum(count**2 for count in corners)
+    if pairs > MAX_PAIRS_OF_EDGES:
+        rule = (
+            f"have polygons with {sum(corners):,} corners in all: {pairs:,} pairs of edges would"
+            f" have to be looked at for crossings, and {MAX_PAIRS_OF_EDGES:,} are the most"
+        )
+        yield Fault(("bodies",), rule)
 
 
 def not_too_many(level: Level) -> Iterator[Fault]:

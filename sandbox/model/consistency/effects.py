@@ -3,10 +3,9 @@
 from collections.abc import Iterator
 
 from sandbox.model.consistency.bodies import given
-from sandbox.model.consistency.mentions import bodies_of_effects, lists_of_bodies
+from sandbox.model.consistency.mentions import acted_on, lists_of_bodies
 from sandbox.model.consistency.surfaces import coefficients_fit, undeclared
 from sandbox.model.errors import brief
-from sandbox.model.expressions import NonNegative
 from sandbox.model.joints import Held, Motor, Weld, Winding, points
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
@@ -15,10 +14,10 @@ from sandbox.model.parts import Fault
 def laws_act(level: Level) -> Iterator[Fault]:
     """Drags do something, and what a force acts on can move."""
     drag = level.effects.drag
-    if drag and drag.linear == drag.quadratic == NonNegative(0):
+    if drag and drag.linear.source == drag.quadratic.source == 0:
         yield Fault(("effects", "drag"), "needs 'linear' or 'quadratic' greater than 0")
-    for path, name in bodies_of_effects(level):
-        if name in level.bodies and (kind := level.bodies[name].type) != "dynamic":
+    for path, name in acted_on(level):
+        if (kind := level.bodies[name].type) != "dynamic":
             yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
     for path, bodies in lists_of_bodies(level):
         if len(set(bodies)) < len(bodies):

@@ -18,6 +18,9 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
 
+MAX_WIRES = 200
+"""How many wires a level may have: to look at one takes 3 ms, at the defaults and at both ends."""
+
 
 def something_to_hold(level: Level) -> Iterator[Fault]:
     """Joints hold something that moves, and tie nothing to itself."""
@@ -54,6 +57,14 @@ def own_apart(level: Level) -> Iterator[Fault]:
             yield Fault(path, rule)
         if level.effects.in_sequence:
             yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
+
+
+def not_too_many_wires(level: Level) -> Iterator[Fault]:
+    """Wires are no more than can be looked at for corners and crossings."""
+    count = sum(isinstance(joint, Wire) for joint in level.joints.values())
+    if count > MAX_WIRES:
+        rule = f"have {count:,} wires; {MAX_WIRES} are the most that can be looked at for crossings"
+        yield Fault(("joints",), rule)
 
 
 def _twice(joint: Joint) -> str | None:

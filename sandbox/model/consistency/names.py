@@ -81,8 +81,15 @@ def known_bodies(level: Level) -> Iterator[Fault]:
 
 
 def known_quantities(level: Level) -> Iterator[Fault]:
-    """Quantities that are named can be measured."""
+    """Quantities that are named can be measured.
+
+    Which accounts the system has depends on what its joints hold: only where that is known are they
+    looked for.
+    """
+    misnamed = next(known_bodies(level), None)
     for path, name in named_quantities(level):
+        if misnamed and name.startswith("system."):
+            continue
         try:
             quantity(name, level)
         except QuantityError as error:

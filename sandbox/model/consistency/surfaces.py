@@ -6,11 +6,11 @@ from sandbox.model.consistency.bodies import given
 from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, named_quantities
 from sandbox.model.effects import Pair
 from sandbox.model.errors import brief
-from sandbox.model.joints import bodies_of, is_exact
+from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.level import Body, ContactEvent, Level, is_alone
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault
-from sandbox.model.shapes import Disc, Hoop
+from sandbox.model.shapes import Arc, Disc, Hoop
 
 
 def contact_declared(level: Level) -> Iterator[Fault]:
@@ -20,6 +20,8 @@ def contact_declared(level: Level) -> Iterator[Fault]:
         if contact.piles and contact.slop is not None:
             rule = "'piles' choose the overlap that is left alone; leave out one of the two"
             yield Fault(("effects", "contact", "slop"), rule)
+        if contact.solver == "direct":
+            yield from _left_to_pymunk(level)
         return
     for path, name in named_quantities(level):
         if ".contact." in name:
@@ -27,6 +29,18 @@ def contact_declared(level: Level) -> Iterator[Fault]:
     for index, check in enumerate(level.checks):
         if isinstance(check.at, ContactEvent):
             yield undeclared(("checks", index, "at", "event"), "contact", "contact")
+
+
+def _left_to_pymunk(level: Level) -> Iterator[Fault]:
+    """Refuse what needs pymunk's solver where contacts are solved directly."""
+    for name, joint in level.joints.items():
+        if isinstance(joint, Own) and not joint.exact:
+            rule = "is left to pymunk's solver, which a 'direct' solver of contacts does not ask"
+            yield Fault(("joints", name, "exact"), rule)
+    friction = level.effects.friction
+    if friction and friction.located:
+        rule = "the end of slipping is located by the 'iterative' solver of contacts only"
+        yield Fault(("effects", "friction", "located"), rule)
 
 
 def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
@@ -121,6 +135,19 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
         yield Fault(("effects", "contact", "located"), rule)
 
 
+def arcs_fit(level: Level) -> Iterator[Fault]:
+    """Arcs: of what is found at the step after it, not located before, and does not stick."""
+    contact, sticking = level.effects.contact, level.effects.sticking
+    arcs = [name for name, body in level.bodies.items() if isinstance(body.shape, Arc)]
+    if arcs and contact and contact.located:
+        rule = f"'{brief(arcs[0])}' is an arc; where there is one, no impacts can be located"
+        yield Fault(("effects", "contact", "located"), rule)
+    for index, pair in enumerate(sticking.pairs if sticking else ()):
+        for name in set(pair.bodies).intersection(arcs):
+            rule = f"'{brief(name)}' is an arc; nothing can stick to one"
+            yield Fault(("effects", "sticking", "pairs", index), rule)
+
+
 def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
     """Pairs that stick at their first touch have no coefficient of restitution."""
     effects = level.effects
@@ -152,7 +179,7 @@ def _no_belt(name: str, body: Body) -> Iterator[str]:
     """Yield why a body can be no belt."""
     if body.type == "dynamic":
         yield f"'{brief(name)}' is dynamic, but a belt stands still or moves as told"
-    if isinstance(body.shape, Disc | Hoop):
+    if isinstance(body.shape, Disc | Hoop | Arc):
         yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
     if body.type == "kinematic" and given(body, "angular_velocity"):
         yield f"'{brief(name)}' turns, but a belt keeps its direction"

@@ -20,15 +20,19 @@ from pydantic import TypeAdapter, ValidationError
 import sandbox
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
-from sandbox.model.files import write_atomically
+from sandbox.model.files import read_ordinary, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.climbing import Progress
 from sandbox.physics.accuracy.runs import Stop, never
+from sandbox.physics.errors import SchemeError
+from sandbox.physics.schemes import require
 
-_SETTING = TypeAdapter(tuple[str, Setting])
-"""A key, and what was found for it."""
+_SETTING = TypeAdapter(Setting)
+_ENTRY = TypeAdapter(tuple[str, str, Setting])
+"""A key, what was found for it, and before that a hash of both: an entry that a hand has changed is
+not what was found."""
 
 _unkept: dict[str, Setting] = {}
 """What could not be written, for as long as this process lives."""
@@ -74,7 +78,7 @@ def calibrated(
 def recalled(level: Level, values: Values, target: float) -> Setting | None:
     """Return the setting that was found for an accuracy before; None if none was."""
     key = _key(level, values, target)
-    return _unkept.get(key) or _read(_path(key), key)
+    return _unkept.get(key) or _read(_path(key), key, level)
 
 
 def keep(
@@ -93,7 +97,10 @@ def keep(
     path = _path(key)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, _SETTING.dump_json((key, setting)))
+        if link := _link(path.parent):
+            raise SandboxError(f"{link} is a link, which may lead anywhere")
+        entry = _ENTRY.dump_json((key, _hash(key, setting), setting))
+        write_atomically(path, entry, follow=False)
     except (OSError, SandboxError) as error:
         _unkept[key] = setting
         if tell:
@@ -116,17 +123,28 @@ def _path(key: str) -> Path:
     return folder() / f"{key}.json"
 
 
-def _read(path: Path, key: str) -> Setting | None:
+def _read(path: Path, key: str, level: Level) -> Setting | None:
     """Return what a file holds; None if it is not what was written there."""
     try:
-        if path.stat().st_size > LARGEST:
+        if _link(path.parent) or (content := read_ordinary(path, LARGEST)) is None:
             return None
-        held, setting = _SETTING.validate_json(path.read_bytes())
-    except (OSError, ValidationError):
+        held, checked, setting = _ENTRY.validate_json(content)
+        require(level, setting.chosen.stepping.scheme)
+    except (OSError, ValidationError, SchemeError):
         return None
     chosen = setting.chosen
     sound = isfinite(chosen.price) and 0 <= chosen.error <= setting.target
-    return setting if sound and held == key else None
+    return setting if sound and held == key and checked == _hash(key, setting) else None
+
+
+def _link(entries: Path) -> Path | None:
+    """Return which of the sandbox's own folders is a link; None if none is."""
+    own = entries, entries.parent
+    return next((path for path in own if path.is_symlink()), None)
+
+
+def _hash(key: str, setting: Setting) -> str:
+    return sha256(key.encode() + _SETTING.dump_json(setting)).hexdigest()
 
 
 def _key(level: Level, values: Values, target: float) -> str:

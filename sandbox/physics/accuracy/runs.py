@@ -115,8 +115,9 @@ def _stride(steps: float) -> int:
 
 
 def _needs_all(level: Level, item: Watched) -> bool:
-    """Whether what is watched depends on every step."""
-    return isinstance(item.at, ContactEvent) or quantity(item.quantity, level).adds_up
+    """Whether what is watched depends on every step; books miss none."""
+    known = quantity(item.quantity, level)
+    return isinstance(item.at, ContactEvent) or known.adds_up or known.booked
 
 
 def apart(one: Trace, other: Trace, item: Watched) -> float | None:

@@ -13,9 +13,10 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 from collections.abc import Sequence
 from copy import copy
 from math import isfinite
-from typing import TypeVar
+from typing import TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch, Booleans
@@ -73,6 +74,16 @@ class ExactJoints:
         (m,), the force along each row in the last kick [N]; positive where it pulls.
     parts
         How many kicks a step has: the same one of the steps before tells what to expect of each.
+    inverse
+        (3 N,), one over the mass or moment of each coordinate, the plane's last.
+    bodies
+        Those that each equation is about; the plane is the last of all, or −1.
+    origin
+        From where places are counted [m].
+    added
+        (m,), which equations have joined since the last kick.
+    kick, drift
+        How long the next kick lasts, and the drift that follows it [s].
     """
 
     def __init__(
@@ -84,10 +95,10 @@ class ExactJoints:
         inverse_moment: Array,
         origin: complex = 0j,
     ) -> None:
-        self._batch, self._origin = batch, origin
+        self._batch, self.origin = batch, origin
         # one body more: the plane itself, which nothing moves
         self._inverse_moment = np.append(inverse_moment, 0.0)
-        self._inverse = np.concatenate(
+        self.inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
         self._order = order(len(inverse_mass))
@@ -96,12 +107,14 @@ class ExactJoints:
         self._lay_out(rows, others)
         self._length = np.array([equation.length for equation in (*rows, *others)])
         self._taut = ~self._pulls_only
+        self.bodies = [self._held_by(equation) for equation in (*rows, *others)]
+        self.added = np.zeros_like(self._taut)
         self.tension = np.zeros_like(self._length)
         self.parts = 1
         self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
         self._warm = self._cold  # impulses that have acted in this kick already
         self._struck = False
-        self._kick = self._drift = 0.0
+        self.kick = self.drift = 0.0
 
     def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Make the tables of all equations, the rows first."""
@@ -117,9 +130,9 @@ class ExactJoints:
         shape = (len(equations), len(self._inverse_moment))
         self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
         self._others = list(enumerate(others, len(rows)))
-        inverse = self._inverse[: 2 * shape[1] : 2]
+        inverse = self.inverse[: 2 * shape[1] : 2]
         apart = rows if are_apart(equations, inverse) else ()
-        self._rods = [Rod(row, self._batch, inverse, self._origin) for row in apart]
+        self._rods = [Rod(row, self._batch, inverse, self.origin) for row in apart]
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
 
@@ -132,17 +145,55 @@ class ExactJoints:
         self._taut = np.insert(self._taut, where, values=True)
         self._past = [np.insert(tension, where, 0.0) for tension in self._past]
         self._warm = np.insert(self._warm, where, 0.0)
+        self.added = np.insert(np.zeros_like(self.added), where, values=True)
         self._lay_out((*old_rows, *rows), (*old_others, *others))
+        self.bodies = [self._held_by(e) for part in self._equations for e in part]
         self._struck = True
+
+    def _held_by(self, equation: Condition) -> NDArray[np.intp]:
+        """Return which bodies an equation is about."""
+        if isinstance(equation, Row):
+            ends = [end.body for reach in equation.reaches for end in reach]
+            return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
+        _, shares = copy(cast("Equation", equation)).look(self.place())
+        return np.array([share.body for share in shares], dtype=np.intp)
+
+    def expected(self) -> tuple[Array, Booleans]:
+        """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
+        last = self._past[0] if self._past else self._cold
+        return np.where(self._taut, last, 0.0), self._taut
+
+    def check(self) -> None:
+        """Refuse equations that repeat each other, where that has not been looked at yet.
+
+        Raises
+        ------
+        JointFailure
+            If some do.
+        """
+        if self._fresh and self._joints:
+            here = self._glance(self.place())
+            self._check_independent(here, here.gradient * self.inverse, self._length)
+
+    def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
+        """Take up the forces of a kick that was solved elsewhere, and what held in it: (m,).
+
+        After an impact they tell nothing of the next kick.
+        """
+        self.tension, self._taut = tension, taut
+        last = self._past[: 3 * self.parts - 1]
+        self._past = [] if struck else [tension, *last]
+        self._struck, self._fresh = False, False
+        self.added = np.zeros_like(taut)
 
     def place(self) -> Coordinates:
         """Return where everything is."""
-        return self._coordinates()[0]
+        return self.coordinates()[0]
 
     def at(self, place: Array) -> Coordinates:
         """Return a place, (n, 3), as the equations have it: counted from the origin."""
         found = _coordinates(place)
-        found.plane[:-1] -= self._origin
+        found.plane[:-1] -= self.origin
         return found
 
     def force(self, name: str) -> float:
@@ -159,13 +210,13 @@ class ExactJoints:
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
-        self._kick, self._drift = kick, drift
+        self.kick, self.drift = kick, drift
 
     def refit(self, t: float) -> None:
         """Take the present lengths as those that hold from a time on [s]."""
-        place, _ = self._coordinates()
+        place, _ = self.coordinates()
         self._length = np.zeros_like(self._length)
-        self._length = self._look(place).total - self._lengths(t)
+        self._length = self.look(place).total - self.lengths(t)
         self.tension = np.zeros_like(self._length)
         self._past = []
         self._taut = ~self._pulls_only
@@ -174,12 +225,12 @@ class ExactJoints:
     def pull(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
-        self._warm = steady * self._kick
+        self._warm = steady * self.kick
         wrench += self.pulls(steady, self.place())
 
     def pulls(self, tension: Array, place: Coordinates) -> Array:
         """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
-        return -(tension @ self._look(place).gradient)[self._order]
+        return -(tension @ self.look(place).gradient)[self._order]
 
     def stiff(self, place: Array | None = None) -> Array:
         """Return the gradients of what can push as well as pull, as below: (m, n, 3)."""
@@ -223,14 +274,14 @@ class ExactJoints:
         smooth
             (n, 3), the accelerations by all else [m/s², rad/s²].
         """
-        place, _ = self._coordinates()
+        place, _ = self.coordinates()
         gradient = self._glance(place).gradient
-        reply = gradient * self._inverse
+        reply = gradient * self.inverse
         slope, free = gradient @ reply.T, _coordinates(mean).values
         moves = free - _solved(slope, gradient @ free) @ reply
-        way = MOMENT * abs(self._drift) * moves
+        way = MOMENT * abs(self.drift) * moves
         ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
-        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self._drift))
+        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self.drift))
         driven = _coordinates(smooth).values
         self.tension = _solved(slope, gradient @ driven + turning)
         return moves[self._order], (driven - self.tension @ reply)[self._order]
@@ -254,13 +305,13 @@ class ExactJoints:
         """
         if not self._joints:
             return self.tension
-        half = self._drift / 2
+        half = self.drift / 2
         begin = self.at(place)
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             impulse, _, _ = self._newton(
                 begin,
                 _coordinates(velocity + pull * half),
-                self._look(begin).gradient * self._inverse,
+                self.look(begin).gradient * self.inverse,
                 self._length,
                 self.tension * half,
                 ~self._taut | self.changes,
@@ -289,34 +340,36 @@ class ExactJoints:
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
         self._warm = self._cold
+        self.added = np.zeros_like(self._taut)
 
     def _solve_apart(self, until: float) -> Array:
         """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
-        warm, length, found = self._warm.tolist(), self._lengths(until).tolist(), []
+        warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
             expected = _parabola([tension[i] for tension in past]) if past else 0.0
-            guess = expected * self._kick - warm[i]
+            guess = expected * self.kick - warm[i]
             try:
-                impulse = rod.solve(length[i], guess, self._drift)
+                impulse = rod.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
-                raise self._lost(i) from None
-            found.append((warm[i] + impulse) / self._kick)
+                raise self.lost(i) from None
+            found.append((warm[i] + impulse) / self.kick)
         return np.array(found)
 
     def _solve_together(self, until: float) -> Array:
         """Solve all equations at once; return the forces along them: (m,) [N]."""
-        place, motion = self._coordinates()
-        here = self._look(place)
-        reply = here.gradient * self._inverse
-        length = self._lengths(until)
+        place, motion = self.coordinates()
+        here = self.look(place)
+        reply = here.gradient * self.inverse
+        length = self.lengths(until)
         if self._fresh:
             self._check_independent(here, reply, length)
         impulse, moved = self._settle(place, motion, reply, length)
         self._batch.set_velocity(moved[self._order])
-        return (self._warm + impulse) / self._kick
+        return (self._warm + impulse) / self.kick
 
-    def _lengths(self, t: float) -> Array:
+    def lengths(self, t: float) -> Array:
+        """Return what each equation keeps at a time [s]: (m,) [m, rad]."""
         if not self._changing:
             return self._length
         length = self._length.copy()
@@ -329,15 +382,15 @@ class ExactJoints:
                 )
         return length
 
-    def _coordinates(self) -> tuple[Coordinates, Coordinates]:
+    def coordinates(self) -> tuple[Coordinates, Coordinates]:
         """Return where everything is and how it moves, the plane itself last."""
-        values = np.zeros((2, len(self._inverse)))
+        values = np.zeros((2, len(self.inverse)))
         values.reshape(-1)[self._of_state] = self._batch.state().reshape(-1)
-        if self._origin:
-            planes(values[0])[:-1] -= self._origin
+        if self.origin:
+            planes(values[0])[:-1] -= self.origin
         return Coordinates(values[0]), Coordinates(values[1])
 
-    def _look(self, place: Coordinates) -> Rows:
+    def look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their gradients there."""
         return self._with_others(self._reaches.look(place), place, self._others)
 
@@ -378,7 +431,7 @@ class ExactJoints:
         """Solve, and let go of ropes that would have to push, until none is left."""
         past = self._past[self.parts - 1 :: self.parts]
         expected = _parabola(past) if past else self._cold
-        guess = expected * self._kick - self._warm
+        guess = expected * self.kick - self._warm
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
             start = guess if slack is None else np.where(slack, -self._warm, guess)
@@ -390,7 +443,7 @@ class ExactJoints:
             if not (pushes.any() or stretched.any()):
                 return impulse, moved
             self._taut = (self._taut & ~pushes) | stretched
-        raise self._lost(int(np.argmax(self._pulls_only)))
+        raise self.lost(int(np.argmax(self._pulls_only)))
 
     def _newton(
         self,
@@ -406,10 +459,10 @@ class ExactJoints:
         They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
         of what `@` takes.)
         """
-        h = self._drift
+        h = self.drift
         for _ in range(MAX_ITERATIONS):
             moved = motion.values - impulse.dot(reply)
-            there = self._look(Coordinates(place.values + h * moved))
+            there = self.look(Coordinates(place.values + h * moved))
             excess = there.total - length
             wrong, slope = excess, there.gradient.dot(reply.T)
             if slack is not None and slack.any():
@@ -422,12 +475,12 @@ class ExactJoints:
                 raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
             if wrong.dot(wrong) <= QUADRATIC**2:
                 return impulse, motion.values - impulse.dot(reply), excess
-        raise self._lost(int(np.argmax(np.abs(wrong))))
+        raise self.lost(int(np.argmax(np.abs(wrong))))
 
-    def _lost(self, row: int) -> JointFailure:
+    def lost(self, row: int) -> JointFailure:
         """Say why there is no solution: the joints work against each other, or the step is long."""
-        place, _ = self._coordinates()
-        here, taut = self._look(place), np.flatnonzero(self._taut)
+        place, _ = self.coordinates()
+        here, taut = self.look(place), np.flatnonzero(self._taut)
         slope = self._answers(here)[np.ix_(taut, taut)]
         if slope.any() and np.isfinite(slope).all():
             independence, shares = _weakest(slope)
@@ -441,25 +494,27 @@ class ExactJoints:
 
     def _answers(self, here: Rows) -> Array:
         """Return how fast each row shortens by a unit impulse of each: (m, m)."""
-        return np.asarray(here.gradient * self._inverse @ here.gradient.T)
+        return np.asarray(here.gradient * self.inverse @ here.gradient.T)
 
     def _finer(self) -> float:
         """Return how many times as many steps joints under this tension need.
 
         A taut chain swings across with up to ω² = 2 T (1/m_a + 1/m_b) / l; ω dt should be 1/2.
         """
-        place, _ = self._coordinates()
-        here = self._look(place)
+        place, _ = self.coordinates()
+        here = self.look(place)
         replies = self._answers(here).diagonal()
+        tension = np.zeros_like(replies)  # of what has just stuck, none is known yet
+        tension[: len(self.tension)] = self.tension
         with np.errstate(all="ignore"):
-            square = 2 * np.abs(self.tension) * replies / np.abs(here.total)
+            square = 2 * np.abs(tension) * replies / np.abs(here.total)
         square = square[np.isfinite(square)]
         omega = float(np.sqrt(square.max(initial=0.0)))
-        return max(2 * omega * abs(self._drift), 2.0)
+        return max(2 * omega * abs(self.drift), 2.0)
 
     def parting(self) -> tuple[str, float]:
         """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
-        place, _ = self._coordinates()
+        place, _ = self.coordinates()
         off = self._glance(place).total - self._length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
         off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more

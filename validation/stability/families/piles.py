@@ -84,7 +84,7 @@ def pyramid(
         if not overlap
         else "Boxes that are made in each other must part gently.",
         NEWTON,
-        effects=pile(size),
+        effects=pile(size, overlaps=overlap > 0),
         bodies={**boxes, "ground": floor},
         stepping={"rate": rate},
         duration=3,

@@ -1,0 +1,159 @@
+"""How small and how large the numbers of a level may be, by what they measure.
+
+Said once, here: the model refuses what lies beyond, with the value, the bound and why, and the
+schema tells it to editors. They are wider than mechanics needs, from the mass of an electron to a
+thousand suns, and so narrow that the products a run makes of them, up to fourth powers of lengths
+times masses, stay within the range of a float. Whether a rate is high enough for a scene is another
+question, and asked elsewhere.
+"""
+
+from sandbox.model.expressions import Expression, Formula, NonNegative, Positive
+
+MOST_FORCES = 2000
+"""How many forces, belts, rockets or centres of attraction a level may name, each."""
+
+MOST_PAIRS = 20_000
+"""How many pairs of bodies an effect may name."""
+
+LARGEST_PARAMETER = 1e100
+"""The largest bound of a parameter, whatever its sign."""
+
+
+class Mass(Positive):
+    """A mass."""
+
+    __slots__ = ()
+    least, most, unit = 1e-35, 1e35, "kg"
+
+
+class Moment(Positive):
+    """A moment of inertia."""
+
+    __slots__ = ()
+    least, most, unit = 1e-65, 1e65, "kg m²"
+
+
+class Coordinate(Expression):
+    """Where something is, along an axis."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m"
+
+
+class Extent(Positive):
+    """How large something is."""
+
+    __slots__ = ()
+    least, most, unit = 1e-15, 1e15, "m"
+
+
+class Width(NonNegative):
+    """How thick something is, if it is."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m"
+
+
+class Angle(Expression):
+    """An angle."""
+
+    __slots__ = ()
+    most, unit = 1e9, "rad"
+
+
+class Speed(Expression):
+    """A velocity along an axis."""
+
+    __slots__ = ()
+    most, unit = 1e12, "m/s"
+
+
+class Spin(Expression):
+    """An angular velocity."""
+
+    __slots__ = ()
+    most, unit = 1e12, "rad/s"
+
+
+class Acceleration(Expression):
+    """An acceleration along an axis."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m/s²"
+
+
+class Coefficient(NonNegative):
+    """A coefficient of friction."""
+
+    __slots__ = ()
+    most = 1e6
+
+
+class Stiffness(NonNegative):
+    """How hard a spring pulls for its stretch."""
+
+    __slots__ = ()
+    most, unit = 1e30, "N/m"
+
+
+class Damping(NonNegative):
+    """How hard something is held back for its speed."""
+
+    __slots__ = ()
+    most, unit = 1e30, "kg/s"
+
+
+class Resistance(NonNegative):
+    """How hard something is held back for the square of its speed."""
+
+    __slots__ = ()
+    most, unit = 1e30, "kg/m"
+
+
+class Strength(Expression):
+    """How strongly something attracts, in the unit that its law needs."""
+
+    __slots__ = ()
+    most = 1e40
+
+
+class Power(Expression):
+    """The power of a distance."""
+
+    __slots__ = ()
+    most = 10.0
+
+
+class Flow(Positive):
+    """A mass for a time."""
+
+    __slots__ = ()
+    least, most, unit = 1e-35, 1e35, "kg/s"
+
+
+class Duration(Positive):
+    """How long something lasts."""
+
+    __slots__ = ()
+    least, most, unit = 1e-12, 1e12, "s"
+
+
+class ForceOverTime(Formula):
+    """A force along an axis, over the time."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N"
+
+
+class LengthOverTime(Formula):
+    """A length over the time."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m"
+
+
+class SpinOverTime(Formula):
+    """An angular velocity over the time."""
+
+    __slots__ = ()
+    most, unit = 1e12, "rad/s"

@@ -1,0 +1,52 @@
+"""Which fields of a level name another part of it, said where the field is declared.
+
+`sandbox.model.consistency.mentions` finds them from here, so that a new effect or joint need say
+no more than the type of its field.
+"""
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema
+
+NAMES = "names"
+"""The key under which the schema holds what a text names."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """What a text, or a list of texts, names.
+
+    Attributes
+    ----------
+    of
+        A body, a couple of two different bodies, a list in which none stands twice, or a quantity.
+    acted_on
+        Whether something acts on the body, so that it must be one that forces move.
+    """
+
+    of: Literal["body", "couple", "bodies", "quantity"]
+    acted_on: bool = False
+
+    def __get_pydantic_json_schema__(
+        self, core: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        return {**handler(core), NAMES: self.of}
+
+
+BodyName = Annotated[str, Mention("body")]
+"""A body of the level."""
+
+ActedOn = Annotated[str, Mention("body", acted_on=True)]
+"""A body of the level that an effect acts on."""
+
+ActedOnBodies = Annotated[tuple[ActedOn, ...], Mention("bodies")]
+"""Bodies of the level that an effect acts on."""
+
+Couple = Annotated[tuple[BodyName, BodyName], Mention("couple")]
+"""Two bodies of the level, in any order."""
+
+QuantityName = Annotated[str, Mention("quantity")]
+"""A quantity that can be measured."""

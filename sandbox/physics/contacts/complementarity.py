@@ -1,0 +1,372 @@
+"""Which contacts push, which stick and which slip: a mixed complementarity problem.
+
+Impulses x change the rates r of the rows, r = A x + w, where A = J M⁻¹ Jᵀ is the effective inverse
+mass (the Delassus operator). Three kinds of rows ask for
+
+    joints      r = 0
+    contacts    x >= 0,  r >= 0,  x r = 0                        (and ropes, which only pull)
+    friction    |x| <= b, with r = 0 where it is less than b, and against the slip where it is b
+
+with b = mu (x of its contact) + a constant. Once it is known which rows are active this is a linear
+system, solved exactly; which they are is guessed from the step before and mended until every
+condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact
+problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
+
+Rows may repeat each other, as the two feet of a welded table do: the forces are then not unique,
+only what they add up to. Of all that hold, the least is taken.
+"""
+
+from functools import cache
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Booleans, Integers
+from sandbox.physics.contacts.lemke import lemke
+
+REPEATS = 1e9
+"""How much larger the solution of rows that do not repeat each other may be than what is asked for.
+A mass of 1,000,000 on one of 1 has 1e7."""
+
+CUT = 1e-10
+"""The singular values, over the largest, that are none where rows do."""
+
+FAINT = 1e-12
+"""The share of a row's own inverse mass that is nothing."""
+
+TOLERANCE = 1e-11
+"""The share of the largest impulse, or rate, by which a condition may be missed."""
+
+GUESSES = 15
+"""How often the active rows are mended before something else has to help."""
+
+GIVES = (1e-9, 1e-7, 1e-5)
+"""What is added to each row's own inverse mass to find out which rows hold, where many could: the
+problem then has one answer, which goes over into the least impulses that hold."""
+
+MISSED = 1e-7
+"""The share of the largest rate by which impulses of Lemke's method may miss what they
+ask for, for it goes a long way; Newton's method goes on from there."""
+
+
+CONTRADICTS = 1e-3
+"""The share of the largest rate by which rows that repeat each other may contradict each other, as
+they do while Newton's method is on its way."""
+
+SOFT = (1e-11, 1e-9, 1e-7)
+"""What is added to each row's own inverse mass for Lemke's method: what gives way by nothing but
+rounding is no way out for it. The next is tried where one leads nowhere."""
+
+
+class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
+    """No impulses were found; `row` is the one that is furthest off."""
+
+    def __init__(self, row: int) -> None:
+        self.row = row
+        super().__init__(f"row {row}")
+
+
+class Friction(NamedTuple):
+    """The rows whose impulses are bounded; f of them.
+
+    Attributes
+    ----------
+    row
+        (f,), which rows.
+    contact
+        (f, 2), the rows whose impulses bound them, added up; −1 for none.
+    sticks, slips
+        (f,), the coefficients while it sticks and while it slips.
+    least
+        (f,), the bound without any contact [N s].
+    """
+
+    row: Integers
+    contact: Integers
+    sticks: Array
+    slips: Array
+    least: Array
+
+
+NO_FRICTION = Friction(
+    np.zeros(0, dtype=np.intp),
+    np.zeros((0, 2), dtype=np.intp),
+    np.zeros(0),
+    np.zeros(0),
+    np.zeros(0),
+)
+
+
+class Active(NamedTuple):
+    """Which rows hold; m rows, f of friction.
+
+    Attributes
+    ----------
+    on
+        (m,), whose rate is kept at zero.
+    slip
+        (f,), the sign of the impulses that are at their bound; 0 of others.
+    """
+
+    on: Booleans
+    slip: Integers
+
+    @property
+    def key(self) -> bytes:
+        """The same, to be compared."""
+        return self.on.tobytes() + self.slip.tobytes()
+
+
+class Problem(NamedTuple):
+    """What rows ask for; m of them.
+
+    Attributes
+    ----------
+    free
+        (m,), whose impulse may have any sign and size: joints.
+    pushes
+        (m,), whose impulse is not negative: contacts, ropes.
+    friction
+        All others.
+    """
+
+    free: Booleans
+    pushes: Booleans
+    friction: Friction
+
+
+def solve(
+    problem: Problem, matrix: Array, rate: Array, guess: Active, blur: float = 0.0
+) -> tuple[Array, Active]:
+    """Return the impulses, (m,) [N s or N m s], and which rows hold with them.
+
+    Parameters
+    ----------
+    matrix
+        (m, m), A above [1/kg or 1/(kg m²)].
+    rate
+        (m,), w above: the rates without impulses [m/s or rad/s].
+    guess
+        Which rows may hold.
+    blur
+        How well rates are known [m/s, rad/s].
+
+    Raises
+    ------
+    Unsolvable
+        If no impulses are found.
+    """
+    size = np.sqrt(np.maximum(matrix.diagonal(), 0.0))
+    size[size == 0] = 1.0
+    scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size)
+    impulse, active = scaled.solve(guess)
+    return impulse / size, active
+
+
+class _Scaled:
+    """The problem with every row's own inverse mass at one; each row may `give` way a little."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        matrix: Array,
+        rate: Array,
+        size: Array,
+        blur: Array,
+        give: float = 0.0,
+    ) -> None:
+        self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
+        self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
+        row, contact, sticks, slips, least = problem.friction
+        share = np.where(contact >= 0, size[row, None] / size[contact], 0.0)
+        self._row, self._contact, self._least = row, contact, least * size[row]
+        self._sticks, self._slips = share * sticks[:, None], share * slips[:, None]
+        self._some = bool(len(row))
+
+    def solve(self, active: Active) -> tuple[Array, Active]:
+        """Return the impulses, and which rows hold."""
+        impulse, found = self.mend(active)
+        for give in GIVES if found is None else ():
+            softer = _Scaled(self._problem, self._matrix, self._rate, self._size, self._blur, give)
+            _, soft = softer.mend(active)
+            if soft is not None:
+                impulse, found = self.mend(soft)
+                if found is not None:
+                    break
+        return (impulse, found) if found is not None else self._by_corners()
+
+    def _by_corners(self) -> tuple[Array, Active]:
+        """Return the same by Lemke's method."""
+        least = MISSED * np.abs(self._rate).max() + self._blur.max()
+        missed = self._missed(np.zeros_like(self._rate))
+        for soft in SOFT:
+            rough = self._lemke(soft)
+            if rough is None:
+                continue
+            guess = self._guess(rough)
+            impulse, found = self.mend(guess)
+            if found is not None:
+                return impulse, found
+            for tried in (self._with(guess), rough):
+                missed = self._missed(tried)
+                most = float(np.abs(tried).max())
+                sound = most <= REPEATS * np.abs(self._rate).max()
+                if sound and missed.max() <= least + FAINT * most:
+                    return tried, guess
+        raise Unsolvable(int(np.argmax(missed)))
+
+    def mend(self, active: Active) -> tuple[Array, Active | None]:
+        """Solve and mend the guess until it holds; None if that goes in circles."""
+        seen = set()
+        impulse = np.zeros_like(self._rate)
+        for _ in range(GUESSES):
+            impulse = self._with(active)
+            better = self._judge(impulse, active)
+            if better is None:
+                return impulse, active if self._holds(impulse, active) else None
+            if better.key in seen:
+                break
+            seen.add(better.key)
+            active = better
+        return impulse, None
+
+    def _with(self, active: Active) -> Array:
+        """Return the impulses if these rows hold: (m,)."""
+        impulse = np.zeros_like(self._rate)
+        rows = np.flatnonzero(active.on)
+        if not len(rows):
+            return impulse
+        slipping = np.flatnonzero(active.slip)
+        if not len(slipping):
+            impulse[rows] = _solved(self._matrix[np.ix_(rows, rows)], -self._rate[rows])
+            return impulse
+        gives = self._gives(active.slip, slipping)
+        constant = np.zeros_like(impulse)
+        constant[self._row[slipping]] = (active.slip * self._least)[slipping]
+        matrix = self._matrix[rows] @ gives[:, rows]
+        wanted = -self._rate[rows] - self._matrix[rows] @ constant
+        impulse[rows] = _solved(matrix, wanted)
+        return gives[:, rows] @ impulse[rows] + constant
+
+    def _gives(self, slip: Integers, slipping: Integers) -> Array:
+        """Return what impulses follow from those of rows that hold: (m, m)."""
+        gives = np.eye(len(self._rate))
+        for side in (0, 1):
+            bound = self._contact[slipping, side] >= 0
+            some = slipping[bound]
+            gives[self._row[some], self._contact[some, side]] = slip[some] * self._slips[some, side]
+        return gives
+
+    def _bounds(self, impulse: Array, coefficients: Array) -> Array:
+        """Return how large the impulses of friction may be: (f,)."""
+        pushes = np.maximum(impulse, 0.0)[self._contact]
+        return np.asarray((coefficients * pushes).sum(axis=1) + self._least)
+
+    def _holds(self, impulse: Array, active: Active) -> bool:
+        """Return whether rows that are to hold do, and do not contradict each other."""
+        rate = np.abs(self._rate + self._matrix @ impulse)[active.on].max(initial=0.0)
+        return bool(rate <= CONTRADICTS * np.abs(self._rate).max(initial=0.0) + self._blur.max())
+
+    def _judge(self, impulse: Array, active: Active) -> Active | None:
+        """Return which rows rather hold; None if those do."""
+        rate = self._rate + self._matrix @ impulse
+        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
+        largest = max(np.abs(self._rate).max(initial=0.0), np.abs(rate).max(initial=0.0))
+        still = TOLERANCE * largest + self._blur
+        on, pushes = active.on, self._problem.pushes
+        pulls = pushes & on & (impulse < -close)
+        meets = pushes & ~on & (rate < -still)
+        on = (on & ~pulls) | meets
+        if not self._some:
+            return Active(on, active.slip) if pulls.any() or meets.any() else None
+        row, slip = self._row, active.slip.copy()
+        held = active.on[row]
+        presses = (on[self._contact] & (self._contact >= 0)).any(axis=1) | (self._least > 0)
+        beyond = held & (np.abs(impulse[row]) > self._bounds(impulse, self._sticks) + close)
+        stops = (slip != 0) & (slip * rate[row] > still[row])
+        slip[beyond] = np.sign(impulse[row[beyond]])
+        slip[stops] = 0
+        slip[~presses] = 0
+        on[row] = presses & (slip == 0)
+        better = Active(on, slip)
+        return None if better.key == active.key else better
+
+    def _guess(self, impulse: Array) -> Active:
+        """Return which rows hold if impulses are about these."""
+        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
+        on = self._problem.free | (self._problem.pushes & (impulse > close))
+        slip = np.zeros(len(self._row), dtype=np.intp)
+        if self._some:
+            bound, own = self._bounds(impulse, self._slips), impulse[self._row]
+            at_bound = (np.abs(own) >= bound * (1 - 1e-9)) & (bound > close)
+            slip[at_bound] = np.sign(own[at_bound])
+            on[self._row] = (bound > close) & ~at_bound
+        return Active(on, slip)
+
+    def _lemke(self, soft: float) -> Array | None:
+        """Return impulses by Lemke's method, with joints obeyed by all; None if it finds none.
+
+        Friction is a push one way less a push the other way; a last condition bounds their sum.
+        """
+        free, pushes = np.flatnonzero(self._problem.free), np.flatnonzero(self._problem.pushes)
+        matrix: Array = self._matrix
+        rate: Array = self._rate
+        through: Array = np.zeros((len(free), len(rate) + 1))
+        if len(free):
+            within = matrix[np.ix_(free, free)] + FAINT * np.eye(len(free))
+            wanted = np.column_stack((matrix[free], rate[free]))
+            through = np.asarray(np.linalg.solve(within, wanted), dtype=float)
+            across: Array = np.asarray(matrix[:, free] @ through)
+            matrix, rate = matrix - across[:, :-1], rate - across[:, -1]
+        rows = np.concatenate((pushes, self._row))
+        count, rubs = len(pushes), len(self._row)
+        both, one = matrix[np.ix_(rows, rows)] + soft * np.eye(len(rows)), rate[rows]
+        bounds = np.zeros((rubs, len(self._rate)))
+        for side in (0, 1):
+            some = np.flatnonzero(self._contact[:, side] >= 0)
+            bounds[some, self._contact[some, side]] += self._slips[some, side]
+        way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
+        whole = np.zeros((count + 3 * rubs, count + 3 * rubs))
+        signed = count + 2 * rubs
+        whole[:signed, :signed] = way.T @ both @ way
+        whole[count:signed, signed:] = np.concatenate((np.eye(rubs), np.eye(rubs)))
+        whole[signed:, :count] = bounds[:, pushes]
+        whole[signed:, count:signed] = -np.concatenate((np.eye(rubs), np.eye(rubs)), axis=1)
+        found = lemke(whole, np.concatenate((way.T @ one, self._least)))
+        if found is None:
+            return None
+        impulse = np.zeros_like(self._rate)
+        impulse[rows] = way @ found[:signed]
+        impulse[free] = -(through[:, :-1] @ impulse + through[:, -1])
+        return impulse
+
+    def _missed(self, impulse: Array) -> Array:
+        """Return by how much each row misses what it asks for: (m,)."""
+        rate = self._rate + self._matrix @ impulse
+        missed = np.where(self._problem.free, np.abs(rate), np.maximum(-rate, 0.0))
+        missed[~(self._problem.free | self._problem.pushes)] = 0.0
+        return np.where(np.isfinite(missed), missed, np.inf)
+
+
+def _solved(matrix: Array, wanted: Array) -> Array:
+    """Solve a linear system; one whose rows repeat each other for the least solution.
+
+    While Newton's method is on its way such rows contradict each other a little: what they have in
+    common is met, and nothing is made of the contradiction.
+    """
+    if len(wanted) == 1:
+        return wanted / (matrix[0] if matrix[0, 0] else 1.0)
+    try:
+        found, probe = np.linalg.solve(matrix, np.stack((wanted, _probe(len(wanted))), axis=1)).T
+    except np.linalg.LinAlgError:
+        probe = found = np.full(1, np.inf)
+    if np.abs(probe).max() < REPEATS:
+        return np.asarray(found)
+    return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=CUT)[0])
+
+
+@cache
+def _probe(count: int) -> Array:
+    """Return a vector that lies in no direction in particular: its image tells of the inverse."""
+    return np.cos(np.arange(1.0, count + 1) ** 2)

@@ -1,0 +1,156 @@
+"""Arcs and hoops in pymunk's space: a circle that is found by pymunk, and touched as an arc is.
+
+Whatever is within a circle overlaps it, so pymunk finds it in every step. Before it solves, a
+callback puts the exact contact in place of its own, or takes it away. What has corners touches an
+arc from inside with these: each gets a small disc, a feeler, that meets nothing but arcs.
+
+A hoop in which no other body of the level has room remains a disc, and costs nothing.
+"""
+
+from cmath import rect
+from collections.abc import Iterator, Mapping
+
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.arcs import Arc, Inside, Piece, Placed, Verdict, verdict, way_along
+from sandbox.physics.batch import Contacts
+from sandbox.physics.raw import Meeting, address
+
+Shapes = tuple[int, int]
+"""Two of pymunk's, by their addresses."""
+
+HIT = 3.0
+"""From how many times the approach of what follows an arc on something hits it. What comes from a
+straight way on does so with up to twice that."""
+
+
+class Hollows:
+    """The arcs of a scene, and the hoops that may have something in them.
+
+    Parameters
+    ----------
+    arcs
+        All of them, by the pymunk shape that is the side of each.
+    pairs
+        The pairs of bodies that may touch in another way than pymunk has it: their names, in order,
+        and their indices.
+    drift
+        How long the drift after a kick lasts [s]; None if nothing shall follow arcs more exactly
+        than pymunk lets it.
+
+    Attributes
+    ----------
+    arcs, pairs
+        The same; of the pairs the names.
+    """
+
+    def __init__(
+        self,
+        arcs: Mapping[pymunk.Shape, Arc],
+        pairs: Mapping[tuple[str, str], frozenset[int]],
+        drift: float | None,
+    ) -> None:
+        self.arcs, self.pairs, self._drift = arcs, frozenset(pairs), drift
+        self._rows = frozenset(pairs.values())
+        self._pieces: dict[int, Piece] = {}
+        self._shapes: list[pymunk.Shape] = []  # or pymunk would let go of them
+        self._touching: dict[Shapes, Inside | None] = {}
+        self._along: dict[Shapes, float] = {}
+
+    def know(self, shape: pymunk.Shape, piece: Piece) -> None:
+        """Take up a shape as it is seen by arcs."""
+        self._shapes.append(shape)
+        self._pieces[address(shape)] = piece
+
+    def correct(self, arbiter: pymunk.Arbiter) -> bool:
+        """Correct a contact before it is solved, and tell whether there is one."""
+        meeting = Meeting(arbiter)
+        one, other = meeting.shapes
+        pair = min(one, other), max(one, other)  # pymunk may exchange them from step to step
+        found = self._judge((one, other), *meeting.places())
+        if found is False:
+            self._touching.pop(pair, None)
+            self._along.pop(pair, None)
+            meeting.refuse()
+            return False
+        meeting.accept(first=pair not in self._touching)
+        if found is True:
+            self._touching[pair] = None
+            return True
+        self._touching[pair] = found
+        if self._pieces[one].arc is found.arc:
+            meeting.replace(found.normal, found.on_arc, found.on_other)
+        else:
+            meeting.replace(-found.normal, found.on_other, found.on_arc)
+        return True
+
+    def follow(self, arbiter: pymunk.Arbiter) -> None:
+        """Let what touches an arc from inside follow it, as its coefficient of restitution lets it.
+
+        pymunk would leave it the velocity along the arc where it is, which leads out of the arc:
+        each step would take (v dt / r)² of v². What comes faster than from a straight way on into
+        the arc, which is twice as fast as along it, hits it.
+        """
+        meeting = Meeting(arbiter)
+        one, other = meeting.shapes
+        pair = min(one, other), max(one, other)
+        found = self._touching.get(pair)
+        if found is None or not self._drift:
+            return
+        places, motions = meeting.places(), meeting.motions()
+        if self._pieces[one].arc is not found.arc:
+            places, motions = places[::-1], motions[::-1]
+        before = self._along.get(pair)
+        way = way_along(found, places, motions, self._drift, before)
+        hits = way.comes > HIT * max(way.leaves, way.along**2 * self._drift / (2 * found.arc.inner))
+        if hits:
+            self._along.pop(pair, None)
+        else:
+            self._along[pair] = way.along
+        if way.comes > 0 and way.leaves > 0:
+            share = way.leaves / way.comes
+            meeting.bounce(max(share, meeting.restitution) if hits else share)
+
+    def impacts(self, contacts: Contacts) -> Contacts:
+        """Return those contacts that may be impacts: what follows an arc does not hit it."""
+        follow = {
+            frozenset(self._pieces[shape].body for shape in pair)
+            for pair in self._along
+            if pair in self._touching
+        }
+        rows = [frozenset(pair) not in follow for pair in contacts.bodies.tolist()]
+        return contacts if all(rows) else Contacts._make(field[rows] for field in contacts)
+
+    def judge(self, one: pymunk.Shape, other: pymunk.Shape) -> Verdict:
+        """Return how two shapes touch that overlap to pymunk, where their bodies are now."""
+        at, there = (
+            (complex(*body.position), complex(*body.rotation_vector))
+            for body in (one.body, other.body)
+            if body
+        )
+        shapes = address(one), address(other)
+        rows = frozenset(self._pieces[s].body for s in shapes if s in self._pieces)
+        return rows not in self._rows or self._judge(shapes, at, there)
+
+    def inside(self, state: Array) -> Iterator[Inside]:
+        """Yield what touches an arc from inside; see `Batch.state`.
+
+        Right after a step these are the contacts that pymunk has just solved, for it looks for them
+        where the bodies are then.
+        """
+        for shapes, known in self._touching.items():
+            if known:
+                rows = [self._pieces[shape].body for shape in shapes]
+                found = self._judge(shapes, *(_placed(state[row]) for row in rows))
+                if isinstance(found, Inside):
+                    yield found
+
+    def _judge(self, shapes: Shapes, at: Placed, there: Placed) -> Verdict:
+        one, other = (self._pieces.get(shape) for shape in shapes)
+        return one is None or other is None or verdict(one, other, at, there)
+
+
+def _placed(row: Array) -> Placed:
+    x, y, angle = row[:3].tolist()
+    return complex(x, y), rect(1, angle)

@@ -1,0 +1,359 @@
+"""Making what is hollow: the sides and ends of arcs, hoops with room in them, and feelers.
+
+Where the end of a static arc meets that of a static line or arc of the same thickness, the two know
+each other, as the segments of a polyline do: no ball trips where they join.
+"""
+
+from cmath import rect
+from collections.abc import Iterator, Mapping, Sequence
+from math import cos, tau
+from typing import NamedTuple
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import Arc as ArcShape
+from sandbox.physics.arcs import Arc, Piece
+from sandbox.physics.bodies import center_of, local_points
+from sandbox.physics.convex import convex_parts
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.hollows import Hollows
+from sandbox.physics.outline import FEELER, dot
+
+HOLLOW = 1 << 30
+"""The category of the sides of arcs, which feelers meet."""
+
+ORDINARY = pymunk.ShapeFilter(categories=0xFFFFFFFF & ~(HOLLOW | FEELER))
+
+FELT = 0.5
+"""The share of its length by which what touches an arc from inside may be too deep in it, and a
+corner still find it; of an arc the share of its radius."""
+
+MET = 1e-6
+"""m, how near to each other lines end that go on into each other."""
+
+TANGENT = 1e-6
+"""One less the cosine between lines that go on into each other without a corner."""
+
+
+class Made(NamedTuple):
+    """A body that may be touched.
+
+    Attributes
+    ----------
+    row
+        Its index.
+    spec
+        What the level says of it.
+    body
+        pymunk's.
+    shapes
+        With which it touches others.
+    points
+        The corners of its shape, relative to it [m].
+    """
+
+    row: int
+    spec: Body
+    body: pymunk.Body
+    shapes: Sequence[pymunk.Shape]
+    points: Sequence[complex]
+
+    @property
+    def moves(self) -> bool:
+        """Whether it is dynamic."""
+        return self.spec.type == "dynamic"
+
+
+class _End(NamedTuple):
+    """Where a static line or arc ends."""
+
+    place: complex  # in the plane
+    onwards: complex  # the unit vector in which it would go on
+    half: float  # half its thickness
+    made: Made
+    first: bool  # whether it begins there
+
+
+def make_hollow(
+    space: pymunk.Space,
+    level: Level,
+    values: Values,
+    shapes: Mapping[str, Sequence[pymunk.Shape]],
+    hair: float,
+    drift: float | None,
+) -> Hollows | None:
+    """Make hollow what is to be; None if nothing is.
+
+    Parameters
+    ----------
+    space
+        Which the shapes have joined.
+    level, values
+        What they were made from.
+    shapes
+        Of all bodies, in the level's order.
+    hair
+        How far flat surfaces stand proud [m].
+    drift
+        See `Hollows`.
+
+    Raises
+    ------
+    SimulationError
+        If something starts in a hoop that can only be touched from outside.
+    """
+    if not any(isinstance(body.shape, ArcShape | Hoop) for body in level.bodies.values()):
+        return None
+    made = {
+        name: _made(row, level.bodies[name], values, own)
+        for row, (name, own) in enumerate(shapes.items())
+    }
+    pairs = _pairs(level, values, made)
+    if not pairs:
+        return None
+    arcs = {
+        name: _arc(made[name], values, hair)
+        for name in made
+        if any(name == hollow for hollow, _ in pairs)
+    }
+    hollows = Hollows(
+        {made[name].shapes[0]: arc for name, arc in arcs.items()},
+        {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs},
+        drift,
+    )
+    for shape in space.shapes:
+        shape.filter = ORDINARY
+    for shape, piece in _pieces(made, arcs, pairs, hair):
+        hollows.know(shape, piece)
+    for shape, piece in _ends(made, arcs, values, hair):
+        space.add(shape)
+        hollows.know(shape, piece)
+    for shape, piece in _feelers(made, pairs, hair):
+        space.add(shape)
+        hollows.know(shape, piece)
+    return hollows
+
+
+def _made(row: int, spec: Body, values: Values, shapes: Sequence[pymunk.Shape]) -> Made:
+    body = shapes[0].body
+    assert body is not None
+    return Made(row, spec, body, shapes, [complex(*point) for point in local_points(spec, values)])
+
+
+def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple[str, str]]:
+    """Return which bodies, the first of them, may be touched from inside, and by which."""
+    found = []
+    effects = level.effects
+    sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
+    located = effects.contact and effects.contact.located
+    for name, hollow in made.items():
+        if not isinstance(hollow.spec.shape, ArcShape | Hoop):
+            continue
+        for other, body in made.items():
+            if other == name or not (hollow.moves or body.moves):
+                continue
+            if isinstance(hollow.spec.shape, Hoop):
+                radius = hollow.spec.shape.radius(values)
+                if not _has_room(radius, body):
+                    continue
+                if located or {name, other} in sticky:
+                    _refuse_within(name, hollow, radius, other, body)
+                    continue
+            found.append((name, other))
+    return found
+
+
+def _has_room(radius: float, body: Made) -> bool:
+    """Whether a body may be within a hoop; none may that is wider, in the axes of either."""
+    low = np.min([_box(shape)[0] for shape in body.shapes], axis=0)
+    high = np.max([_box(shape)[1] for shape in body.shapes], axis=0)
+    return bool((high - low).max() < 2 * radius)
+
+
+def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
+    """Return the corners of a box around a shape, along the axes of its body [m]."""
+    points, radius = _core(shape), shape.radius
+    x, y = [p.real for p in points], [p.imag for p in points]
+    return [min(x) - radius, min(y) - radius], [max(x) + radius, max(y) + radius]
+
+
+def _core(shape: pymunk.Shape) -> list[complex]:
+    match shape:
+        case pymunk.Circle():
+            return [complex(*shape.offset)]
+        case pymunk.Segment():
+            return [complex(*shape.a), complex(*shape.b)]
+        case pymunk.Poly():
+            return [complex(*corner) for corner in shape.get_vertices()]
+    raise TypeError(f"no core of a {type(shape).__name__}")
+
+
+def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
+    """Refuse what starts in a hoop, where first touches from inside would have to be found."""
+    if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
+        rule = (
+            f"'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
+            " are to stick, hoops are touched from outside only; leave out 'located' or 'sticking'"
+        )
+        raise SimulationError(other, 0.0, rule)
+
+
+def _arc(hollow: Made, values: Values, hair: float) -> Arc:
+    shape = hollow.spec.shape
+    if isinstance(shape, Hoop):
+        radius = shape.radius(values)
+        return Arc(hollow.row, 0j, radius, radius - hair, radius, 1 + 0j, -2.0)
+    assert isinstance(shape, ArcShape)
+    radius, half = shape.radius(values), shape.thickness(values) / 2 + hair
+    start, end = shape.start(values), shape.end(values)
+    whole = end - start >= tau - ROUND_OFF
+    return Arc(
+        body=hollow.row,
+        center=center_of(shape, hollow.spec, values),
+        radius=radius,
+        inner=radius - half,
+        outer=radius + half,
+        middle=rect(1, (start + end) / 2),
+        cosine=-2.0 if whole else cos((end - start) / 2),
+    )
+
+
+def _pieces(
+    made: Mapping[str, Made],
+    arcs: Mapping[str, Arc],
+    pairs: Sequence[tuple[str, str]],
+    hair: float,
+) -> Iterator[tuple[pymunk.Shape, Piece]]:
+    """Yield the shapes that there are, as arcs see them."""
+    for name, body in made.items():
+        if name in arcs:
+            arc, side = arcs[name], body.shapes[0]
+            side.filter = pymunk.ShapeFilter(categories=HOLLOW)
+            yield side, Piece(body.row, (arc.center,), arc.outer, arc)
+        elif any(name == other for _, other in pairs):
+            for shape, core in zip(body.shapes, _cores(body), strict=True):
+                radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+                yield shape, Piece(body.row, tuple(core), radius)
+
+
+def _radius(shape: pymunk.Shape) -> float:
+    assert isinstance(shape, pymunk.Circle | pymunk.Segment)
+    return shape.radius
+
+
+def _cores(body: Made) -> list[list[complex]]:
+    """Return the cores of a body's shapes; those of polygons as they are, not as pymunk has them.
+
+    pymunk's stand back a little behind their radius.
+    """
+    match body.spec.shape:
+        case Box():
+            return [list(body.points)]
+        case Polygon():
+            parts = convex_parts([(point.real, point.imag) for point in body.points])
+            return [[complex(*corner) for corner in part] for part in parts]
+    return [_core(shape) for shape in body.shapes]
+
+
+def _feelers(
+    made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], hair: float
+) -> Iterator[tuple[pymunk.Shape, Piece]]:
+    """Yield a small disc for each corner that may touch an arc from inside."""
+    for other in dict.fromkeys(other for _, other in pairs):
+        body = made[other]
+        if isinstance(body.spec.shape, Disc | Hoop | ArcShape):
+            continue
+        known: set[complex] = set()
+        for shape, core in zip(body.shapes, _cores(body), strict=True):
+            radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+            reach = radius + FELT * max(abs(a - b) for a in core for b in core)
+            for corner in core:
+                if corner not in known:
+                    known.add(corner)
+                    feeler = _feeler(shape, corner, reach)
+                    yield feeler, Piece(body.row, tuple(core), radius, corner=corner)
+
+
+def _feeler(shape: pymunk.Shape, corner: complex, reach: float) -> pymunk.Circle:
+    feeler = _disc_like(shape, corner, reach)
+    feeler.filter = pymunk.ShapeFilter(categories=FEELER, mask=HOLLOW)
+    return feeler
+
+
+def _disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Circle:
+    """Return a disc that rubs and bounces as another shape of the same body."""
+    disc = pymunk.Circle(shape.body, radius, (center.real, center.imag))
+    disc.friction, disc.elasticity = shape.friction, shape.elasticity
+    disc.collision_type, disc.filter = shape.collision_type, ORDINARY
+    return disc
+
+
+def _ends(
+    made: Mapping[str, Made], arcs: Mapping[str, Arc], values: Values, hair: float
+) -> Iterator[tuple[pymunk.Shape, Piece]]:
+    """Yield the round ends of arcs, with feelers, but for those at which another line goes on."""
+    lines = [end for body in made.values() for end in _line_ends(body, values, hair)]
+    rounds = [(end, a) for name, a in arcs.items() for end in _arc_ends(made[name], a, values)]
+    ends = [*lines, *(end for end, _ in rounds)]
+    for line in {end.made.row: end.made for end in lines}.values():
+        _join(line, [end for end in lines if end.made is line], ends[len(lines) :])
+    for end, arc in rounds:
+        onwards = next((-other.onwards for other in ends if _meets(end, other)), 0j)
+        if dot(onwards, end.onwards) > 1 - TANGENT:
+            continue
+        turned = complex(*end.made.body.rotation_vector)
+        center = (end.place - complex(*end.made.body.position)) / turned
+        cap = _disc_like(end.made.shapes[0], center, end.half)
+        ways = end.onwards / turned, onwards / turned
+        yield cap, Piece(end.made.row, (center,), end.half, arc, *ways)
+        feeler = _feeler(cap, center, end.half + FELT * arc.radius)
+        core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
+        yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
+
+
+def _meets(end: _End, other: _End) -> bool:
+    """Whether two lines that never move go on into each other."""
+    still = end.made.spec.type == other.made.spec.type == "static"
+    near = abs(end.place - other.place) <= MET and abs(end.half - other.half) <= MET
+    return still and near and other is not end
+
+
+def _arc_ends(body: Made, arc: Arc, values: Values) -> Iterator[_End]:
+    shape = body.spec.shape
+    if not isinstance(shape, ArcShape) or arc.cosine < -1:
+        return
+    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
+    for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
+        out = rect(1, angle) * turned
+        at = place + turned * arc.center + arc.radius * out
+        yield _End(at, sign * out, (arc.outer - arc.inner) / 2, body, angle == shape.start(values))
+
+
+def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
+    shape = body.spec.shape
+    if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
+        return
+    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
+    half = shape.thickness(values) / 2 + hair
+    for index, neighbour in ((0, 1), (-1, -2)):
+        at, before = (place + turned * body.points[i] for i in (index, neighbour))
+        yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
+
+
+def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:
+    """Tell the segments at the ends of a line in which directions arcs go on from there."""
+    points, turned = line.points, complex(*line.body.rotation_vector)
+    corners = [points[0], *points, points[-1]]
+    joined = False
+    for end in ends:
+        for arc in (arc for arc in arcs if _meets(end, arc)):
+            joined, beyond = True, -arc.onwards / turned
+            corners[0 if end.first else -1] += beyond
+    for index, shape in enumerate(line.shapes if joined else ()):
+        assert isinstance(shape, pymunk.Segment)
+        before, after = corners[index], corners[index + 3]
+        shape.set_neighbors((before.real, before.imag), (after.real, after.imag))

@@ -1,0 +1,74 @@
+"""Nobody listens, or there is no room for what is said: a sentence, and a quiet end."""
+
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.cli.helpers import Write
+from tests.elsewhere import PATIENCE, ROOT
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="a shell as on Unix")
+
+
+def shell(line: str, folder: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    """Run a line of a shell in which SANDBOX and VALIDATION stand for the two programs."""
+    python = f"PYTHONPATH={shlex.quote(str(ROOT))} {shlex.quote(sys.executable)} -m"
+    for name in ("sandbox", "validation"):
+        line = line.replace(name.upper(), f"{python} {name}")
+    return subprocess.run(
+        ["bash", "-c", line],
+        cwd=folder, capture_output=True, text=True, encoding="utf-8", timeout=PATIENCE, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no such device there")
+@pytest.mark.parametrize("command", ["SANDBOX list", "SANDBOX --help", "VALIDATION --help"])
+def test_a_full_disk_under_what_is_said_is_told_in_a_sentence(command: str) -> None:
+    done = shell(f"{command} > /dev/full")
+
+    assert done.returncode == 1
+    assert done.stderr == "cannot write to the standard output: No space left on device\n"
+
+
+def test_whoever_stops_reading_ends_the_program_without_a_word(
+    write: Write, tmp_path: Path
+) -> None:
+    """As one would be that knows nothing of pipes: by SIGPIPE, 13."""
+    output = shlex.quote(str(tmp_path / "out.csv"))
+    line = f"SANDBOX simulate {shlex.quote(str(write()))} --output {output} | true"
+
+    done = shell(f"{line}; exit ${{PIPESTATUS[0]}}")
+
+    assert (done.returncode, done.stderr) == (141, "")
+    assert (tmp_path / "out.csv").stat().st_size > 0
+
+
+def test_a_closed_output_is_no_failure() -> None:
+    done = shell("SANDBOX check newton/atwood >&-")
+
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (
+            "simulate newton/atwood --output out.csv",
+            "cannot write out.csv: the working folder is there no more\n",
+        ),
+        ("check q.json", "q.json: there is no such file\n1 of 1 level cannot be used\n"),
+    ],
+)
+def test_a_working_folder_that_is_gone_is_told_in_a_sentence(
+    tmp_path: Path, command: str, told: str
+) -> None:
+    (tmp_path / "here").mkdir()
+
+    done = shell(f"rmdir ../here; SANDBOX {command}", tmp_path / "here")
+
+    assert done.returncode in (1, 2)
+    assert done.stderr == told

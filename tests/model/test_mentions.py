@@ -1,0 +1,164 @@
+"""A name that leads nowhere is told by name and place, wherever a level may say it."""
+
+import json
+import random
+from collections.abc import Iterator
+from copy import deepcopy
+from typing import Any
+
+import pytest
+
+from sandbox.model import catalog
+from sandbox.model.consistency.mentions import named_bodies
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+from sandbox.model.schema import grammar
+from tests.model.levels import Data, bare, hanging, mistakes, mistakes_in
+
+SCHEMA = grammar()
+Place = tuple[str | int, ...]
+Sample = tuple[Place, Any]
+"""Where in a part of a level a body is named, and the part, as little of it as there can be."""
+
+WRONG = "nobody"
+
+
+def _naming(part: dict[str, Any]) -> Iterator[Sample]:
+    """Yield the least value for each text that names a body in a part of the schema."""
+    part = _resolved(part)
+    if part.get("names") == "body":
+        keyed = part["type"] == "object"
+        yield ((WRONG,), {WRONG: _least(_values(part))}) if keyed else ((), WRONG)
+    for choice in part.get("oneOf", ()):
+        yield from _naming(choice)
+    for key, inside in part.get("properties", {}).items():
+        for place, value in _naming(inside):
+            yield (key, *place), {**_least(part), key: value}
+    for inside in part.get("patternProperties", {}).values():
+        for place, value in _naming(inside):
+            yield ("thing", *place), {"thing": value}
+    yield from _naming_in_lists(part)
+
+
+def _naming_in_lists(part: dict[str, Any]) -> Iterator[Sample]:
+    for index, inside in enumerate(part.get("prefixItems", ())):
+        for place, value in _naming(inside):
+            made = [_least(item) for item in part["prefixItems"]]
+            made[index] = value
+            yield (index, *place), made
+    for place, value in _naming(part["items"]) if "items" in part else ():
+        rest = [_least(part["items"])] * (part.get("minItems", 1) - 1)
+        yield (0, *place), [value, *rest]
+
+
+def _resolved(part: dict[str, Any]) -> dict[str, Any]:
+    if "$ref" not in part:
+        return part
+    definition: dict[str, Any] = SCHEMA["$defs"][part["$ref"].rpartition("/")[2]]
+    return definition
+
+
+def _values(part: dict[str, Any]) -> dict[str, Any]:
+    (value,) = part["patternProperties"].values()
+    assert isinstance(value, dict)
+    return value
+
+
+def _least(part: dict[str, Any]) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Return the least value that a part of the schema allows."""
+    part = _resolved(part)
+    if "const" in part:
+        return part["const"]
+    if "enum" in part:
+        return part["enum"][0]
+    if "oneOf" in part:
+        return _least(part["oneOf"][0])
+    if part["type"] == "object":
+        return {key: _least(part["properties"][key]) for key in part.get("required", ())}
+    if part["type"] == "array":
+        items = part.get("prefixItems") or [part["items"]] * part.get("minItems", 0)
+        return [_least(item) for item in items]
+    return {"string": "ball"}.get(str(part["type"]), 1)
+
+
+SAMPLES = list(_naming(SCHEMA))
+
+
+def _told(place: Place) -> str:
+    return ".".join(map(str, place))
+
+
+def test_the_schema_tells_that_effects_joints_checks_ghosts_and_the_view_name_bodies() -> None:
+    places = {_told(place) for place, _ in SAMPLES}
+
+    assert {"effects.drag.bodies.0", "joints.thing.ends.0.body", "joints.thing.over.0"} < places
+    assert {"ghosts.nobody", "checks.0.at.bodies.1", "view.landscape.body"} < places
+
+
+@pytest.mark.parametrize(("place", "value"), SAMPLES, ids=[_told(place) for place, _ in SAMPLES])
+@pytest.mark.parametrize("quantity", ["ball.speed", "system.energy", "system.work.joints"])
+def test_an_unknown_body_is_told_wherever_one_is_named(
+    place: Place, value: Data, quantity: str
+) -> None:
+    part = str(place[0])
+    data: Data = {**bare(), "ghosts": {}, part: deepcopy(value[part])}
+    data.setdefault("joints", {})
+    if part != "checks":
+        data["checks"] = [{"quantity": quantity, "formula": 1, "tolerance": 1}]
+
+    told = [mistake.rule for mistake in mistakes(data) if mistake.path == _told(place)]
+
+    assert told == ["unknown body 'nobody'; known: ball"]
+
+
+def test_a_misspelt_body_beside_a_check_of_the_energy_is_told() -> None:
+    data = hanging()
+    data["joints"] = {"rod": {"type": "rod", "ends": ["bal", "other"]}}
+    data["checks"] = [{"quantity": "system.energy", "formula": 1, "tolerance": 1}]
+
+    (found,) = [m for m in mistakes(data) if m.path.startswith("joints")]
+
+    assert (found.path, found.rule) == (
+        "joints.rod.ends.0",
+        "unknown body 'bal'; did you mean 'ball'?",
+    )
+
+
+def test_what_only_follows_from_a_misspelt_body_is_not_told() -> None:
+    """The pair leaves the floor without a coefficient, but that is not what is wrong."""
+    data = bare()
+    data["bodies"]["floor"] = {"type": "static", "shape": {"type": "disc", "radius": 1}}
+    pair = {"bodies": ["ball", "flor"], "coefficient": 1}
+    data["effects"] |= {"contact": {}, "restitution": {"pairs": [pair]}}
+
+    assert [m.path for m in mistakes(data)] == ["effects.restitution.pairs.0.bodies.1"]
+
+
+def _mentioned(level: Level) -> list[Place]:
+    return [path for path, _ in named_bodies(level) if path[0] != "ghosts"]
+
+
+@pytest.mark.parametrize("name", catalog.names()[::9])
+def test_a_letter_too_few_in_a_body_s_name_is_answered_at_its_place(name: str) -> None:
+    text = catalog.find(name).read_text(encoding="utf-8")
+    places = _mentioned(parse(text))
+    for place in random.Random(name).sample(places, min(3, len(places))):
+        data: Data = json.loads(text)
+        part: Any = data
+        for step in place[:-1]:
+            part = part[step]
+        right = part[place[-1]]
+        part[place[-1]] = wrong = f"{right[:1]}{right[2:]}" if len(right) > 1 else f"{right}q"
+        told = {m.path: m.rule for m in mistakes(data)}
+
+        assert told[_told(place)].startswith(f"unknown body '{wrong}'")
+
+
+@pytest.mark.parametrize("name", catalog.names()[4::9])
+def test_a_letter_too_many_anywhere_in_a_level_is_answered_or_harmless(name: str) -> None:
+    """Whatever the text: nothing but a level or its mistakes comes of it."""
+    text = catalog.find(name).read_text(encoding="utf-8")
+    letters = [index for index, letter in enumerate(text) if letter.isalpha()]
+    for index in random.Random(name).sample(letters, 12):
+        for mistake in mistakes_in(f"{text[:index]}q{text[index:]}"):
+            assert mistake.rule

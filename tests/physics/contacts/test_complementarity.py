@@ -1,0 +1,87 @@
+"""Which contacts push: random problems, and those that guesses alone do not solve."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.complementarity import (
+    NO_FRICTION,
+    Active,
+    Friction,
+    Problem,
+    Unsolvable,
+    solve,
+)
+from sandbox.physics.contacts.lemke import lemke
+
+SEEDS = st.integers(0, 10_000)
+
+
+def contacts(count: int, bodies: int, draw: np.random.Generator) -> tuple[Array, Array]:
+    """Return the matrix and rates of contacts between bodies of masses that differ by 1000."""
+    gradient = draw.normal(size=(2 * count, 3 * bodies))
+    inverse = 10 ** draw.uniform(-3, 0, size=3 * bodies)
+    return gradient * inverse @ gradient.T, gradient @ draw.normal(size=3 * bodies)
+
+
+@given(seed=SEEDS, count=st.integers(1, 12), bodies=st.integers(1, 6))
+def test_lemkes_method_solves_what_pushes(seed: int, count: int, bodies: int) -> None:
+    """With more contacts than bodies can move many rows repeat each other."""
+    matrix, rate = contacts(count, bodies, np.random.default_rng(seed))
+    found = lemke(matrix + 1e-9 * np.eye(2 * count), rate)
+
+    assert found is not None
+    left = matrix @ found + rate
+    size = 1e-6 * (1 + np.abs(rate).max() + found.max())
+    assert found.min() >= 0
+    assert left.min() >= -size
+    assert np.abs(found * left).max() <= size * (1 + found.max())
+
+
+@given(seed=SEEDS, count=st.integers(1, 5), bodies=st.integers(4, 8), mu=st.floats(0, 1.5))
+def test_every_contact_pushes_sticks_or_slips(
+    seed: int, count: int, bodies: int, mu: float
+) -> None:
+    """0 <= x, r >= 0, x r = 0; |x_t| <= mu x_n, and against the slip where it is as large."""
+    draw = np.random.default_rng(seed)
+    matrix, rate = contacts(count, bodies, draw)
+    normals, slips = np.arange(count), count + np.arange(count)
+    pushes = np.arange(2 * count) < count
+    both = np.full(count, mu)
+    friction = Friction(
+        slips, np.stack((normals, np.full(count, -1)), axis=1), both, both, np.zeros(count)
+    )
+    problem = Problem(np.zeros(2 * count, dtype=bool), pushes, friction)
+    guess = Active(np.append(rate[:count] < 0, np.zeros(count, dtype=bool)), np.zeros(count, int))
+    impulse, _ = solve(problem, matrix, rate, guess)
+
+    left = matrix @ impulse + rate
+    size = np.sqrt(matrix.diagonal())
+    close = 1e-6 * (np.abs(rate / size).max() + np.abs(impulse * size).max())
+    assert (impulse[:count] * size[:count] >= -close).all()
+    assert (left[:count] / size[:count] >= -close).all()
+    bound = mu * np.maximum(impulse[:count], 0)
+    assert ((np.abs(impulse[count:]) - bound) * size[count:] <= close).all()
+    sticks = (bound - np.abs(impulse[count:])) * size[count:] > 10 * close
+    assert (np.abs(left[count:] / size[count:])[sticks] <= close).all()
+    assert (impulse[count:] * left[count:] <= close * (1 + np.abs(impulse[count:]))).all()
+
+
+def test_rows_that_repeat_each_other_share_the_least_impulses() -> None:
+    """Two feet under one load: half each."""
+    problem = Problem(np.zeros(2, dtype=bool), np.ones(2, dtype=bool), NO_FRICTION)
+    guess = Active(np.ones(2, dtype=bool), np.zeros(0, dtype=np.intp))
+    impulse, active = solve(problem, np.ones((2, 2)), np.array([-1.0, -1.0]), guess)
+
+    assert impulse == pytest.approx([0.5, 0.5], abs=1e-12)
+    assert active.on.all()
+
+
+def test_what_contradicts_itself_is_told() -> None:
+    """A contact that must part, of two bodies that a joint keeps together."""
+    problem = Problem(np.array([True, False]), np.array([False, True]), NO_FRICTION)
+    guess = Active(np.array([True, True]), np.zeros(0, dtype=np.intp))
+    with pytest.raises(Unsolvable):
+        solve(problem, np.ones((2, 2)), np.array([0.0, -1.0]), guess)

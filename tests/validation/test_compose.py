@@ -1,0 +1,395 @@
+"""The judge of compositions: its scenes are the same every time, and each judgement can fail."""
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from math import cos, hypot, inf, sin
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from typer.testing import CliRunner
+
+from sandbox.model.loading import load
+from sandbox.physics.world import build
+from validation import cli
+from validation.compose import judges, outcome
+from validation.compose.course import Course, Refused, run, start
+from validation.compose.draft import Draft
+from validation.compose.families import FAMILIES
+from validation.compose.judges import MARGIN, Case, Judge, Judgement, judge
+from validation.compose.keeping import Keeping, Places
+from validation.compose.outcome import Outcome, judge_scene, judged
+from validation.compose.report import complaints
+from validation.compose.scenes import Scene, scene, seeds
+from validation.compose.separation import couples, gap
+from validation.compose.shapes import centroid, moment, outline
+from validation.compose.statics import Measured, Statics
+from validation.compose.symmetry import mirrored, turned
+from validation.stability.case import make
+from validation.stability.scene import Document
+
+SOUND = ("machine", "springs", "four_bar", "wedged", "trolley", "braked_wheel")
+"""The families of which no scene is known that fails, and whose scenes are quick."""
+
+RESTING = [name for name, family in FAMILIES.items() if scene(1, name).rests]
+
+FIELDS = {"seed", "bodies", "joints", "judgements", "passed", "refused", "reason"}
+
+
+def of(family: str, seed: int = 1) -> Scene:
+    return scene(seed, family)
+
+
+def places(document: Document) -> Places:
+    bodies = document["bodies"].values()
+    x, y = np.array([body["position"] for body in bodies], dtype=float).T[:, None]
+    angle = np.array([[body.get("angle", 0.0) for body in bodies]])
+    return Places(x, y, angle, np.zeros(1))
+
+
+@cache
+def course(family: str, seed: int = 1) -> Course:
+    found = of(family, seed)
+    level = found.level()
+    return run(found, level, start(level), 0.2)
+
+
+def named(judgements: list[Judgement], name: str) -> Judgement:
+    return next(judgement for judgement in judgements if judgement.name == name)
+
+
+# Scenes
+
+
+def test_a_seed_gives_the_same_scene_every_time() -> None:
+    assert [scene(s) for s in seeds(3, 20)] == [scene(s) for s in seeds(3, 30)[:20]]
+    assert seeds(3, 20) != seeds(4, 20)
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_scenes_are_well_formed_and_nothing_overlaps_at_the_start(family: str) -> None:
+    for seed in range(8):
+        document = of(family, seed).document
+        make(document)
+        if "contact" not in document["effects"]:
+            continue
+        here = places(document)
+        position = np.stack((here.x, here.y), axis=-1)
+        for couple in couples(document, position, here.angle):
+            assert couple.separation[0] > -1e-9, (seed, couple.names)  # the hair of surfaces
+
+
+@pytest.mark.parametrize("family", RESTING)
+def test_what_is_said_to_be_at_rest_can_be_held_there(family: str) -> None:
+    for seed in range(6):
+        found = of(family, seed)
+        document, here = found.document, places(found.document)
+        keeping = Keeping(document, found.level())
+        assert Statics(document, keeping, here).stands(MARGIN), seed
+
+
+def test_every_joint_and_most_effects_occur() -> None:
+    scenes = [of(family, seed).document for family in FAMILIES for seed in range(4)]
+    joints = {joint["type"] for document in scenes for joint in document["joints"].values()}
+    effects = {effect for document in scenes for effect in document["effects"]}
+
+    assert joints == {
+        "rod", "rope", "pulley", "pivot", "rail", "weld", "motor", "winding", "wire", "spring",
+    }  # fmt: skip
+    assert effects == {
+        "gravity", "contact", "friction", "restitution", "rotation", "drag", "belt",
+    }  # fmt: skip
+
+
+# What the judges know of geometry and mechanics
+
+
+def test_boxes_side_by_side_are_apart_by_their_gap() -> None:
+    square = np.array([[(-1, -1), (1, -1), (1, 1), (-1, 1)]], dtype=float)
+
+    found = gap(square, square + np.array((2.25, 0.5)))
+
+    assert found.separation[0] == pytest.approx(0.25, abs=1e-15)
+    assert found.normal[0] == pytest.approx((1, 0))
+
+
+@pytest.mark.parametrize("angle", [0.1, 0.7, 1.3])
+def test_a_disc_is_apart_from_a_corner_by_the_way_to_it(angle: float) -> None:
+    square = np.array([[(-1, -1), (1, -1), (1, 1), (-1, 1)]], dtype=float)
+    center = np.array([[[1 + 2 * cos(angle), 1 + 2 * sin(angle)]]])
+
+    assert gap(center, square, 0.5).separation[0] == pytest.approx(1.5, abs=1e-14)
+
+
+def test_what_overlaps_is_within_by_the_least_way_out() -> None:
+    square = np.array([[(-1, -1), (1, -1), (1, 1), (-1, 1)]], dtype=float)
+
+    assert gap(square, square + np.array((0.3, 1.9))).separation[0] == pytest.approx(
+        -0.1, abs=1e-14
+    )
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_moments_and_outlines_are_those_of_the_engine(seed: int) -> None:
+    document = of("tree", seed).document
+    world = build(make(document))
+    for body, own in zip(document["bodies"].values(), world.scene.moment, strict=True):
+        if "mass" in body:
+            assert moment(body) == pytest.approx(own, rel=1e-12)
+
+
+def test_the_centroid_of_a_triangle_is_the_mean_of_its_corners() -> None:
+    corners = [[0.0, 0.0], [3.0, 0.0], [0.0, 1.5]]
+    body = {"shape": {"type": "polygon", "vertices": corners}, "mass": 1.0}
+
+    assert centroid(body["shape"]) == pytest.approx((1, 0.5))  # type: ignore[arg-type]
+    assert outline(body)[0].corners.mean(axis=0) == pytest.approx((0, 0), abs=1e-15)
+
+
+@pytest.mark.parametrize("family", ["scissor", "braked_wheel", "machine", "bead", "ragdoll"])
+def test_slopes_are_those_of_small_steps(family: str) -> None:
+    """Central differences of 1e-6 m are off by 1e-10: rounding over the step."""
+    found = of(family)
+    keeping, here = Keeping(found.document, found.level()), places(found.document)
+    _, slopes = keeping.slopes(here)
+    count = len(found.document["bodies"])
+    for axis in range(3):
+        for row in range(count):
+            sides = []
+            for step in (1e-6, -1e-6):
+                moved = [np.array(part) for part in here[:3]]
+                moved[axis][0, row] += step
+                kept = keeping(Places(moved[0], moved[1], moved[2], here.t))
+                sides.append(np.array([float(k.off[0]) for k in kept]))
+            assert slopes[:, row, axis] == pytest.approx((sides[0] - sides[1]) / 2e-6, abs=1e-8)
+
+
+def beam(load: float) -> Document:
+    """A beam of 2 m and 10 kg on two posts, a load half a metre right of its middle."""
+    draft = Draft(np.random.default_rng(0))
+    draft.block("left", (-0.9, 0.5), (0.2, 1))
+    draft.block("right", (0.9, 0.5), (0.2, 1))
+    draft.box("beam", (0, 1.05), (2, 0.1), 10.0)
+    draft.box("load", (0.5, 1.2), (0.2, 0.2), load)
+    return draft.document("beam")
+
+
+def test_forces_that_do_not_add_up_are_told_by_how_much() -> None:
+    document = beam(40.0)
+    statics = Statics(document, Keeping(document, make(document)), places(document))
+    weights = 50 * 9.81
+    right = np.array([0.0, 0.0, weights + 40 * 9.81, 40 * 9.81])
+
+    assert statics.error(Measured(right, np.zeros(0))) < 1e-9
+    wrong = right + np.array((0, 0, 0.1 * weights, 0))
+    assert statics.error(Measured(wrong, np.zeros(0))) == pytest.approx(0.1, rel=1e-6)
+
+
+def test_what_lies_beyond_its_support_cannot_stand() -> None:
+    document = beam(40.0)
+    document["bodies"]["load"]["position"] = [1.5, 0.5]
+
+    statics = Statics(document, Keeping(document, make(document)), places(document))
+
+    assert not statics.stands()
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_a_mirror_and_a_turn_can_be_undone(family: str) -> None:
+    document = of(family).document
+    back = turned(turned(document, 0.7), -0.7)
+    here, there = places(document), places(back)
+
+    assert np.hypot(here.x - there.x, here.y - there.y).max() < 1e-13
+    assert mirrored(mirrored(document))["bodies"] == mirrored(mirrored(document))["bodies"]
+    assert np.array_equal(places(mirrored(mirrored(document))).x, here.x)
+    make(mirrored(document))
+    make(turned(document, 0.7))
+
+
+# Each judgement can fail
+
+
+def shifted(found: Course, body: str, by: tuple[float, float], begin: int = 1) -> Course:
+    """A run in which a body is elsewhere from a step on."""
+    position = found.seen.position.copy()
+    position[begin:, list(found.scene.document["bodies"]).index(body)] += by
+    return replace(found, seen=replace(found.seen, position=position))
+
+
+def sinking(found: Course, body: str, begin: int = 1) -> Course:
+    """A run in which a body sinks from a step on, by 1e-6 m each."""
+    position = found.seen.position.copy()
+    row = list(found.scene.document["bodies"]).index(body)
+    position[begin:, row, 1] -= 1e-6 * np.arange(len(position) - begin)
+    return replace(found, seen=replace(found.seen, position=position))
+
+
+def faster(found: Course) -> Course:
+    velocity = found.seen.velocity.copy()
+    velocity[len(velocity) // 2 :] *= 1.2
+    return replace(found, seen=replace(found.seen, velocity=velocity))
+
+
+def pulling(found: Course) -> Course:
+    return replace(found, seen=replace(found.seen, tension=found.seen.tension * 1.001))
+
+
+def short(found: Course) -> Course:
+    return replace(found, failure="it stopped")
+
+
+def unbooked(found: Course) -> Course:
+    return replace(found, unexplained=found.unexplained + 1.0)
+
+
+def pushed(found: Course) -> Course:
+    return replace(found, lost_momentum=found.lost_momentum + 1e-3)
+
+
+DOCTORED: dict[str, tuple[Judge, str, Callable[[Course], Course]]] = {
+    "runs": (judges.runs, "wedged", short),
+    "statics": (judges.statics, "wedged", pulling),
+    "drift": (judges.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
+    "energy": (judges.energy, "four_bar", faster),
+    "books": (judges.energy, "four_bar", unbooked),
+    "momentum": (judges.momentum, "four_bar", pushed),
+    "joints": (judges.joints, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "overlap": (judges.overlap, "wedged", lambda c: sinking(c, "box")),
+    "mirror": (judges.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "rotation": (judges.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+}
+
+
+def test_every_judge_has_a_run_that_it_fails() -> None:
+    assert {judge for judge, _, _ in DOCTORED.values()} == set(judges.JUDGES) - {judges.order}
+
+
+@pytest.mark.parametrize("name", DOCTORED)
+def test_a_run_that_is_doctored_fails_where_it_was(name: str) -> None:
+    one, family, doctor = DOCTORED[name]
+    sound = course(family)
+
+    assert named(judge(sound, [one]), name).passed
+    assert not named(judge(doctor(sound), [one]), name).passed
+
+
+def test_pymunk_as_it_comes_is_of_first_order() -> None:
+    found = of("four_bar")
+    document = {**found.document, "stepping": {"rate": 240, "scheme": "symplectic-euler"}}
+    level = make(document)
+    naive = run(replace(found, document=document), level, build(level), 0.2)
+
+    assert named(judge(course("four_bar"), [judges.order]), "order").figure > 1.9
+    order = named(judge(naive, [judges.order]), "order")
+    assert order.figure < 1.3
+    assert not order.passed
+
+
+def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
+    """A ball falls on a floor and is found 5 mm deep; then it is held there."""
+    document = beam(1.0)
+    document["bodies"]["load"]["position"][1] += 0.3
+    level = make(document)
+    found = Scene(0, "beam", document)
+    seen = run(found, level, build(level), 0.6)
+    fell = named(judge(seen, [judges.overlap]), "overlap")
+    last = seen.steps - int(0.1 * seen.rate)
+
+    assert max(-couple.separation.min() for couple in Case(seen).couples) > 1e-4
+    assert fell.passed
+    assert not named(judge(sinking(seen, "load", last), [judges.overlap]), "overlap").passed
+
+
+# Whole scenes
+
+
+@pytest.mark.parametrize("family", SOUND)
+@settings(max_examples=2)
+@given(seed=st.integers(0, 2**32 - 1))
+def test_scenes_of_sound_families_hold(family: str, seed: int) -> None:
+    found = judge_scene(scene(seed, family))
+
+    assert found.passed, (found.reason, found.failed)
+
+
+def test_a_scene_without_a_rate_that_would_do_is_refused_with_the_reason() -> None:
+    found = of("springs")
+    joint = next(j for j in found.document["joints"].values() if j["type"] == "spring")
+    joint["stiffness"] = 1e15
+
+    told = judge_scene(found)
+
+    assert (told.refused, told.passed, told.judgements) == (True, False, ())
+    assert "needs a 'rate'" in told.reason
+    with pytest.raises(Refused):
+        start(found.level())
+
+
+def test_a_level_with_mistakes_is_refused() -> None:
+    found = of("springs")
+    found.document["bodies"]["bob0"]["mass"] = -1
+
+    assert judge_scene(found).refused
+
+
+def outcome_of(seed: int, *, passed: bool) -> Outcome:
+    judgement = Judgement("joints", 0.0 if passed else inf, 1e-9, passed)
+    return Outcome(seed, "table", 4, 2, (judgement,), passed, False, "", 60.0, 0.1)
+
+
+def judged_by_parity(seed: int) -> Outcome:
+    return outcome_of(seed, passed=seed % 2 == 0)
+
+
+def test_the_command_writes_what_failed_as_json_and_as_levels(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("validation.compose.command.spread", _in_turn)
+    monkeypatch.setattr("validation.compose.command.judged", judged_by_parity)
+    file, folder = tmp_path / "found.json", tmp_path / "levels"
+    args = ["compose", "--scene", "2", "--scene", "3", "--json", str(file), "--output", str(folder)]
+
+    result = CliRunner().invoke(cli.app, args)
+
+    assert result.exit_code == 1
+    found = json.loads(file.read_text(encoding="utf-8"))
+    assert set(found) == {"environment", "scenes"}
+    assert set(found["scenes"][0]) >= FIELDS
+    assert [s["passed"] for s in found["scenes"]] == [True, False]
+    told = found["scenes"][1]["judgements"]
+    assert told == [{"name": "joints", "figure": None, "bound": 1e-9, "passed": False}]
+    (level,) = folder.iterdir()
+    assert load(level).summary.startswith("joints inf")
+
+
+def _in_turn(work: Callable[[int], Outcome], items: list[int], jobs: int) -> object:
+    assert jobs >= 1
+    return enumerate(map(work, items))
+
+
+def test_of_many_scenes_that_fail_only_the_first_are_named() -> None:
+    told = list(complaints([outcome_of(seed, passed=False) for seed in range(30)]))
+
+    assert len(told) == 21
+    assert told[-1] == "and 10 more"
+
+
+def test_a_scene_is_judged_by_its_seed_alone() -> None:
+    seed = next(s for s in seeds(0, 200) if scene(s).family == "machine")
+    first, second = judged(seed), judged(seed)
+
+    assert first.judgements == second.judgements
+    assert outcome.playable(first)["stepping"]["rate"] == first.rate
+
+
+def test_a_case_knows_how_far_its_bodies_reach() -> None:
+    box = of("wedged").document["bodies"]["box"]["shape"]
+
+    assert Case(course("wedged")).extents[1] == pytest.approx(
+        hypot(box["width"], box["height"]) / 2
+    )

@@ -1,0 +1,154 @@
+"""Levels that nobody would write are made, tried, and kept where they are not answered."""
+
+import json
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+from typer.testing import CliRunner
+
+from sandbox.model.effects import Effects
+from sandbox.model.joints import Joint
+from tests.model.levels import bare, hanging
+from validation.cli import app
+from validation.fuzz import command, trial
+from validation.fuzz.command import Findings, made
+from validation.fuzz.mending import mended
+from validation.fuzz.shrinking import shrunk
+from validation.fuzz.trial import (
+    ENDED,
+    REFUSED,
+    RUNS,
+    SLOW,
+    STOPPED,
+    UNTOLD,
+    Outcome,
+    Trial,
+    attempt,
+)
+
+JOINTS = [kind.model_fields["type"].annotation for kind in get_args(get_args(Joint)[0])]
+
+
+def levels(count: int) -> Iterator[dict[str, Any]]:
+    return (made(5, number) for number in range(0, 2 * count, 2))
+
+
+def test_every_effect_and_joint_that_the_schema_declares_is_tried() -> None:
+    effects: set[str] = set()
+    joints: set[str] = set()
+    for level in levels(120):
+        effects |= level.get("effects", {}).keys()
+        joints |= {str(joint.get("type")) for joint in level.get("joints", {}).values()}
+
+    assert effects >= Effects.model_fields.keys()
+    assert joints >= {name for kind in JOINTS for name in get_args(kind)}
+
+
+def test_the_same_number_is_the_same_level() -> None:
+    assert [made(1, number) for number in range(6)] == [made(1, number) for number in range(6)]
+    assert made(1, 0) != made(2, 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        (json.dumps(bare()), RUNS),
+        ("{", REFUSED),
+        (json.dumps(bare() | {"bodies": {}}), REFUSED),
+        (json.dumps(hanging() | {"stepping": {"accuracy": 1e-3}}), RUNS),
+    ],
+)
+def test_a_level_runs_or_is_refused(text: str, kind: str) -> None:
+    assert attempt(text).kind == kind
+
+
+@pytest.mark.parametrize("name", ["parse", "build"])
+def test_what_is_raised_but_by_us_is_no_answer(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise ZeroDivisionError("complex division by zero")
+
+    monkeypatch.setattr(trial, name, fail)
+
+    outcome = attempt(json.dumps(bare()))
+
+    assert (outcome.kind, outcome.passed) == (UNTOLD, False)
+    assert "complex division by zero" in outcome.what
+
+
+def test_a_process_that_ends_is_told_and_another_begins() -> None:
+    tried = Trial()
+    assert tried.run(json.dumps(bare())).kind == RUNS
+    assert tried._process is not None
+    tried._process.kill()
+
+    assert tried.run(json.dumps(bare())).kind == ENDED
+    assert tried.run("{}").kind == REFUSED
+    tried.close()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="computing is not limited there, only time")
+def test_what_takes_too_long_is_told() -> None:
+    """Half a second of computing is many ticks of any system's clock."""
+    ball = bare()["bodies"]["ball"]
+    crowd = {f"ball {number}": ball for number in range(3000)}
+    tried = Trial(seconds=0.01)
+
+    assert tried.run(json.dumps(bare() | {"bodies": crowd})).kind == SLOW
+    tried.close()
+
+
+def test_what_is_wrong_is_taken_away() -> None:
+    data = bare()
+    data["bodies"]["ball"] |= {"radius": 3, "mass": -1}
+    outcome = attempt(json.dumps(data))
+    assert outcome.kind == REFUSED
+
+    for _ in range(3):
+        data = mended(data, attempt(json.dumps(data)).mistakes)
+
+    assert attempt(json.dumps(data)).kind in (RUNS, STOPPED)
+
+
+def test_what_goes_wrong_is_made_small() -> None:
+    least = shrunk(hanging(), lambda level: "string" in level.get("joints", {}))
+
+    assert least == {"joints": {"string": {}}}
+
+
+def test_what_goes_wrong_is_kept(tmp_path: Path) -> None:
+    class Wrong(Trial):
+        def run(self, text: str) -> Outcome:
+            return Outcome(ENDED, "with -6") if "bodies" in json.loads(text) else Outcome(RUNS)
+
+    found = Findings()
+    command._try(Wrong(), 1, 0, found, tmp_path)
+
+    [sample] = tmp_path.iterdir()
+    assert json.loads(sample.read_text(encoding="utf-8")) == {"bodies": {}}
+    assert found.failures == [{"number": 0, "what": "ended: with -6", "sample": str(sample)}]
+
+
+def test_the_figures_are_written(tmp_path: Path) -> None:
+    file = tmp_path / "out.json"
+
+    done = CliRunner().invoke(
+        app,
+        ["fuzz", "--count", "4", "--seed", "1", "--json", str(file), "--samples", str(tmp_path)],
+    )
+
+    assert done.exit_code == 0
+    said = json.loads(file.read_text(encoding="utf-8"))
+    assert {
+        "environment",
+        "seed",
+        "count",
+        "seconds",
+        "answers",
+        "failures",
+        "passed",
+    } == said.keys()
+    assert said["count"] >= 4
+    assert said["failures"] == []

@@ -1,0 +1,75 @@
+"""`python -m validation compose`."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from sandbox.model.files import check_writable, write_atomically
+from sandbox.model.writing import text
+from validation import output
+from validation.compose.outcome import Outcome, judged, playable
+from validation.compose.report import by_family, complaints
+from validation.environment import environment
+from validation.processes import spread
+
+
+def measure(
+    chosen: Sequence[int], json_file: Path | None, folder: Path | None, jobs: int | None
+) -> bool:
+    """Judge scenes, show what fails by family, and write what was asked for.
+
+    Parameters
+    ----------
+    chosen
+        Their seeds.
+    json_file
+        Where the outcome goes, if anywhere.
+    folder
+        Where the levels of those that fail go, if anywhere.
+    jobs
+        How many processes share them at the most; as many as there are cores if None.
+
+    Returns
+    -------
+    bool
+        Whether all judgements hold.
+
+    Raises
+    ------
+    SandboxError
+        If something cannot be written.
+    """
+    if json_file:
+        check_writable(json_file)
+    found = outcomes(chosen, jobs)
+    output.show(by_family(found))
+    output.complain(complaints(found))
+    refused = sum(o.refused for o in found)
+    typer.echo(f"{sum(o.passed for o in found)} of {len(found)} scenes hold, {refused} refused.")
+    if json_file:
+        output.write(content(found), json_file)
+    if folder:
+        _save([o for o in found if o.failed], folder)
+    return not any(o.failed for o in found)
+
+
+def outcomes(chosen: Sequence[int], jobs: int | None = None) -> list[Outcome]:
+    """Judge scenes, with progress on a terminal, and return them in the same order."""
+    jobs = jobs or os.cpu_count() or 1
+    found = output.progress(spread(judged, chosen, jobs), "Judging scenes", len(chosen))
+    return [outcome for _, outcome in sorted(found, key=lambda pair: pair[0])]
+
+
+def content(found: Sequence[Outcome]) -> dict[str, object]:
+    """Return outcomes as the JSON file holds them."""
+    return {"environment": environment(), "scenes": [outcome.content() for outcome in found]}
+
+
+def _save(failed: Sequence[Outcome], folder: Path) -> None:
+    """Write the levels that fail, so that they can be played."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for outcome in failed:
+        write_atomically(folder / f"{outcome.name}.json", text(playable(outcome)))
+    typer.echo(f"{len(failed)} levels written to {folder}.")

@@ -1,0 +1,204 @@
+"""A run of a scene, recorded at every step."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from math import ceil
+from time import process_time
+
+import numpy as np
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Array
+from sandbox.model.level import HIGHEST_RATE, Level
+from sandbox.physics.errors import SimulationError
+from sandbox.physics.ledger import Ledger
+from sandbox.physics.limits import needs
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.stiffness import MARGIN
+from sandbox.physics.trace import count_steps
+from sandbox.physics.world import World, build
+from validation.compose.scenes import Scene
+
+MOST_STEPS = 720
+"""How many steps a run has at the most: one of a high rate is shorter."""
+
+LIMIT = 20.0
+"""s of a processor that a run may take: 28 ms for each of the most steps that it may have."""
+
+TRIES = 8
+"""How often a rate that is proposed is taken up."""
+
+Pairs = frozenset[tuple[int, int]]
+
+
+class Refused(Exception):  # noqa: N818 (an outcome, and no error)
+    """A scene that cannot start, and why."""
+
+
+@dataclass(slots=True)
+class Course:
+    """What was seen of a run; T instants, the first at the start.
+
+    Attributes
+    ----------
+    scene, level
+        What was run.
+    rate
+        Of its steps [Hz].
+    seen
+        The states, time in front.
+    pairs
+        (T,), the numbers of the bodies that touched at each.
+    taut
+        (T, j), which joints pulled, or pushed.
+    booked
+        (T,), the energy in the books, as it stands in the middle of the drifts [J].
+    unexplained
+        (T,), what the ledger cannot explain of the energy [J].
+    lost_momentum
+        (T, 3), and of the momentum [N s, N s, N m s].
+    worked
+        The energy that what drives the scene has put in, or taken out, in the end [J].
+    asked
+        How long it was to last [s].
+    failure
+        Why it stopped before that; empty if it did not.
+    """
+
+    scene: Scene
+    level: Level
+    rate: float
+    seen: Snapshot
+    pairs: list[Pairs]
+    taut: Array
+    booked: Array
+    unexplained: Array
+    lost_momentum: Array
+    worked: float
+    asked: float
+    failure: str = ""
+
+    @property
+    def dt(self) -> float:
+        """The step [s]."""
+        return 1 / self.rate
+
+    @property
+    def steps(self) -> int:
+        """How many were taken."""
+        return len(self.pairs) - 1
+
+    def undisturbed(self) -> int:
+        """Return how many steps pass before anything touches that has not, or lets go."""
+        same = [pairs == self.pairs[0] for pairs in self.pairs[1:]]
+        return same.index(False) if False in same else len(same)
+
+
+def start(level: Level) -> World:
+    """Return the world of a level, at a rate that the sandbox itself asks for.
+
+    Raises
+    ------
+    Refused
+        If it is refused without a rate that would do.
+    """
+    rate = level.stepping.rate
+    for _ in range(TRIES):
+        try:
+            world = build(level, stepping=level.stepping.at(rate))
+        except SimulationError as error:
+            if error.rate is None or error.rate <= rate:
+                raise Refused(str(error)) from error
+            rate = error.rate
+            continue
+        asked = max((need.rate for need in needs(world.scene, world.snapshot)), default=0.0)
+        if MARGIN * asked <= rate:
+            return world
+        rate = ceil(MARGIN * asked)
+        if rate > HIGHEST_RATE:
+            raise Refused(f"needs a rate of {rate:,} Hz")
+    raise Refused(f"asks for ever higher rates, at last {rate:,} Hz")
+
+
+def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> Course:
+    """Run a world, and record every step and what the ledger says of it."""
+    steps = min(count_steps(world, duration), MOST_STEPS)
+    notes = _Notes(world)
+    failure, deadline = "", process_time() + LIMIT
+    with np.errstate(all="ignore"):
+        for _ in range(steps):
+            try:
+                world.advance()
+                notes.take()
+            except SandboxError as error:
+                failure = str(error)
+                break
+            if process_time() > deadline:
+                failure = f"took more than {LIMIT:g} s"
+                break
+    return notes.course(scene, level, steps * world.dt, failure)
+
+
+@dataclass(slots=True)
+class _Notes:
+    """What is written down of a run."""
+
+    world: World
+    ledger: Ledger = field(init=False)
+    seen: list[Snapshot] = field(init=False)
+    pairs: list[Pairs] = field(init=False)
+    booked: list[float] = field(init=False)
+    unexplained: list[float] = field(init=False)
+    lost: list[Array] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.ledger = Ledger(self.world)
+        self.seen, self.pairs = [self.world.snapshot], [_pairs(self.world)]
+        self.booked = [self.ledger.balance.energy]
+        self.unexplained, self.lost = [0.0], [np.zeros(3)]
+
+    def take(self) -> None:
+        """Write down a step."""
+        self.ledger.note()
+        balance = self.ledger.balance
+        self.seen.append(self.world.snapshot)
+        self.pairs.append(_pairs(self.world))
+        self.booked.append(balance.energy)
+        self.unexplained.append(balance.unexplained)
+        self.lost.append(balance.unexplained_impulse)
+
+    def course(self, scene: Scene, level: Level, asked: float, failure: str) -> Course:
+        """Return all of it."""
+        seen = Snapshot.stack(self.seen)
+        return Course(
+            scene, level, self.world.stepping.rate, seen, self.pairs,
+            seen.tension != 0, np.array(self.booked), np.array(self.unexplained),
+            np.array(self.lost),
+            _total(self.ledger.balance.work), asked, failure,
+        )  # fmt: skip
+
+
+def _pairs(world: World) -> Pairs:
+    return frozenset(map(tuple, np.sort(world.contacts.bodies, axis=1).tolist()))
+
+
+def _total(account: Mapping[str, float]) -> float:
+    return sum(abs(value) for value in account.values())
+
+
+def positions(level: Level, rate: float, steps: int, every: int) -> Snapshot:
+    """Return the states of a level at another rate, so many steps apart.
+
+    Raises
+    ------
+    SandboxError
+        If it does not come so far, or not in time.
+    """
+    world = build(level, stepping=level.stepping.at(rate))
+    seen, deadline = [world.snapshot], process_time() + LIMIT
+    with np.errstate(all="ignore"):
+        for _ in range(steps):
+            seen.append(world.advance(every))
+            if process_time() > deadline:
+                raise SandboxError(f"took more than {LIMIT:g} s")
+    return Snapshot.stack(seen)

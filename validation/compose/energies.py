@@ -1,0 +1,147 @@
+"""The energy of a run, worked out from where its bodies are, and what may be wrong with it."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from validation.compose.course import Course
+from validation.compose.keeping import Keeping, Places
+from validation.compose.shapes import is_dynamic, moment
+from validation.stability.scene import Document
+
+ROUGHEST = 0.067
+"""The share by which leapfrog's energy swings at the rate that the sandbox advises: four times the
+least, so ω dt = 1/2, and 1 / (1 − (ω dt / 2)²) = 1.067."""
+
+USUAL = 0.9
+"""The share of a run in which what makes the second-order error is no larger than is allowed for,
+where bodies touch: an impact is none of it, and a run that goes wrong must not set its bound."""
+
+PEAKS = 4
+"""How many times that it may be at its height."""
+
+ROUNDING = 1e-12
+"""The share of all energies that rounding may come to in a thousand steps."""
+
+TINY = 1e-15
+"""J, where nothing has any energy."""
+
+NEXT = 2
+"""How many times the leading terms may be with all that follow them: these fall by ω dt <= 1/2."""
+
+KNOWN = 3e-9
+"""m, to which heights are known: two surfaces stand proud by 1e-9 m, and joints hold to as much."""
+
+
+class Energies:
+    """The energies of a run; T instants, n bodies."""
+
+    def __init__(self, course: Course, keeping: Keeping) -> None:
+        document, seen = course.scene.document, course.seen
+        bodies = list(document["bodies"].values())
+        self._course = course
+        self._mass = np.array([float(b["mass"]) if is_dynamic(b) else 0.0 for b in bodies])
+        self._moment = np.array([moment(b) if is_dynamic(b) else 0.0 for b in bodies])
+        if "rotation" not in document["effects"]:
+            self._moment[:] = 0.0
+        gravity = document["effects"].get("gravity", {}).get("acceleration", (0.0, 0.0))
+        self._gravity = np.array(gravity, dtype=float)
+        spin = seen.angular_velocity**2
+        squares = np.sum(seen.velocity**2, axis=-1)
+        self.kinetic: Array = (squares @ self._mass + spin @ self._moment) / 2
+        self.stored: Array = self._springs(document, keeping)
+        self.high: Array = -(seen.position @ self._gravity) @ self._mass
+        self.total: Array = self.kinetic + self.stored + self.high
+
+    @property
+    def momentum(self) -> Array:
+        """Of x, y, and about the origin: (T, 3) [N s, N s, N m s]."""
+        seen = self._course.seen
+        linear = np.einsum("n,tnc->tc", self._mass, seen.velocity)
+        x, y = seen.position[..., 0], seen.position[..., 1]
+        orbital = (x * seen.velocity[..., 1] - y * seen.velocity[..., 0]) @ self._mass
+        return np.column_stack((linear, orbital + seen.angular_velocity @ self._moment))
+
+    @property
+    def bustle(self) -> Array:
+        """What momenta there are, whichever way they go: (T, 3)."""
+        seen = self._course.seen
+        sizes = np.hypot(seen.velocity[..., 0], seen.velocity[..., 1])
+        linear = sizes @ self._mass
+        far = np.hypot(seen.position[..., 0], seen.position[..., 1])
+        spin = np.abs(seen.angular_velocity) @ self._moment
+        return np.column_stack((linear, linear, (sizes * far) @ self._mass + spin))
+
+    def weight(self) -> float:
+        """All weights together [N]."""
+        return float(self._mass.sum() * np.hypot(*self._gravity))
+
+    def turned(self) -> float:
+        """Return the energy that was turned over, by works or from one kind to another [J]."""
+        swings = [float(np.ptp(e)) for e in (self.kinetic, self.stored, self.high)]
+        return max(min(max(swings), self._there()), self._course.worked)
+
+    def _there(self) -> float:
+        """Return what could be turned over, if all fell freely: a bound of its own [J]."""
+        t = float(self._course.seen.t[-1])
+        speeds = np.hypot(*self._course.seen.velocity[0].T)
+        fallen = self._mass @ (speeds * t + np.hypot(*self._gravity) * t**2 / 2)
+        lifted = float(np.hypot(*self._gravity) * fallen)
+        return float(self.kinetic[0] + self.stored[0]) + lifted
+
+    def second_order(self) -> float:
+        """Return what leapfrog's energy is off by at a step of this size [J].
+
+        It keeps H + dt² (v · V'' v / 12 − F · M⁻¹ F / 24) to higher order (Hairer, Lubich and
+        Wanner, Geometric Numerical Integration, IX.8): |v · V'' v| = |m v · da/dt|, and the force
+        of a joint is one of those. Both at two times may differ by twice as much.
+        """
+        seen, dt = self._course.seen, self._course.dt
+        pulls = np.sum(seen.acceleration**2, axis=-1) @ self._mass
+        pulls += seen.angular_acceleration**2 @ self._moment
+        if len(pulls) < 3:
+            return 0.0
+        change = np.hypot(*np.moveaxis(np.diff(seen.acceleration, axis=0), -1, 0)) / dt
+        turn = np.abs(np.diff(seen.angular_acceleration, axis=0)) / dt
+        speed = np.hypot(seen.velocity[1:, :, 0], seen.velocity[1:, :, 1])
+        jerks = (speed * change) @ self._mass
+        jerks += (np.abs(seen.angular_velocity[1:]) * turn) @ self._moment
+        touching = "contact" in self._course.scene.document["effects"]
+        share, peak = (USUAL, PEAKS) if touching else (1.0, 1.0)
+        usual = np.quantile(pulls, share) / 12 + np.quantile(jerks, share) / 6
+        return float(peak * dt**2 * usual)
+
+    def allowed(self, overlapped: float) -> float:
+        """Return by how much energy may be wrong [J].
+
+        Parameters
+        ----------
+        overlapped
+            The ways by which bodies were within each other, added up [m]: an impact that is found
+            late is found that deep, and who lies there is lifted out again.
+        """
+        largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
+        late = self.weight() * overlapped
+        leading = min(self.second_order(), ROUGHEST * self.turned()) + late
+        return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
+
+    def _springs(self, document: Document, keeping: Keeping) -> Array:
+        """Return what springs store: (T,) [J]."""
+        seen = self._course.seen
+        places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
+        total = np.zeros(len(seen.t))
+        for joint in document["joints"].values():
+            if joint["type"] == "spring":
+                (ax, ay), (bx, by) = (keeping.point(end, places) for end in joint["ends"])
+                far = np.hypot(ax - bx, ay - by)
+                total += joint["stiffness"] * (far - joint.get("length", far[0])) ** 2 / 2
+        return total
+
+
+def is_passive(document: Document) -> bool:
+    """Return whether nothing puts energy into a scene."""
+    driven = (
+        joint["type"] == "motor" or isinstance(joint.get("length"), str)
+        for joint in document["joints"].values()
+    )
+    moved = (body.get("type") == "kinematic" for body in document["bodies"].values())
+    return not (any(driven) or any(moved) or "belt" in document["effects"])

@@ -1,0 +1,96 @@
+"""How a scene came out."""
+
+from dataclasses import asdict, dataclass
+from time import perf_counter
+
+from sandbox.model.errors import SandboxError
+from validation.compose.course import Refused, run, start
+from validation.compose.judges import Judgement, judge
+from validation.compose.scenes import Scene, scene
+from validation.output import finite
+from validation.stability.scene import Document
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A scene, judged.
+
+    Attributes
+    ----------
+    seed, family
+        Of the scene.
+    bodies, joints
+        How many it has.
+    judgements
+        What was judged; nothing of a scene that was refused.
+    passed
+        Whether all of it holds.
+    refused
+        Whether it was refused before its first step.
+    reason
+        Why, or why it stopped; empty if it did neither.
+    rate
+        Of its steps [Hz].
+    seconds
+        How long all of this took [s].
+    """
+
+    seed: int
+    family: str
+    bodies: int
+    joints: int
+    judgements: tuple[Judgement, ...]
+    passed: bool
+    refused: bool
+    reason: str
+    rate: float
+    seconds: float
+
+    @property
+    def name(self) -> str:
+        """What it is called: its family and its seed."""
+        return f"{self.family}-{self.seed}"
+
+    @property
+    def failed(self) -> tuple[Judgement, ...]:
+        """The judgements that do not hold."""
+        return tuple(judgement for judgement in self.judgements if not judgement.passed)
+
+    def content(self) -> dict[str, object]:
+        """Return it as JSON takes it."""
+        judgements = [finite(asdict(judgement)) for judgement in self.judgements]
+        return {**finite(asdict(self)), "judgements": judgements}
+
+
+def judged(seed: int) -> Outcome:
+    """Run and judge the scene of a seed."""
+    return judge_scene(scene(seed))
+
+
+def judge_scene(found: Scene) -> Outcome:
+    """Run and judge a scene."""
+    begin = perf_counter()
+    rate, reason, refused = float(found.document["stepping"]["rate"]), "", False
+    judgements: list[Judgement] = []
+    try:
+        level = found.level()
+        world = start(level)
+    except (SandboxError, Refused) as error:
+        refused, reason = True, str(error)
+    else:
+        course = run(found, level, world)
+        rate, reason = course.rate, course.failure
+        judgements = judge(course)
+    return Outcome(
+        found.seed, found.family, len(found.document["bodies"]), len(found.document["joints"]),
+        tuple(judgements), not refused and all(j.passed for j in judgements), refused, reason, rate,
+        perf_counter() - begin,
+    )  # fmt: skip
+
+
+def playable(found: Outcome) -> Document:
+    """Return the level of a scene as it was run, what is wrong with it in its summary."""
+    document = scene(found.seed).document
+    told = ", ".join(f"{j.name} {j.figure:.2g} (bound {j.bound:.2g})" for j in found.failed)
+    summary = f"{told}; {found.reason}" if found.reason else told
+    return {**document, "summary": summary, "stepping": {"rate": found.rate}}

@@ -1,0 +1,49 @@
+"""What is told of scenes on a terminal."""
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+
+from rich.table import Table
+
+from validation.compose.outcome import Outcome
+
+TOLD = 20
+"""How many scenes that fail are named."""
+
+
+def by_family(found: Sequence[Outcome]) -> Table:
+    """Return a row a family: how many of its scenes hold, and what the others miss."""
+    table = Table(title="Random compositions", header_style="bold", row_styles=("", "dim"))
+    table.add_column("family")
+    for heading in ("scenes", "hold", "refused"):
+        table.add_column(heading, justify="right")
+    table.add_column("judgements that fail, of how many")
+    table.add_column("")
+    families: dict[str, list[Outcome]] = defaultdict(list)
+    for outcome in found:
+        families[outcome.family].append(outcome)
+    for family, members in sorted(families.items()):
+        failing = ", ".join(_counted(members))
+        mark = "[red]✗[/]" if failing else "[green]✓[/]"
+        counts = (len(members), sum(o.passed for o in members), sum(o.refused for o in members))
+        table.add_row(family, *map(str, counts), failing, mark)
+    return table
+
+
+def _counted(members: Sequence[Outcome]) -> Iterator[str]:
+    """Yield each judgement that fails, how often, and of how many."""
+    made = Counter(judgement.name for outcome in members for judgement in outcome.judgements)
+    missed = Counter(judgement.name for outcome in members for judgement in outcome.failed)
+    for name in made:
+        if missed[name]:
+            yield f"{name} {missed[name]}/{made[name]}"
+
+
+def complaints(found: Sequence[Outcome]) -> Iterator[str]:
+    """Yield the scenes that fail, with what they miss; of many only the first."""
+    failed = [outcome for outcome in found if outcome.failed]
+    for outcome in failed[:TOLD]:
+        missed = ", ".join(f"{j.name} {j.figure:.1e} of {j.bound:.1e}" for j in outcome.failed)
+        yield f"{outcome.name}: {missed}"
+    if len(failed) > TOLD:
+        yield f"and {len(failed) - TOLD} more"

@@ -1,0 +1,72 @@
+"""Which scene a seed gives: always the same."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.level import Level
+from validation.compose.draft import Draft
+from validation.compose.families import FAMILIES
+from validation.stability.case import make
+from validation.stability.scene import Document
+
+TREES = 0.15
+"""The share of scenes that are random through and through."""
+
+TREE = "tree"
+"""The family of those."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A random composition.
+
+    Attributes
+    ----------
+    seed
+        What it was drawn from.
+    family
+        What put it together.
+    document
+        The level, as its file has it.
+    rests
+        Whether it is to stay as it is.
+    free
+        The momenta that nothing outside can change but gravity: of x, y, angle.
+    """
+
+    seed: int
+    family: str
+    document: Document
+    rests: bool = False
+    free: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """What it is called: its family and its seed."""
+        return f"{self.family}-{self.seed}"
+
+    def level(self) -> Level:
+        """Return the level.
+
+        Raises
+        ------
+        LevelError
+            If it has mistakes.
+        """
+        return make(self.document)
+
+
+def seeds(seed: int, count: int) -> list[int]:
+    """Return a seed for each of so many scenes: the first of them are the same for any count."""
+    return [int(np.random.SeedSequence((seed, i)).generate_state(1)[0]) for i in range(count)]
+
+
+def scene(seed: int, family: str | None = None) -> Scene:
+    """Return the scene of a seed, of a family if one is named."""
+    draft = Draft(np.random.default_rng(seed))
+    drawn = TREE if draft.chance(TREES) else draft.pick([n for n in FAMILIES if n != TREE])
+    chosen = family or drawn
+    FAMILIES[chosen](draft)
+    title = f"{chosen.replace('_', ' ').capitalize()}, seed {seed}"
+    return Scene(seed, chosen, draft.document(title), draft.rests, draft.free)

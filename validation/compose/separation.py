@@ -1,0 +1,157 @@
+"""How far bodies are apart, or within each other, over a whole run at once.
+
+Two convex polygons are apart by the largest gap that any direction shows, of those across their
+sides and of that between their nearest corners; within each other they are by the least way that
+would part them, which lies across a side.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from validation.compose.shapes import Part, is_dynamic, outline
+from validation.stability.scene import Document
+
+NEAR = 0.02
+"""m, within which the boxes around two parts must come for the parts to be looked at."""
+
+TINY = 1e-12
+"""m, below which the line between two corners has no direction."""
+
+
+@dataclass(frozen=True, slots=True)
+class Gap:
+    """Two convex parts over a run; T instants.
+
+    Attributes
+    ----------
+    separation
+        (T,), the way between them, negative where they overlap; infinite where it is large [m].
+    normal
+        (T, 2), the direction in which that is, from the first to the second.
+    """
+
+    separation: Array
+    normal: Array
+
+
+def placed(part: Part, position: Array, angle: Array) -> Array:
+    """Return the corners of a part of a body in the plane: (T, k, 2) [m].
+
+    Parameters
+    ----------
+    part
+        Of its outline.
+    position, angle
+        (T, 2) and (T,), of the body [m, rad].
+    """
+    c, s = np.cos(angle)[:, None], np.sin(angle)[:, None]
+    x, y = part.corners.T
+    return np.stack([c * x - s * y, s * x + c * y], axis=-1) + position[:, None]
+
+
+def gap(a: Array, b: Array, radii: float = 0.0) -> Gap:
+    """Return how far the hulls of corners are apart, less the radii of both.
+
+    Parameters
+    ----------
+    a, b
+        (T, k, 2), the corners of each, counter-clockwise [m].
+    radii
+        How far both reach beyond their corners, added up [m].
+    """
+    directions = np.concatenate([_across(a), -_across(b), _nearest(a, b)], axis=1)
+    start = np.einsum("tkc,tdc->tdk", a, directions).max(axis=2)
+    end = np.einsum("tkc,tdc->tdk", b, directions).min(axis=2)
+    gaps = end - start
+    best = gaps.argmax(axis=1)
+    rows = np.arange(len(gaps))
+    return Gap(gaps[rows, best] - radii, directions[rows, best])
+
+
+def _across(corners: Array) -> Array:
+    """Return the directions across the sides, outwards: (T, k, 2); both ways across a line."""
+    if corners.shape[1] == 1:
+        return np.zeros((len(corners), 0, 2))
+    sides = np.roll(corners, -1, axis=1) - corners
+    normals = np.stack([sides[..., 1], -sides[..., 0]], axis=-1)
+    return normals / np.hypot(normals[..., 0], normals[..., 1])[..., None]
+
+
+def _nearest(a: Array, b: Array) -> Array:
+    """Return the direction from the corner of one to that of the other that is nearest."""
+    ways = b[:, None] - a[:, :, None]
+    lengths = np.hypot(ways[..., 0], ways[..., 1]).reshape(len(a), -1)
+    nearest = lengths.argmin(axis=1)
+    rows = np.arange(len(a))
+    chosen, far = ways.reshape(len(a), -1, 2)[rows, nearest], lengths[rows, nearest]
+    unit = chosen / np.where(far > TINY, far, np.inf)[:, None]
+    return np.where((far > TINY)[:, None], unit, (0.0, 1.0))[:, None]
+
+
+@dataclass(frozen=True, slots=True)
+class Couple:
+    """Two bodies that may touch, and the smallest way between their parts: (T,) [m]."""
+
+    names: tuple[str, str]
+    separation: Array
+
+
+def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:
+    """Yield the bodies of a run that come near each other and are not welded.
+
+    Parameters
+    ----------
+    document
+        The level.
+    position, angle
+        (T, n, 2) and (T, n), of its bodies [m, rad].
+    """
+    bodies = document["bodies"]
+    welded = solids(document)
+    corners = {
+        name: [(placed(p, position[:, i], angle[:, i]), p.radius) for p in outline(body)]
+        for i, (name, body) in enumerate(bodies.items())
+    }
+    for a, b in combinations(bodies, 2):
+        if not (is_dynamic(bodies[a]) or is_dynamic(bodies[b])) or welded[a] == welded[b]:
+            continue
+        parts = [_near(*first, *second) for first in corners[a] for second in corners[b]]
+        separation = np.min(parts, axis=0)
+        if np.isfinite(separation).any():
+            yield Couple((a, b), separation)
+
+
+def _near(a: Array, first: float, b: Array, second: float) -> Array:
+    """Return the way between two parts where their boxes are near: (T,) [m]."""
+    room = first + second + NEAR
+    above = (a.min(axis=1) - b.max(axis=1)).max(axis=1) < room
+    below = (b.min(axis=1) - a.max(axis=1)).max(axis=1) < room
+    near = np.flatnonzero(above & below)
+    found = np.full(len(a), np.inf)
+    if near.size:
+        found[near] = gap(a[near], b[near], first + second).separation
+    return found
+
+
+def solids(document: Document) -> dict[str, int]:
+    """Return the number of the solid that each body is part of: those that are welded share one."""
+    solid = {name: number for number, name in enumerate(document["bodies"])}
+    for joint in document.get("joints", {}).values():
+        if joint["type"] != "weld":
+            continue
+        held = [name for end in joint["ends"] if (name := body_of(end)) is not None]
+        if len(held) == 2:
+            old, new = solid[held[1]], solid[held[0]]
+            solid = {name: new if number == old else number for name, number in solid.items()}
+    return solid
+
+
+def body_of(end: object) -> str | None:
+    """Return the body that an end of a joint holds on to; None if that is the plane."""
+    if isinstance(end, dict):
+        return str(end["body"])
+    return end if isinstance(end, str) else None

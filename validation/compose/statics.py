@@ -1,0 +1,261 @@
+"""Whether forces can hold a scene where it is, and whether they are those that were measured.
+
+At rest the forces on each body add up to nothing. Contacts press, n >= 0, and rub no more than
+Coulomb lets them, |f| <= mu n; ropes pull; rods, pins, rails and welds do whatever is needed. Where
+there are more of these than equations single forces are not unique, but what is measured must
+still be among those that are possible: a linear programme tells by how much it is not.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from scipy.optimize import linprog
+
+from sandbox.model.expressions import Array
+from sandbox.physics.batch import Integers
+from validation.compose.keeping import Keeping, Places
+from validation.compose.separation import body_of, gap, placed, solids
+from validation.compose.shapes import extent, is_dynamic, outline
+from validation.stability.scene import Document
+
+TOUCHING = 2e-6
+"""m, within which bodies touch: the skin that the engine leaves alone, twice."""
+
+UNIQUE = 1e-9
+"""The share of a force that may lie in the directions that equilibrium leaves open: rounding."""
+
+Wrench = tuple[int, Array]
+"""What a unit of a force does to a body: its number, and (3,) [N, N, N m]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """A point at which two bodies touch; the force is on the second, its opposite on the first.
+
+    Attributes
+    ----------
+    bodies
+        Their numbers.
+    place
+        (2,) [m].
+    normal
+        (2,), from the first to the second.
+    coefficient
+        Of friction, while it sticks.
+    """
+
+    bodies: tuple[int, int]
+    place: Array
+    normal: Array
+    coefficient: float
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """What a run says: (n,) the normal forces on each body added up, (j,) the joints' [N]."""
+
+    normal: Array
+    tension: Array
+
+
+class Statics:
+    """The equilibrium of a scene where its bodies are.
+
+    Parameters
+    ----------
+    document, keeping
+        The level, and what its joints keep.
+    places
+        Where its bodies are, at one instant.
+    """
+
+    def __init__(self, document: Document, keeping: Keeping, places: Places) -> None:
+        self._document, self._keeping, self._places = document, keeping, places
+        self._bodies = list(document["bodies"].values())
+        self._position = np.column_stack((places.x[0], places.y[0]))
+        effects = document["effects"]
+        self._turns = "rotation" in effects
+        self._gravity = np.array(effects.get("gravity", {}).get("acceleration", (0, 0)), float)
+        self.contacts = list(self._touching()) if "contact" in effects else []
+        self._joints = list(self._held())
+        given = self._given()
+        self.scale = float(np.abs(given[:, :2]).sum()) or 1.0
+        self._moves = self._rows()
+        self._matrix = self._columns()[self._moves] * self._evened()[:, None]
+        self._load = given.ravel()[self._moves] * self._evened() / self.scale
+
+    def _rows(self) -> Integers:
+        """Return which of the 3 n equations there are."""
+        moves = np.repeat([is_dynamic(body) for body in self._bodies], 3)
+        moves[2::3] &= self._turns
+        return np.flatnonzero(moves)
+
+    def _evened(self) -> Array:
+        """Return what makes forces of torques: one over the size of each body [1/m]."""
+        even = np.ones((len(self._bodies), 3))
+        even[:, 2] = [1 / extent(body) for body in self._bodies]
+        return np.asarray(even.ravel()[self._moves])
+
+    def _touching(self) -> Iterator[Contact]:
+        names = list(self._document["bodies"])
+        solid = solids(self._document)
+        for a, b in combinations(range(len(names)), 2):
+            if solid[names[a]] == solid[names[b]]:
+                continue
+            if is_dynamic(self._bodies[a]) or is_dynamic(self._bodies[b]):
+                mu = self._coefficient(a, b)
+                for place, normal in self._points(a, b):
+                    yield Contact((a, b), place, normal, mu)
+
+    def _coefficient(self, a: int, b: int) -> float:
+        if "friction" not in self._document["effects"]:
+            return 0.0
+        one, other = (self._bodies[i] for i in (a, b))
+        return float(np.prod([c.get("static_friction", c["friction"]) for c in (one, other)]))
+
+    def _points(self, a: int, b: int) -> Iterator[tuple[Array, Array]]:
+        """Yield where two bodies touch: the corners of each that lie on the other."""
+        angle = self._places.angle[0]
+        for first in outline(self._bodies[a]):
+            corners = placed(first, self._position[a][None], angle[a : a + 1])
+            for second in outline(self._bodies[b]):
+                others = placed(second, self._position[b][None], angle[b : b + 1])
+                radii = first.radius + second.radius
+                whole = gap(corners, others, radii)
+                if whole.separation[0] > TOUCHING:
+                    continue
+                normal = whole.normal[0]
+                yield from _on(corners, others, radii, normal, first.radius)
+                yield from _on(others, corners, radii, normal, -second.radius)
+
+    def _held(self) -> Iterator[tuple[str, Array, bool]]:
+        """Yield the joints that can pull, an entry an equation, and what a unit does: (3 n,)."""
+        names, slopes = self._keeping.slopes(self._places)
+        for name, slope, kept in zip(names, slopes, self._keeping(self._places), strict=True):
+            if not kept.pulls_only or kept.off[0].real > -TOUCHING:
+                yield name, -slope.ravel(), kept.pulls_only
+
+    def _given(self) -> Array:
+        """Return gravity and the springs: (n, 3) [N, N m]."""
+        force = np.zeros((len(self._bodies), 3))
+        for row, body in enumerate(self._bodies):
+            if is_dynamic(body):
+                force[row, :2] = float(body["mass"]) * self._gravity
+        for joint in self._document.get("joints", {}).values():
+            if joint["type"] == "spring":
+                self._pull(joint, force)
+        return force
+
+    def _pull(self, joint: Document, force: Array) -> None:
+        ends = [np.array(self._keeping.point(end, self._places))[:, 0] for end in joint["ends"]]
+        way = ends[1] - ends[0]
+        far = float(np.hypot(*way))
+        pull = joint["stiffness"] * (far - joint.get("length", far)) * way / far
+        for end, place, sign in zip(joint["ends"], ends, (1, -1), strict=True):
+            name = body_of(end)
+            if name is not None:
+                row = list(self._document["bodies"]).index(name)
+                force[row] += self._wrench(row, place, sign * pull)
+
+    def _wrench(self, row: int, place: Array, force: Array) -> Array:
+        x, y = place - self._position[row]
+        return np.array([*force, x * force[1] - y * force[0]])
+
+    def _columns(self) -> Array:
+        """Return what a unit of each unknown does to the bodies: (3 n, unknowns).
+
+        Unknown are the normal forces, friction, and what joints do.
+        """
+        count = len(self.contacts)
+        columns = np.zeros((3 * len(self._bodies), 2 * count + len(self._joints)))
+        for index, contact in enumerate(self.contacts):
+            x, y = contact.normal
+            for row, sign in zip(contact.bodies, (-1, 1), strict=True):
+                for column, force in ((index, (x, y)), (count + index, (-y, x))):
+                    wrench = self._wrench(row, contact.place, sign * np.array(force))
+                    columns[3 * row : 3 * row + 3, column] += wrench
+        for index, (_, pull, _) in enumerate(self._joints):
+            columns[:, 2 * count + index] = pull
+        return columns
+
+    def stands(self, share: float = 1.0) -> bool:
+        """Return whether forces exist that hold it, with a share of the friction there is."""
+        count = self._matrix.shape[1]
+        found = self._solve(np.zeros((0, count)), np.zeros(0), share)
+        return found is not None
+
+    def error(self, measured: Measured) -> float:
+        """Return by how much measured forces miss any that hold it, of all weights together.
+
+        Infinite where none do.
+        """
+        rows, values, unique = self._told(measured)
+        found = self._solve(rows, values / self.scale)
+        if found is None:
+            return float("inf")
+        return max(found, unique)
+
+    def _solve(self, rows: Array, values: Array, share: float = 1.0) -> float | None:
+        """Return the least t for which rows · forces are within t of values; None if none hold."""
+        contacts, unknowns = len(self.contacts), self._matrix.shape[1]
+        cone = np.zeros((2 * contacts, unknowns + 1))
+        for index, contact in enumerate(self.contacts):
+            cone[2 * index : 2 * index + 2, index] = -share * contact.coefficient
+            cone[2 * index : 2 * index + 2, contacts + index] = 1, -1
+        near = np.block([[rows, -np.ones((len(rows), 1))], [-rows, -np.ones((len(rows), 1))]])
+        bounds: list[tuple[float | None, float | None]] = [(0, None)] * contacts
+        bounds += [(None, None)] * contacts
+        bounds += [(0 if pulls else None, None) for _, _, pulls in self._joints]
+        found = linprog(
+            np.append(np.zeros(unknowns), 1.0),
+            A_ub=np.concatenate((cone, near)),
+            b_ub=np.concatenate((np.zeros(2 * contacts), values, -values)),
+            A_eq=np.column_stack((self._matrix, np.zeros(len(self._matrix)))),
+            b_eq=-self._load,
+            bounds=[*bounds, (0, None)],
+        )
+        return float(found.x[-1]) if found.status == 0 else None
+
+    def _told(self, measured: Measured) -> tuple[Array, Array, float]:
+        """Return what is measured as rows over the unknowns, and the error of what is unique."""
+        contacts, unknowns = len(self.contacts), self._matrix.shape[1]
+        rows, values = [], []
+        for row, body in enumerate(self._bodies):
+            touched = [i for i, c in enumerate(self.contacts) if row in c.bodies]
+            if is_dynamic(body):
+                rows.append(np.isin(np.arange(unknowns), touched).astype(float))
+                values.append(float(measured.normal[row]))
+        unique = 0.0
+        known = np.linalg.lstsq(self._matrix, -self._load, rcond=None)[0]
+        free = _open(self._matrix)
+        for index, (name, joint) in enumerate(self._document.get("joints", {}).items()):
+            told = float(measured.tension[index])
+            columns = [2 * contacts + i for i, held in enumerate(self._joints) if held[0] == name]
+            if joint["type"] in ("rod", "rope", "pulley", "winding") and columns:
+                rows.append(np.eye(unknowns)[columns[0]])
+                values.append(told)
+            elif columns and joint["type"] != "spring":
+                columns = columns[:2]
+                if np.abs(free[columns]).max(initial=0.0) < UNIQUE:
+                    force = float(np.hypot.reduce(known[columns]))
+                    unique = max(unique, abs(force - abs(told) / self.scale))
+        return np.array(rows).reshape(len(rows), unknowns), np.array(values), unique
+
+
+def _on(
+    corners: Array, others: Array, radii: float, normal: Array, radius: float
+) -> Iterator[tuple[Array, Array]]:
+    """Yield the corners that touch the other part, and the normal of the contact."""
+    for corner in corners[0]:
+        here = gap(corner[None, None], others, radii)
+        if here.separation[0] <= TOUCHING:
+            yield corner + radius * normal, normal
+
+
+def _open(matrix: Array) -> Array:
+    """Return the directions of unknowns that change nothing: (unknowns, m)."""
+    _, sizes, right = np.linalg.svd(matrix)
+    rank = int(np.sum(sizes > 1e-10 * sizes.max(initial=0.0)))
+    return np.asarray(right[rank:].T)

@@ -1,0 +1,185 @@
+"""Machines: statics, blows, and equations of motion of a few parts at once.
+
+The chapter's laws of sections 4, 5, 7 and 8, put together; each function says which.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from validation.formulas.arrays import Array
+from validation.formulas.runge_kutta import solution
+
+SPAN = 2.0
+"""s, for how long motions are followed until they come to where they are asked for."""
+
+LOOKS = 2001
+"""How many times of these are looked at; the spin is read off between two of them on a line."""
+
+
+def axle_loads(
+    weights: list[tuple[float, float]], axles: tuple[float, float]
+) -> tuple[float, float]:
+    """Return what two axles carry [N]: forces and torques add up to nothing.
+
+    Parameters
+    ----------
+    weights
+        Each weight [N], and where it lies [m].
+    axles
+        Where these are [m].
+    """
+    whole = sum(weight for weight, _ in weights)
+    torque = sum(weight * (place - axles[0]) for weight, place in weights)
+    second = torque / (axles[1] - axles[0])
+    return whole - second, second
+
+
+def ladder_spin(start: float, angle: float, length: float, g: float) -> float:
+    """Return how fast a ladder turns that slides down a smooth wall [rad/s].
+
+    With its foot on a smooth floor its centre goes round the corner on a circle of L/2: m L² ω² / 6
+    is what it lost of m g L sin θ / 2. Angles are those from the floor; 0 < angle <= start < π/2.
+    """
+    return float(np.sqrt(3 * g / length * (np.sin(start) - np.sin(angle))))
+
+
+def ladder_push(start: float, angle: float, mass: float, length: float, g: float) -> float:
+    """Return how a smooth wall pushes a ladder that slides down it [N]; below 0 it has left.
+
+    m x'' with x = L/2 cos θ, θ'² as `ladder_spin` has it, and θ'' half its slope.
+    """
+    spin = ladder_spin(start, angle, length, g)
+    slowing = -3 * g / (2 * length) * np.cos(angle)
+    return float(-mass * length / 2 * (slowing * np.sin(angle) + spin**2 * np.cos(angle)))
+
+
+def ladder_drift(start: float, length: float, g: float) -> float:
+    """Return how fast a ladder goes away from its wall once it has left it [m/s]: −x' there."""
+    leaves = float(np.arcsin(2 / 3 * np.sin(start)))
+    return length / 2 * ladder_spin(start, leaves, length, g) * float(np.sin(leaves))
+
+
+def fallen_ladder_spin(start: float, angle: float, length: float, g: float) -> float:
+    """Return how fast a ladder turns that has left its wall [rad/s], by energy.
+
+    Its centre goes along at a constant speed, and down at L/2 ω cos θ.
+    """
+    drop = length / 2 * (np.sin(start) - np.sin(angle))
+    left = 2 * g * drop - ladder_drift(start, length, g) ** 2
+    return float(np.sqrt(left / ((length / 2 * np.cos(angle)) ** 2 + length**2 / 12)))
+
+
+def capstan_acceleration(ratio: float, mu: float, knots: int, mass: float, g: float) -> float:
+    """Return how fast a weight of `ratio` kg draws one of 1 kg over a drum, from rest [m/s²].
+
+    The rope is a chain of knots, half round the drum, on which they slip; it is bent by the same
+    angle at each, and half of it at the last. Between knots the pull grows by what friction,
+    weight and acceleration take: Newton's second law, knot by knot. With many light knots the pulls
+    on the two sides are as e^(μ φ) to 1 (Euler 1769, Eytelwein 1808).
+    """
+
+    def lacks(acceleration: float) -> float:
+        pull = g + acceleration
+        bend = np.pi / (knots - 1) / 2
+        for knot in range(knots):
+            angle = np.pi * (1 - knot / (knots - 1))
+            before, after = (0.0 if end else bend for end in (knot == 0, knot == knots - 1))
+            weight = mass * g * (mu * np.sin(angle) - np.cos(angle))
+            drawn = pull * (np.cos(before) + mu * np.sin(before)) + weight + mass * acceleration
+            pull = drawn / (np.cos(after) - mu * np.sin(after))
+        return float(ratio * (g - acceleration) - pull)
+
+    at_rest = lacks(0.0)
+    return at_rest / (at_rest - lacks(1.0))
+
+
+def struck_spin(momentum: float, arm: float, moments: float) -> float:
+    """Return how fast a plank on a pin turns after a blow [rad/s].
+
+    About the pin angular momentum is kept (the chapter, section 8); the pin has no arm.
+    """
+    return momentum * arm / moments
+
+
+Slope = Callable[[Array], Array]
+
+
+def trebuchet_spin(
+    start: float,
+    angle: float,
+    arm: tuple[float, float, float],
+    short: float,
+    hanging: tuple[float, float],
+    stone: tuple[float, complex],
+    g: float,
+) -> float:
+    """Return how fast the arm of a trebuchet turns when it has come to an angle [rad/s].
+
+    Its weight hangs on a rod and starts straight below its end: a double pendulum, with the stone
+    in its place on the arm. Lagrange's equations for the angles a of the arm and χ of the rod from
+    below, with q = M d l:
+
+        A a'' − q sin(χ − a) χ'' = q cos(χ − a) χ'² − ∂V/∂a
+        M l² χ'' − q sin(χ − a) a'' = −q cos(χ − a) a'² − M g l sin χ
+
+    Parameters
+    ----------
+    start, angle
+        Of the long arm.
+    arm
+        Its mass [kg], its moment about the axle [kg m²], and how far out its centre is [m].
+    short
+        How far the weight hangs from the axle on the other side [m].
+    hanging
+        Its mass [kg], and the length of its rod [m].
+    stone
+        Its mass [kg], and where it lies, along the arm and across [m].
+    """
+    (mass, moment, out), (weight, rod), (shot, held) = arm, hanging, stone
+    whole = moment + shot * abs(held) ** 2 + weight * short**2
+    q = weight * short * rod
+
+    def slope(state: Array) -> Array:
+        a, chi, turns, swings = state
+        s, c = np.sin(chi - a), np.cos(chi - a)
+        lever = (mass * out - weight * short) * np.cos(a) + shot * (held * np.exp(1j * a)).real
+        matrix = np.array([[whole, -q * s], [-q * s, weight * rod**2]])
+        pulls = (q * c * swings**2 - g * lever, -q * c * turns**2 - weight * g * rod * np.sin(chi))
+        return np.array([turns, swings, *np.linalg.solve(matrix, pulls)])
+
+    return _spin_at(angle, slope, np.array([start, 0.0, 0.0, 0.0]))
+
+
+def _spin_at(angle: float, slope: Slope, start: Array) -> float:
+    """Return the third of a state at the time when its first comes to a value."""
+    times = np.linspace(0, SPAN, LOOKS)
+    for count in (LOOKS // 4, LOOKS // 2, LOOKS):
+        states = solution(slope, start, times[:count])
+        beyond = np.flatnonzero((states[0] - angle) * (start[0] - angle) <= 0)
+        if len(beyond):
+            last = int(beyond[0])
+            share = (angle - states[0, last - 1]) / (states[0, last] - states[0, last - 1])
+            return float(states[2, last - 1] + share * (states[2, last] - states[2, last - 1]))
+    raise ValueError(f"it does not come to {angle:.3g} rad within {SPAN:g} s")
+
+
+def spiral(radius: float, growth: float, turned: float) -> complex:
+    """Return a point of a logarithmic spiral [m], which is radius below its centre at 0."""
+    return complex(-1j * radius * np.exp((1j - growth) * turned))
+
+
+def spiral_force(
+    mass: float, radius: float, growth: float, start: float, turned: float, g: float
+) -> float:
+    """Return how hard a wire holds a bead that slid down a spiral from rest [N].
+
+    Its acceleration across the wire is v² over the radius of curvature, |z| √(1 + k²); what gravity
+    does not give of it, the wire does.
+    """
+    here = spiral(radius, growth, turned)
+    square = 2 * g * (spiral(radius, growth, start) - here).imag
+    along = (1j - growth) * here
+    inwards = 1j * along / abs(along)
+    needed = square / (abs(here) * np.hypot(1, growth))
+    return float(mass * abs(needed - (inwards.conjugate() * -1j * g).real))

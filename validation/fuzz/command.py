@@ -1,0 +1,118 @@
+"""`python -m validation fuzz`."""
+
+import json
+from collections import Counter
+from dataclasses import dataclass, field
+from hashlib import sha256
+from itertools import count
+from pathlib import Path
+from random import Random
+from time import monotonic
+from typing import Any
+
+import typer
+
+from sandbox.model.files import check_writable, make_folder, write_atomically
+from validation import output
+from validation.environment import environment
+from validation.fuzz.grammar import Grammar
+from validation.fuzz.mending import ROUNDS, mended
+from validation.fuzz.mutation import mutated
+from validation.fuzz.shrinking import shrunk
+from validation.fuzz.trial import Trial
+
+SAMPLES = Path("out") / "fuzz"
+"""Where levels that go wrong are kept, if nothing else is said."""
+
+
+@dataclass(slots=True)
+class Findings:
+    """What came of many levels.
+
+    Attributes
+    ----------
+    answers
+        How many were answered, and how.
+    failures
+        Those that were not: the number of each, what happened, and the file of what is left of it.
+    """
+
+    answers: Counter[str] = field(default_factory=Counter)
+    failures: list[dict[str, Any]] = field(default_factory=list)
+
+
+def made(seed: int, number: int) -> dict[str, Any]:
+    """Return a level: the same for the same seed and number, whatever was tried before."""
+    random = Random(f"{seed}-{number}")
+    return mutated(random) if number % 2 else Grammar(random).level()
+
+
+def fuzz(
+    number: int | None, seed: int, minutes: float | None, json_file: Path | None, samples: Path
+) -> bool:
+    """Try levels, keep those that are not answered, and return whether there are none.
+
+    Parameters
+    ----------
+    number
+        How many; as many as the time allows if left out.
+    seed
+        Which.
+    minutes
+        For how long at the most; without end if left out.
+    json_file
+        Also write what was found there.
+    samples
+        A folder for what is left of levels that went wrong; made if it is missing.
+
+    Raises
+    ------
+    SandboxError
+        If nothing can be written there.
+    """
+    if json_file:
+        check_writable(json_file)
+    start = monotonic()
+    found, trial = Findings(), Trial()
+    try:
+        for tried in range(number) if number is not None else count():
+            if minutes is not None and monotonic() - start > 60 * minutes:
+                break
+            _try(trial, seed, tried, found, samples)
+    finally:
+        trial.close()
+    seconds = monotonic() - start
+    told = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
+    typer.echo(f"{found.answers.total():,} levels in {seconds:.0f} s: {told or 'none'}.")
+    output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
+    if json_file:
+        content = {
+            "environment": environment(), "seed": seed, "count": found.answers.total(),
+            "seconds": seconds, "answers": dict(found.answers), "failures": found.failures,
+            "passed": not found.failures,
+        }  # fmt: skip
+        output.write(content, json_file)
+    return not found.failures
+
+
+def _try(trial: Trial, seed: int, number: int, found: Findings, samples: Path) -> None:
+    data = made(seed, number)
+    outcome = trial.run(json.dumps(data))
+    found.answers[outcome.kind] += 1
+    for _ in range(ROUNDS):
+        if not outcome.mistakes:
+            break
+        data = mended(data, outcome.mistakes)
+        outcome = trial.run(json.dumps(data))
+        found.answers[outcome.kind] += 1
+    if outcome.passed:
+        return
+    least = shrunk(data, lambda smaller: trial.run(json.dumps(smaller)).kind == outcome.kind)
+    text = json.dumps(least, indent=2) + "\n"
+    make_folder(samples)
+    sample = (
+        samples / f"{outcome.kind.replace(' ', '-')}-{sha256(text.encode()).hexdigest()[:8]}.json"
+    )
+    write_atomically(sample, text)
+    told = f"{outcome.kind}: {outcome.what}"
+    found.failures.append({"number": number, "what": told, "sample": str(sample)})

@@ -1,0 +1,128 @@
+"""Levels from the schema itself, so that what is declared today is tried today."""
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import cache
+from random import Random
+from typing import Any
+
+from sandbox.model.mention import NAMES
+from sandbox.model.schema import grammar
+
+Part = Mapping[str, Any]
+
+ORDINARY: Sequence[float | str] = (0, 1, -1, 0.5, 2, 3, 0.1, 10, -0.3, "p", "q/2", "-p", "pi*q")
+HOSTILE: Sequence[float | str] = (
+    1e-300, 5e-324, 1e300, -1e300, 1e15, -1e15, 1e-15, 1e35, 1e-35, 1e12, 1e9, 1e-9, 1e6,
+    "1/(p - 1)", "10**p", "log(p - 1)", "exp(700*p)", "where(p > 1, 1, 0)", "p % q", "nobody",
+)  # fmt: skip
+VARYING: Sequence[str] = ("{0}", "sin(9*{0})", "1 + 0.1*{0}", "1/{0}", "exp(9*{0})", "{0}**2")
+"""Formulas over the time, or what runs along a wire or a landscape."""
+
+_VARIABLE = re.compile(r"over the parameters and (\w)")
+
+WILD = 0.06
+"""How often a number is hostile; a level has dozens, and one is enough."""
+
+RARE = 0.25
+"""How often something is said that may be left out."""
+
+BODIES = ("a", "b", "c", "d", "e")
+QUANTITIES = ("system.energy", "a.position.x", "b.speed", "system.loss.friction", "t", "j1.tension")
+
+
+@cache
+def _schema() -> dict[str, Any]:
+    return grammar()
+
+
+class Grammar:
+    """Makes levels at random, of which most are well formed."""
+
+    def __init__(self, random: Random) -> None:
+        self._schema = _schema()
+        self._random = random
+        self._bodies = BODIES[: random.choice((1, 2, 2, 3, 5))]
+
+    def level(self) -> dict[str, Any]:
+        """Return a level as its file would hold it."""
+        fields: Mapping[str, Part] = self._schema["properties"]
+        random = self._random
+        made: dict[str, Any] = {"format": 1, "title": "fuzz"}
+        made["parameters"] = {
+            name: {"value": 1, "min": random.choice((0.5, 1, -1, 0)), "max": random.choice((1, 2))}
+            for name in ("p", "q")
+        }
+        made["bodies"] = {name: self._of_mapping(fields["bodies"]) for name in self._bodies}
+        made["effects"] = self.value(fields["effects"])
+        for i in range(random.choice((0, 0, 1, 1, 2, 4))):
+            made.setdefault("joints", {})[f"j{i + 1}"] = self._of_mapping(fields["joints"])
+        for name in ("stepping", "duration", "checks", "ghosts", "view"):
+            if random.random() < RARE:
+                made[name] = self.value(fields[name])
+        return made
+
+    def value(self, part: Part) -> Any:  # noqa: ANN401 (whatever JSON holds)
+        """Return something that a part of the schema allows, or nearly."""
+        if "$ref" in part:
+            part = self._schema["$defs"][part["$ref"].rpartition("/")[2]]
+        if "oneOf" in part:
+            return self.value(self._random.choice(part["oneOf"]))
+        if "const" in part or "enum" in part:
+            return part["const"] if "const" in part else self._random.choice(part["enum"])
+        kind = part["type"]
+        if kind == "object":
+            return self._object(part)
+        if kind == "array":
+            return self._list(part)
+        if kind == "string":
+            return self._text(part)
+        return self._random.random() < 0.5 if kind == "boolean" else self._number(part)
+
+    def _of_mapping(self, part: Part) -> Any:  # noqa: ANN401 (whatever JSON holds)
+        (inside,) = part["patternProperties"].values()
+        return self.value(inside)
+
+    def _object(self, part: Part) -> dict[str, Any]:
+        if "patternProperties" in part:
+            names = self._bodies if NAMES in part else ("one", "two")
+            return {name: self._of_mapping(part) for name in names}
+        needed = part.get("required", ())
+        usual = RARE if len(part["properties"]) > 2 else 0.6
+        return {
+            name: self.value(inside)
+            for name, inside in part["properties"].items()
+            if name in needed or self._random.random() < usual
+        }
+
+    def _list(self, part: Part) -> list[Any]:
+        if "prefixItems" in part:
+            return [self.value(item) for item in part["prefixItems"]]
+        least = part.get("minItems", 0)
+        count = min(least + self._random.choice((0, 0, 1, 2, 5)), part.get("maxItems", 9))
+        return [self.value(part["items"]) for _ in range(count)]
+
+    def _text(self, part: Part) -> str:
+        random = self._random
+        if part.get(NAMES) == "body":
+            return random.choice(self._bodies if random.random() > WILD else ("nobody",))
+        if part.get(NAMES) == "quantity":
+            return random.choice(QUANTITIES)
+        return "#4cc9f0" if "pattern" in part else random.choice(("", "text", "\u200b"))
+
+    def _number(self, part: Part) -> float | str:
+        random = self._random
+        least = part.get("minimum", part.get("exclusiveMinimum", -1e308))
+        most = part.get("maximum", part.get("exclusiveMaximum", 1e308))
+        if random.random() < WILD:
+            return random.choice((*HOSTILE, least, most))
+        if "string" not in part["type"]:
+            usual = (1, 10) if part["type"] == "integer" else (1, 60, 240, 1e-3, 10)
+            return min(random.choice(usual), most / 2)
+        variable = _VARIABLE.search(part.get("$comment", ""))
+        if variable and random.random() < 0.5:
+            return random.choice(VARYING).format(variable[1])
+        if random.random() < 0.4:
+            return round(random.uniform(max(least, -5), min(most, 5)), 2)
+        fitting = (n for n in ORDINARY if isinstance(n, str) or least < n <= most)
+        return random.choice([n for n in fitting if least < 0 or not str(n).startswith("-")])

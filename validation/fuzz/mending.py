@@ -1,0 +1,42 @@
+"""A level that was refused, less what was wrong with it: so that more than the rules are tried."""
+
+from collections.abc import Sequence
+from copy import deepcopy
+from typing import Any
+
+ROUNDS = 8
+"""How often a level is mended at the most."""
+
+
+def mended(data: dict[str, Any], mistakes: Sequence[tuple[str, str]]) -> dict[str, Any]:
+    """Return a level without what was wrong with it, as far as that can be taken away."""
+    made = deepcopy(data)
+    for place, rule in reversed(mistakes):
+        steps = place.split(".") if place else []
+        part = _at(made, steps)
+        if "needs a mass" in rule and isinstance(part, dict):
+            part["mass"] = 1
+        elif steps:
+            _remove(made, steps[: -1 if part is None else None])
+    return made
+
+
+def _remove(data: dict[str, Any], steps: Sequence[str]) -> None:
+    """Take away what stands at a place, if it is not the whole."""
+    around = _at(data, steps[:-1]) if steps else None
+    if isinstance(around, dict):
+        around.pop(steps[-1], None)
+    elif isinstance(around, list) and int(steps[-1]) < len(around):
+        del around[int(steps[-1])]
+
+
+def _at(data: Any, steps: Sequence[str]) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Return what stands at a place; None if nothing does."""
+    for step in steps:
+        if isinstance(data, dict):
+            data = data.get(step)
+        elif isinstance(data, list) and step.isdigit() and int(step) < len(data):
+            data = data[int(step)]
+        else:
+            return None
+    return data

@@ -1,0 +1,55 @@
+"""Levels that come with the project, with a few changes that nobody asked for."""
+
+import json
+from collections.abc import Iterator
+from copy import deepcopy
+from random import Random
+from typing import Any
+
+from sandbox.model import catalog
+from validation.fuzz.grammar import HOSTILE
+
+Place = tuple[Any, Any]
+"""An object or a list, and the key or index of something in it."""
+
+
+def mutated(random: Random) -> dict[str, Any]:
+    """Return a level of the catalog with a few changes."""
+    name = random.choice(catalog.names())
+    data: dict[str, Any] = json.loads(catalog.find(name).read_text(encoding="utf-8"))
+    for _ in range(random.choice((1, 1, 2, 3, 6))):
+        found = list(places(data))
+        part, key = random.choice(found)
+        _change(random, part, key, found)
+    return data
+
+
+def places(part: Any) -> Iterator[Place]:  # noqa: ANN401 (whatever JSON holds)
+    """Yield where everything in a part of a level stands, from the outside in."""
+    keys: list[Any] = list(part) if isinstance(part, dict) else []
+    if isinstance(part, list):
+        keys = list(range(len(part)))
+    for key in keys:
+        yield part, key
+        yield from places(part[key])
+
+
+def _change(random: Random, part: Any, key: Any, found: list[Place]) -> None:  # noqa: ANN401
+    """Change what stands at a place: to another value, to none, or to what stands elsewhere."""
+    value = part[key]
+    if isinstance(value, int | float) and random.random() < 0.8:
+        factors = (-1, 0, 1e3, 1e-3, 1e9, 1e-9, 1e30, 0.5, 2)
+        part[key] = random.choice((random.choice(HOSTILE), value * random.choice(factors)))
+    elif isinstance(value, str) and value and random.random() < 0.6:
+        at = random.randrange(len(value))
+        part[key] = random.choice((value[:at] + value[at + 1 :], f"{value}{value[at]}", "0", value))
+    elif random.random() < 0.5:
+        del part[key]
+    else:
+        other, step = random.choice(found)
+        if isinstance(other, dict | list) and (isinstance(other, list) or step in other):
+            part[key] = deepcopy(other[step]) if _is_there(other, step) else 1
+
+
+def _is_there(part: Any, key: Any) -> bool:  # noqa: ANN401 (whatever JSON holds)
+    return key in part if isinstance(part, dict) else key < len(part)

@@ -1,0 +1,35 @@
+"""The least part of a level that goes wrong as the whole does."""
+
+from collections.abc import Callable
+from copy import deepcopy
+from typing import Any
+
+from validation.fuzz.mutation import places
+
+TRIES = 120
+
+
+def shrunk(data: dict[str, Any], wrong: Callable[[dict[str, Any]], bool]) -> dict[str, Any]:
+    """Return what is left of a level once all is taken away without which it still goes wrong.
+
+    Parameters
+    ----------
+    data
+        A level that goes wrong.
+    wrong
+        Whether another one does, in the same way.
+    """
+    tries, number = 0, 0
+    while tries < TRIES:
+        smaller = deepcopy(data)
+        found = list(places(smaller))
+        if number >= len(found):
+            return data
+        part, key = found[number]
+        del part[key]
+        tries += 1
+        if wrong(smaller):
+            data = smaller
+        else:
+            number += 1
+    return data

@@ -1,0 +1,176 @@
+"""A level tried in a process of its own, which may end, hang, or take all there is."""
+
+import os
+import signal
+import sys
+import warnings
+from dataclasses import dataclass
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
+
+from sandbox.model.errors import LevelError, SandboxError
+from sandbox.model.level import Stepping
+from sandbox.model.loading import parse
+from sandbox.physics.errors import BreakdownError
+from sandbox.physics.world import build
+
+SECONDS = 2.0
+"""Of computing, that an answer may take."""
+
+HANGS = 30.0
+"""s, after which a process that does not compute has gone to sleep for good."""
+
+BYTES = 500_000_000
+"""Of memory, beside what the libraries take, that an answer may take."""
+
+STEPS = 8
+
+RUNS, REFUSED, STOPPED = "runs", "refused", "stopped"
+ANSWERS = (RUNS, REFUSED, STOPPED)
+"""What may come of a level: it runs, is refused, or has to stop."""
+
+SLOW, ENDED, UNTOLD = "slow", "ended", "not told"
+"""What must not: no answer in time, the process ended, or something else than our own errors."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a level.
+
+    Attributes
+    ----------
+    kind
+        One of `ANSWERS`, or what went wrong.
+    what
+        More of it, in words.
+    mistakes
+        Where in a level that is refused, and what is wrong there.
+    """
+
+    kind: str
+    what: str = ""
+    mistakes: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def passed(self) -> bool:
+        """Whether it is an answer."""
+        return self.kind in ANSWERS
+
+
+def attempt(text: str) -> Outcome:
+    """Read a level, build it and take a few steps, here."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            return _attempt(text)
+    except Exception as error:  # noqa: BLE001 (that is what is looked for)
+        return Outcome(UNTOLD, f"{type(error).__name__}: {error}"[:300])
+
+
+def _attempt(text: str) -> Outcome:
+    try:
+        level = parse(text)
+    except LevelError as error:
+        return _of(error, REFUSED)
+    try:
+        stepping = Stepping() if level.stepping.accuracy is not None else level.stepping
+        world = build(level, stepping=stepping)
+        for _ in range(STEPS):
+            world.advance()
+    except SandboxError as error:
+        return _of(error, STOPPED)
+    return Outcome(RUNS)
+
+
+def _of(error: SandboxError, answer: str) -> Outcome:
+    """Return what an error says; one that nothing has foreseen is none of ours."""
+    unforeseen = isinstance(error, BreakdownError)
+    if unforeseen or (isinstance(error, LevelError) and error.__cause__ is not None):
+        return Outcome(UNTOLD, f"{type(error.__cause__).__name__}: {error.__cause__}"[:300])
+    found = error.mistakes if isinstance(error, LevelError) else ()
+    return Outcome(answer, "", tuple((mistake.path, mistake.rule) for mistake in found))
+
+
+class Trial:
+    """Another process that tries levels, one after the other; a new one where one has ended.
+
+    Parameters
+    ----------
+    seconds
+        Of computing, that an answer may take.
+    """
+
+    def __init__(self, seconds: float = SECONDS) -> None:
+        self._seconds = seconds
+        self._process: SpawnProcess | None = None
+        self._line: Connection | None = None
+
+    def run(self, text: str) -> Outcome:
+        """Return what comes of a level."""
+        process, line = self._begun()
+        try:
+            line.send(text)
+            if line.poll(HANGS):
+                outcome: Outcome = line.recv()
+                return outcome
+            self.close()
+            return Outcome(SLOW, f"no answer in {HANGS:g} s")
+        except (EOFError, OSError):
+            process.join(HANGS)
+            status = process.exitcode
+            self.close()
+        if hasattr(signal, "SIGPROF") and status == -signal.SIGPROF:
+            return Outcome(SLOW, f"no answer after {self._seconds:g} s of computing")
+        return Outcome(ENDED, f"the process ended with {status}")
+
+    def _begun(self) -> tuple[SpawnProcess, Connection]:
+        if self._process is None or self._line is None:
+            context = get_context("spawn")
+            self._line, theirs = context.Pipe()
+            self._process = context.Process(
+                target=_serve, args=(theirs, self._seconds), daemon=True
+            )
+            self._process.start()
+            theirs.close()
+        return self._process, self._line
+
+    def close(self) -> None:
+        """End the other process."""
+        if self._process is not None and self._line is not None:
+            self._process.kill()
+            self._process.join()
+            self._line.close()
+        self._process = self._line = None
+
+
+def _serve(line: Connection, seconds: float) -> None:
+    """Answer, in the other process, until nobody asks any more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
+    attempt("{}")
+    _limit_memory()
+    while True:
+        try:
+            text = line.recv()
+        except (EOFError, OSError):
+            return
+        _limit_time(seconds)
+        outcome = attempt(text)
+        _limit_time(0)
+        line.send(outcome)
+
+
+def _limit_time(seconds: float) -> None:
+    """Let the process end after so much computing; never, after 0."""
+    if hasattr(signal, "ITIMER_PROF"):
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+
+
+def _limit_memory() -> None:
+    if sys.platform == "linux":
+        import resource
+
+        with open("/proc/self/statm", encoding="ascii") as file:
+            now = int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")
+        resource.setrlimit(resource.RLIMIT_AS, (now + BYTES, now + BYTES))
