@@ -30,7 +30,8 @@ REPEATS = 1e9
 A mass of 1,000,000 on one of 1 has 1e7."""
 
 CUT = 1e-10
-"""The singular values, over the largest, that are none where rows do."""
+"""The share of the largest that a row adds to those before it, and that is nothing where rows
+repeat each other."""
 
 FAINT = 1e-12
 """The share of a row's own inverse mass that is nothing."""
@@ -363,7 +364,16 @@ def _solved(matrix: Array, wanted: Array) -> Array:
         probe = found = np.full(1, np.inf)
     if np.abs(probe).max() < REPEATS:
         return np.asarray(found)
-    return np.asarray(np.linalg.lstsq(matrix, wanted, rcond=CUT)[0])
+    least = _least(matrix, wanted)
+    return least + _least(matrix, wanted - matrix @ least)
+
+
+def _least(matrix: Array, wanted: Array) -> Array:
+    """Return the least solution, by a complete orthogonal decomposition."""
+    from scipy.linalg import lstsq  # a tenth of a second, for those who need it
+
+    found = lstsq(matrix, wanted, cond=CUT, lapack_driver="gelsy", check_finite=False)[0]
+    return np.asarray(found, dtype=float)
 
 
 @cache

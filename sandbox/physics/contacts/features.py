@@ -79,10 +79,58 @@ class Figures:
         for row, figure in enumerate(figures):
             self._normals[row, : len(figure.normals)] = figure.normals
 
-    def faces(self, body: Integers, direction: Plane) -> Booleans:
-        """Return whether bodies have a side that faces there, along their own axes: (k,)."""
-        off = np.abs(self._normals[body] - direction[:, None])
+    def of(self, body: Integers) -> "Outlines":
+        """Return those of some bodies: (k,)."""
+        return Outlines(
+            body,
+            self.radius[body],
+            self.rounding[body],
+            self.inner[body],
+            self.center[body],
+            self.ends[body],
+            self._normals[body],
+        )
+
+
+class Outlines(NamedTuple):
+    """The outlines of the bodies at k points, one after the other, as of a `Figure` each.
+
+    Attributes
+    ----------
+    body
+        (k,), which.
+    """
+
+    body: Integers
+    radius: Array
+    rounding: Array
+    inner: Array
+    center: Plane
+    ends: Booleans
+    normals: Plane
+
+    def faces(self, direction: Plane) -> Booleans:
+        """Return whether they have a side that faces there, along their own axes: (k,)."""
+        off = np.abs(self.normals - direction[:, None])
         return np.asarray((off < PARALLEL).any(axis=1))
+
+    def round(self, place: Coordinates, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
+        """Return whether they are round where they touch, (k,), and where their centres are, (k,).
+
+        They touch in the middle, with the normal n: (k,) each.
+        """
+        center = place.plane[self.body] + self.center * np.exp(1j * place.angle[self.body])
+        is_round: Booleans = self.radius > 0
+        if self.ends.any():
+            out = middle - center
+            is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
+            is_round = is_round & ~(self.ends & is_end)
+        return is_round, center
+
+    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans) -> Array:
+        """Return the radii with which they roll where they touch: (k,) [m]."""
+        radius = np.where(within, self.inner, self.radius)
+        return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))
 
 
 class Touching(NamedTuple):
@@ -96,6 +144,13 @@ class Touching(NamedTuple):
         (k,), the contact each belongs to, and which of its two points it is.
     rubs
         (f,), those with friction: the two points of a side share that of the first.
+    outlines
+        Of the first bodies, and of the second.
+    all_a, all_b
+        (k + f,), the bodies of the gaps, then those of the friction.
+    yields
+        (k,), whether the first body moves and the second does not: of two sides that face each
+        other, that of the second counts.
     """
 
     a: Integers
@@ -103,6 +158,10 @@ class Touching(NamedTuple):
     pair: Integers
     point: Integers
     rubs: Integers
+    outlines: tuple[Outlines, Outlines]
+    all_a: Integers
+    all_b: Integers
+    yields: Booleans
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,41 +197,48 @@ class Features:
     def look(self, place: Coordinates) -> Rows:
         """Return the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N)."""
         a, b, rubs = self.touching.a, self.touching.b, self.touching.rubs
-        where, turned = place.plane, np.exp(1j * place.angle)
-        arm_a, arm_b = self.points[0] * turned[a], self.points[1] * turned[b]
-        d = where[b] + arm_b - where[a] - arm_a
-        (own_a, own_b), side = self.owns, self.owns[0] + self.owns[1]
-        size = np.abs(d)
-        round_ = side == 0
-        along = self.normal * (own_a * turned[a] + own_b * turned[b])
-        gap = (along.conj() * d).real
-        off = (along.conj() * d).imag  # how far it has slipped along a side
-        if round_.any():
-            along = np.where(round_, self.sign * d / size, along)
-            gap = np.where(round_, self.sign * size, gap)
-            turn = np.angle(d / np.where(round_, self.apart, d))
-            first = np.abs(self.apart)
-            off = np.where(round_, self.sign * first * turn, off)
-            across = 1j * along * np.where(round_, first / size, 1.0)
-        else:
-            across = 1j * along
+        turned = np.exp(1j * place.angle)
+        turned_a, turned_b = turned[a], turned[b]
+        arms = self.points[0] * turned_a, self.points[1] * turned_b
+        d = place.plane[b] + arms[1] - place.plane[a] - arms[0]
+        own_a, own_b = self.owns
+        along = self.normal * (own_a * turned_a + own_b * turned_b)
+        across, beside = 1j * along, along.conj() * d
+        gap, off = beside.real, beside.imag  # how far it has slipped along a side
+        side = own_a + own_b
+        if not side.all():
+            along, across, gap, off = self._of_round(d, side == 0, along, gap, off)
         angle = place.angle
         roll_a, roll_b = self.rolls
         slip = off[rubs] + roll_a * angle[a[rubs]] + roll_b * angle[b[rubs]]
-        turns = side * off, -side[rubs] * gap[rubs]
+        turns = np.concatenate((side * off, -side[rubs] * gap[rubs]))
         way = np.concatenate((along, across[rubs]))
-        rows = np.arange(len(way))
+        rows, none = np.arange(len(way)), np.zeros(len(gap))
         gradient = np.zeros((len(way), len(place.values)))
         in_plane, in_angle = planes(gradient), angles(gradient)
-        for body, arm, own, roll, sign in (
-            (a, arm_a, own_a, roll_a, -1.0),
-            (b, arm_b, own_b, roll_b, 1.0),
+        for bodies, arm, own, roll, sign in (
+            (self.touching.all_a, arms[0], own_a, roll_a, -1.0),
+            (self.touching.all_b, arms[1], own_b, roll_b, 1.0),
         ):
-            bodies, arms = np.concatenate((body, body[rubs])), np.concatenate((arm, arm[rubs]))
+            arm_, own_ = np.concatenate((arm, arm[rubs])), np.concatenate((own, own[rubs]))
             in_plane[rows, bodies] = sign * way
-            extra = np.concatenate((own * turns[0], own[rubs] * turns[1] + roll))
-            in_angle[rows, bodies] = sign * (way * arms.conj()).imag + extra
+            extra = own_ * turns + np.concatenate((none, roll))
+            in_angle[rows, bodies] = sign * (way * arm_.conj()).imag + extra
         return Rows(np.concatenate((gap, slip)), gradient)
+
+    def _of_round(
+        self, d: Plane, is_round: Booleans, along: Plane, gap: Array, off: Array
+    ) -> tuple[Plane, Plane, Array, Array]:
+        """Return which way lies along a gap, and across, its size, and how far it has slipped.
+
+        The same as on a side, where nothing is round: (k,) each.
+        """
+        size, first = np.abs(d), np.abs(self.apart)
+        along = np.where(is_round, self.sign * d / size, along)
+        gap = np.where(is_round, self.sign * size, gap)
+        turn = np.angle(d / np.where(is_round, self.apart, d))
+        off = np.where(is_round, self.sign * first * turn, off)
+        return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
@@ -183,12 +249,7 @@ class Features:
 
 
 def features(
-    contacts: Contacts,
-    touching: Touching,
-    figures: Figures,
-    place: Coordinates,
-    moves: Booleans,
-    origin: complex,
+    contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
 ) -> Features:
     """Return what the contacts of a step are between.
 
@@ -196,73 +257,47 @@ def features(
     ----------
     contacts, touching
         Of the step.
-    figures
-        The outlines of the bodies.
     place
-        Where they are.
-    moves
-        (n,), which of them are dynamic: of two sides that face each other, that of the other one
-        counts.
+        Where the bodies are.
     origin
         From where places are counted [m].
     """
-    a, b, pair, point, rubs = touching
+    a, b, pair, point, rubs, (first, second), _, _, yields = touching
     n = contacts.direction.view(complex)[pair, 0]
     middle = np.ascontiguousarray(contacts.points).view(complex)[pair, point, 0] - origin
     half = n * (contacts.depths[pair, point] / 2)
-    where, turned = place.plane, np.exp(1j * place.angle)
-    round_a, center_a = _round(figures, a, place, n, middle)
-    round_b, center_b = _round(figures, b, place, n, middle)
-    faces_a = figures.faces(a, n * turned[a].conj())
-    faces_b = figures.faces(b, -n * turned[b].conj())
-    own_a = faces_a & ~(faces_b & moves[a] & ~moves[b])
+    turned = np.exp(1j * place.angle)
+    where_a, where_b, turned_a, turned_b = place.plane[a], place.plane[b], turned[a], turned[b]
+    round_a, center_a = first.round(place, n, middle)
+    round_b, center_b = second.round(place, n, middle)
+    faces_b = second.faces(-n * turned_b.conj())
+    own_a = first.faces(n * turned_a.conj()) & ~(faces_b & yields)
     own_b = faces_b & ~own_a
     corner = ~(own_a | own_b)
-    core_a = middle + half - n * np.where(corner, figures.rounding[a], 0.0)
-    core_b = middle - half + n * np.where(corner, figures.rounding[b], 0.0)
+    core_a = middle + half - n * np.where(corner, first.rounding, 0.0)
+    core_b = middle - half + n * np.where(corner, second.rounding, 0.0)
     at_a, at_b = np.where(round_a, center_a, core_a), np.where(round_b, center_b, core_b)
     d = at_b - at_a
     within = corner & ((d.conj() * n).real < 0)
-    inner_a, inner_b = within & (figures.inner[a] > 0), within & (figures.inner[b] > 0)
-    inner_b &= ~inner_a | (figures.inner[b] > figures.inner[a])
+    inner_a, inner_b = within & (first.inner > 0), within & (second.inner > 0)
+    inner_b &= ~inner_a | (second.inner > first.inner)
     inner_a &= ~inner_b
-    turns = np.where(own_a, turned[a], np.where(own_b, turned[b], 1.0))
+    turns = np.where(own_a, turned_a, np.where(own_b, turned_b, 1.0))
     return Features(
         touching=touching,
-        points=((at_a - where[a]) * turned[a].conj(), (at_b - where[b]) * turned[b].conj()),
+        points=((at_a - where_a) * turned_a.conj(), (at_b - where_b) * turned_b.conj()),
         normal=n * turns.conj(),
         owns=(own_a.astype(float), own_b.astype(float)),
         sign=np.where(within, -1.0, 1.0),
         rolls=_rolls(
-            _radii(figures, a, round_a, corner, inner_a)[rubs],
-            _radii(figures, b, round_b, corner, inner_b)[rubs],
+            first.rolls(round_a, corner, inner_a)[rubs],
+            second.rolls(round_b, corner, inner_b)[rubs],
             own_a[rubs],
             corner[rubs],
             (inner_a[rubs], inner_b[rubs]),
         ),
         apart=d,
     )
-
-
-def _round(
-    figures: Figures, body: Integers, place: Coordinates, n: Plane, middle: Plane
-) -> tuple[Booleans, Plane]:
-    """Return whether bodies are round where they touch, (k,), and where their centres are, (k,)."""
-    center = place.plane[body] + figures.center[body] * np.exp(1j * place.angle[body])
-    is_round: Booleans = figures.radius[body] > 0
-    if figures.ends[body].any():
-        out = middle - center
-        is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
-        is_round = is_round & ~(figures.ends[body] & is_end)
-    return is_round, center
-
-
-def _radii(
-    figures: Figures, body: Integers, is_round: Booleans, corner: Booleans, within: Booleans
-) -> Array:
-    """Return the radii with which bodies roll where they touch: (k,) [m]."""
-    round_ = np.where(within, figures.inner[body], figures.radius[body])
-    return np.where(is_round, round_, np.where(corner, figures.rounding[body], 0.0))
 
 
 def _rolls(

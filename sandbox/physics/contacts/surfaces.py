@@ -11,8 +11,8 @@ from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.anchor import Plane
 from sandbox.physics.bodies import center_of, local_points
-from sandbox.physics.contacts.direct import Surfaces
 from sandbox.physics.contacts.features import Figure, Figures
+from sandbox.physics.contacts.layout import Surfaces
 from sandbox.physics.outline import surfaces
 from sandbox.physics.pairs import pair_coefficients
 from sandbox.physics.sticking import sticking

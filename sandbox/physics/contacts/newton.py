@@ -1,0 +1,116 @@
+"""The impulses of a kick, by Newton's method over problems of complementarity."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.complementarity import Active, Unsolvable, solve
+from sandbox.physics.contacts.kick import Kick
+from sandbox.physics.contacts.layout import Layout
+from sandbox.physics.errors import JointFailure, NoForces
+from sandbox.physics.exact.equations import MAX_ITERATIONS, QUADRATIC, Rows
+
+PLACES = 4e-16
+"""How well places are known, of themselves: velocities are chosen by them."""
+
+
+def newton(
+    kick: Kick,
+    layout: Layout,
+    rows: Callable[[Array], Rows],
+    motion: Array,
+    drift: float,
+    wanted: Array,
+    impulse: Array,
+    active: Active,
+) -> tuple[Array, Array, Active]:
+    """Return impulses, (r,), the velocities with them, (3 N,), and which rows hold.
+
+    Parameters
+    ----------
+    kick
+        What is known.
+    layout
+        What the rows ask for.
+    rows
+        The rows after a way, (3 N,) [m, rad].
+    motion
+        (3 N,), the velocities without impulses [m/s, rad/s].
+    drift
+        How long they last [s].
+    wanted
+        (r,), what the rows shall be after it.
+    impulse, active
+        A guess.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    for _ in range(MAX_ITERATIONS):
+        there = rows(drift * (motion + impulse @ kick.reply))
+        wrong, before = there.total - wanted, active
+        rate = wrong / drift
+        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse)
+        off = np.where(active.on, np.abs(wrong), 0.0)
+        if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
+            return impulse, motion + impulse @ kick.reply, active
+    raise lost(kick, int(off.argmax()))
+
+
+def solve_rows(
+    kick: Kick,
+    layout: Layout,
+    gradient: Array,
+    rate: Array,
+    active: Active,
+    impulse: Array | None = None,
+) -> tuple[Array, Active]:
+    """Solve each island by itself; return the impulses, (r,), and which rows hold.
+
+    Parameters
+    ----------
+    kick
+        What is known.
+    layout
+        What the rows ask for.
+    gradient
+        (r, 3 N), J of the rows.
+    rate
+        (r,), their rates with the impulses, if there are any [m/s, rad/s].
+    active
+        A guess.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    blur = PLACES * float(np.abs(kick.place.values).max()) / abs(kick.joints.drift)
+    found = np.zeros(len(rate))
+    on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
+    for rows, slips, problem in layout.islands:
+        whole = len(rows) == len(rate)
+        part = slice(None) if whole else rows
+        guess = active if whole else Active(active.on[rows], active.slip[slips])
+        matrix, free = gradient[part] @ kick.reply[part].T, rate[part]
+        if impulse is not None:
+            free = free - matrix @ impulse[part]
+        try:
+            found[part], held = solve(problem, matrix, free, guess, blur)
+        except (Unsolvable, np.linalg.LinAlgError) as error:
+            row = error.row if isinstance(error, Unsolvable) else 0
+            raise lost(kick, int(rows[row])) from None
+        on[part], slip[slips] = held
+    return found, Active(on, slip)
+
+
+def lost(kick: Kick, row: int) -> JointFailure | NoForces:
+    """Say what no impulses were found for."""
+    touching, gaps = kick.layout.touching, kick.layout.gaps
+    if row < gaps.start:
+        return kick.joints.lost(row)
+    gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
+    return NoForces(int(touching.a[gap]), int(touching.b[gap]))
