@@ -13,25 +13,16 @@ condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch
 problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
 
 Rows may repeat each other, as the two feet of a welded table do: the forces are then not unique,
-only what they add up to. Of all that hold, the least is taken.
+only what they add up to. The least that contacts can give are taken.
 """
-
-from functools import cache
-from typing import NamedTuple
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.batch import Booleans, Integers
+from sandbox.physics.batch import Integers
 from sandbox.physics.contacts.lemke import lemke
-
-REPEATS = 1e9
-"""How much larger the solution of rows that do not repeat each other may be than what is asked for.
-A mass of 1,000,000 on one of 1 has 1e7."""
-
-CUT = 1e-10
-"""The share of the largest that a row adds to those before it, and that is nothing where rows
-repeat each other."""
+from sandbox.physics.contacts.linear import REPEATS, least_distance, null, solved
+from sandbox.physics.contacts.problem import Active, Problem
 
 FAINT = 1e-12
 """The share of a row's own inverse mass that is nothing."""
@@ -66,75 +57,6 @@ class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
     def __init__(self, row: int) -> None:
         self.row = row
         super().__init__(f"row {row}")
-
-
-class Friction(NamedTuple):
-    """The rows whose impulses are bounded; f of them.
-
-    Attributes
-    ----------
-    row
-        (f,), which rows.
-    contact
-        (f, 2), the rows whose impulses bound them, added up; −1 for none.
-    sticks, slips
-        (f,), the coefficients while it sticks and while it slips.
-    least
-        (f,), the bound without any contact [N s].
-    """
-
-    row: Integers
-    contact: Integers
-    sticks: Array
-    slips: Array
-    least: Array
-
-
-NO_FRICTION = Friction(
-    np.zeros(0, dtype=np.intp),
-    np.zeros((0, 2), dtype=np.intp),
-    np.zeros(0),
-    np.zeros(0),
-    np.zeros(0),
-)
-
-
-class Active(NamedTuple):
-    """Which rows hold; m rows, f of friction.
-
-    Attributes
-    ----------
-    on
-        (m,), whose rate is kept at zero.
-    slip
-        (f,), the sign of the impulses that are at their bound; 0 of others.
-    """
-
-    on: Booleans
-    slip: Integers
-
-    @property
-    def key(self) -> bytes:
-        """The same, to be compared."""
-        return self.on.tobytes() + self.slip.tobytes()
-
-
-class Problem(NamedTuple):
-    """What rows ask for; m of them.
-
-    Attributes
-    ----------
-    free
-        (m,), whose impulse may have any sign and size: joints.
-    pushes
-        (m,), whose impulse is not negative: contacts, ropes.
-    friction
-        All others.
-    """
-
-    free: Booleans
-    pushes: Booleans
-    friction: Friction
 
 
 def solve(
@@ -209,7 +131,7 @@ class _Scaled:
             impulse, found = self.mend(guess)
             if found is not None:
                 return impulse, found
-            for tried in (self._with(guess), rough):
+            for tried in (self._with(guess)[0], rough):
                 missed = self._missed(tried)
                 most = float(np.abs(tried).max())
                 sound = most <= REPEATS * np.abs(self._rate).max()
@@ -222,8 +144,11 @@ class _Scaled:
         seen = set()
         impulse = np.zeros_like(self._rate)
         for _ in range(GUESSES):
-            impulse = self._with(active)
+            impulse, repeats = self._with(active)
             better = self._judge(impulse, active)
+            if better is not None and repeats:
+                impulse = self._shared(impulse, active)
+                better = self._judge(impulse, active)
             if better is None:
                 return impulse, active if self._holds(impulse, active) else None
             if better.key in seen:
@@ -232,27 +157,54 @@ class _Scaled:
             active = better
         return impulse, None
 
-    def _with(self, active: Active) -> Array:
-        """Return the impulses if these rows hold: (m,)."""
-        impulse = np.zeros_like(self._rate)
+    def _with(self, active: Active) -> tuple[Array, bool]:
+        """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
         rows = np.flatnonzero(active.on)
+        impulse = np.zeros_like(self._rate)
         if not len(rows):
-            return impulse
-        slipping = np.flatnonzero(active.slip)
-        if not len(slipping):
-            impulse[rows] = _solved(self._matrix[np.ix_(rows, rows)], -self._rate[rows])
-            return impulse
-        gives = self._gives(active.slip, slipping)
-        constant = np.zeros_like(impulse)
-        constant[self._row[slipping]] = (active.slip * self._least)[slipping]
-        matrix = self._matrix[rows] @ gives[:, rows]
-        wanted = -self._rate[rows] - self._matrix[rows] @ constant
-        impulse[rows] = _solved(matrix, wanted)
-        return gives[:, rows] @ impulse[rows] + constant
+            return impulse, False
+        if not active.slip.any():
+            matrix = self._matrix[np.ix_(rows, rows)]
+            impulse[rows], repeats = solved(matrix, -self._rate[rows])
+            return impulse, repeats
+        gives, constant = self._gives(active.slip), self._constant(active.slip)
+        matrix = self._matrix[rows]
+        wanted = -self._rate[rows] - matrix @ constant
+        found, repeats = solved(matrix @ gives[:, rows], wanted)
+        return gives[:, rows] @ found + constant, repeats
 
-    def _gives(self, slip: Integers, slipping: Integers) -> Array:
+    def _shared(self, impulse: Array, active: Active) -> Array:
+        """Return the least of all impulses that do the same, and that contacts can give: (m,).
+
+        The same, if there are none: a least distance problem (Lawson and Hanson 1974, chapter 23).
+        """
+        rows = np.flatnonzero(active.on)
+        gives = self._gives(active.slip)[:, rows]
+        free = null(self._matrix[rows] @ gives)
+        ways, own = gives @ free, impulse
+        pushes = np.flatnonzero(self._problem.pushes & active.on)
+        held = np.flatnonzero(active.on[self._row])
+        bounds = np.zeros((len(held), len(own)))
+        for side in (0, 1):
+            some = np.flatnonzero(self._contact[held, side] >= 0)
+            which = held[some]
+            bounds[some, self._contact[which, side]] += self._sticks[which, side]
+        along = np.zeros_like(bounds)
+        along[np.arange(len(held)), self._row[held]] = 1.0
+        limits = np.concatenate((np.eye(len(own))[pushes], bounds - along, bounds + along))
+        least = np.concatenate((np.zeros(len(pushes)), -self._least[held], -self._least[held]))
+        way = least_distance(limits @ ways, least - limits @ own)
+        return own if way is None else own + ways @ way
+
+    def _constant(self, slip: Integers) -> Array:
+        """Return the impulses of what slips that do not depend on others: (m,)."""
+        constant = np.zeros_like(self._rate)
+        constant[self._row] = slip * self._least
+        return constant
+
+    def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
-        gives = np.eye(len(self._rate))
+        gives, slipping = np.eye(len(self._rate)), np.flatnonzero(slip)
         for side in (0, 1):
             bound = self._contact[slipping, side] >= 0
             some = slipping[bound]
@@ -348,35 +300,3 @@ class _Scaled:
         missed = np.where(self._problem.free, np.abs(rate), np.maximum(-rate, 0.0))
         missed[~(self._problem.free | self._problem.pushes)] = 0.0
         return np.where(np.isfinite(missed), missed, np.inf)
-
-
-def _solved(matrix: Array, wanted: Array) -> Array:
-    """Solve a linear system; one whose rows repeat each other for the least solution.
-
-    While Newton's method is on its way such rows contradict each other a little: what they have in
-    common is met, and nothing is made of the contradiction.
-    """
-    if len(wanted) == 1:
-        return wanted / (matrix[0] if matrix[0, 0] else 1.0)
-    try:
-        found, probe = np.linalg.solve(matrix, np.stack((wanted, _probe(len(wanted))), axis=1)).T
-    except np.linalg.LinAlgError:
-        probe = found = np.full(1, np.inf)
-    if np.abs(probe).max() < REPEATS:
-        return np.asarray(found)
-    least = _least(matrix, wanted)
-    return least + _least(matrix, wanted - matrix @ least)
-
-
-def _least(matrix: Array, wanted: Array) -> Array:
-    """Return the least solution, by a complete orthogonal decomposition."""
-    from scipy.linalg import lstsq  # a tenth of a second, for those who need it
-
-    found = lstsq(matrix, wanted, cond=CUT, lapack_driver="gelsy", check_finite=False)[0]
-    return np.asarray(found, dtype=float)
-
-
-@cache
-def _probe(count: int) -> Array:
-    """Return a vector that lies in no direction in particular: its image tells of the inverse."""
-    return np.cos(np.arange(1.0, count + 1) ** 2)

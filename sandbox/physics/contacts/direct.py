@@ -25,11 +25,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.contacts import impacts
 from sandbox.physics.contacts.belief import Belief
-from sandbox.physics.contacts.complementarity import Active
 from sandbox.physics.contacts.kick import Kick
 from sandbox.physics.contacts.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.newton import newton
 from sandbox.physics.contacts.parting import part
+from sandbox.physics.contacts.problem import Active
 from sandbox.physics.contacts.warm_start import WarmStart
 from sandbox.physics.errors import JointFailure, NoForces
 from sandbox.physics.exact.equations import Coordinates, order

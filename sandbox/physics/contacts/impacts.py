@@ -4,9 +4,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans
-from sandbox.physics.contacts.complementarity import Active
 from sandbox.physics.contacts.kick import Kick
 from sandbox.physics.contacts.newton import solve_rows
+from sandbox.physics.contacts.problem import Active
 from sandbox.physics.exact.equations import QUADRATIC
 from sandbox.physics.exact.solver import TAUT
 

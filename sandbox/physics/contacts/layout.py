@@ -6,9 +6,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans, Contacts, Integers
-from sandbox.physics.contacts.complementarity import Friction, Problem
 from sandbox.physics.contacts.features import Figures, Touching
 from sandbox.physics.contacts.islands import islands
+from sandbox.physics.contacts.problem import Friction, Problem
 from sandbox.physics.exact.solver import ExactJoints
 
 

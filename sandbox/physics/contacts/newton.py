@@ -5,9 +5,10 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.complementarity import Active, Unsolvable, solve
+from sandbox.physics.contacts.complementarity import Unsolvable, solve
 from sandbox.physics.contacts.kick import Kick
 from sandbox.physics.contacts.layout import Layout
+from sandbox.physics.contacts.problem import Active
 from sandbox.physics.errors import JointFailure, NoForces
 from sandbox.physics.exact.equations import MAX_ITERATIONS, QUADRATIC, Rows
 

@@ -3,10 +3,10 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.complementarity import Active
 from sandbox.physics.contacts.kick import Kick
 from sandbox.physics.contacts.layout import Surfaces
 from sandbox.physics.contacts.newton import newton
+from sandbox.physics.contacts.problem import Active
 from sandbox.physics.contacts.warm_start import WarmStart
 from sandbox.physics.errors import JointFailure, NoForces
 

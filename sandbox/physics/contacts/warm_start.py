@@ -6,9 +6,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans, Integers
-from sandbox.physics.contacts.complementarity import Active
 from sandbox.physics.contacts.features import Touching
 from sandbox.physics.contacts.kick import Kick
+from sandbox.physics.contacts.problem import Active
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""

@@ -6,15 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.complementarity import (
-    NO_FRICTION,
-    Active,
-    Friction,
-    Problem,
-    Unsolvable,
-    solve,
-)
+from sandbox.physics.contacts.complementarity import Unsolvable, solve
 from sandbox.physics.contacts.lemke import lemke
+from sandbox.physics.contacts.problem import NO_FRICTION, Active, Friction, Problem
 
 SEEDS = st.integers(0, 10_000)
 
@@ -76,6 +70,26 @@ def test_rows_that_repeat_each_other_share_the_least_impulses() -> None:
     impulse, active = solve(problem, np.ones((2, 2)), np.array([-1.0, -1.0]), guess)
 
     assert impulse == pytest.approx([0.5, 0.5], abs=1e-12)
+    assert active.on.all()
+
+
+def test_friction_is_shared_as_far_as_each_contact_holds() -> None:
+    """A smooth foot and a rough one: half the push is too much for the first.
+
+    Both feet stick with x = (n, W - n, t, W/2 - t) for t <= n / 10; the least of these has t there:
+    the square's derivative 2 n - 2 (W - n) + 2 t / 10 - 2 (W/2 - t) / 10 is 0 at n = W 1.05 / 2.02.
+    """
+    free, pushes = np.zeros(4, dtype=bool), np.array([True, True, False, False])
+    sticks, nothing = np.array([0.1, 1.5]), np.zeros(2)
+    friction = Friction(np.array([2, 3]), np.array([[0, -1], [1, -1]]), sticks, sticks, nothing)
+    guess = Active(np.ones(4, dtype=bool), np.zeros(2, dtype=np.intp))
+    same = np.arange(4) // 2
+    matrix = np.equal.outer(same, same).astype(float)
+    rate = np.array([-1.0, -1.0, -0.5, -0.5])
+    impulse, active = solve(Problem(free, pushes, friction), matrix, rate, guess)
+
+    n = 1.05 / 2.02
+    assert impulse == pytest.approx([n, 1 - n, n / 10, 0.5 - n / 10], abs=1e-12)
     assert active.on.all()
 
 

@@ -1,0 +1,81 @@
+"""Linear systems whose rows may repeat each other."""
+
+from functools import cache
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+
+REPEATS = 1e9
+"""How much larger the solution of rows that do not repeat each other may be than what is asked for.
+A mass of 1,000,000 on one of 1 has 1e7."""
+
+CUT = 1e-10
+"""The share of the largest that a row adds to those before it, and that is nothing where rows
+repeat each other."""
+
+FEASIBLE = 1e-12
+"""What is left of one, where limits contradict each other: rounding."""
+
+
+def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
+    """Solve a linear system; return whether rows repeat each other, too: then it is the least.
+
+    While Newton's method is on its way such rows contradict each other a little: what they have in
+    common is met, and nothing is made of the contradiction.
+    """
+    if len(wanted) == 1:
+        return wanted / (matrix[0] if matrix[0, 0] else 1.0), False
+    try:
+        found, probe = np.linalg.solve(matrix, np.stack((wanted, _probe(len(wanted))), axis=1)).T
+    except np.linalg.LinAlgError:
+        probe = found = np.full(1, np.inf)
+    if np.abs(probe).max() < REPEATS:
+        return np.asarray(found), False
+    least = _least(matrix, wanted)
+    return least + _least(matrix, wanted - matrix @ least), True
+
+
+def _least(matrix: Array, wanted: Array) -> Array:
+    """Return the least solution, by a complete orthogonal decomposition."""
+    from scipy.linalg import lstsq  # a tenth of a second, for those who need it
+
+    found = lstsq(matrix, wanted, cond=CUT, lapack_driver="gelsy", check_finite=False)[0]
+    return np.asarray(found, dtype=float)
+
+
+def null(matrix: Array) -> Array:
+    """Return unit vectors that a matrix maps to nothing, as columns: (m, l)."""
+    from scipy.linalg import qr
+
+    across, triangle, _ = qr(matrix.T, pivoting=True, check_finite=False)
+    size = np.abs(triangle.diagonal())
+    return np.asarray(across[:, int((size > CUT * size[0]).sum()) :])
+
+
+def least_distance(limits: Array, least: Array) -> Array | None:
+    """Return the shortest vector z with limits @ z >= least; None if there is none.
+
+    By non-negative least squares (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974,
+    chapter 23).
+    """
+    from scipy.optimize import nnls
+
+    if not limits.shape[1]:
+        return None
+    size = np.abs(least).max(initial=0.0) or 1.0
+    wanted = np.zeros(limits.shape[1] + 1)
+    wanted[-1] = 1.0
+    table = np.vstack((limits.T, least / size))
+    try:
+        weights, _ = nnls(table, wanted)
+    except RuntimeError:  # it has gone on for too long
+        return None
+    off = table @ weights - wanted
+    return None if -off[-1] < FEASIBLE else -off[:-1] / off[-1] * size
+
+
+@cache
+def _probe(count: int) -> Array:
+    """Return a vector that lies in no direction in particular: its image tells of the inverse."""
+    return np.cos(np.arange(1.0, count + 1) ** 2)
