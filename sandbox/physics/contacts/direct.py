@@ -502,7 +502,9 @@ class Direct:
         if not self._strikes:
             return np.zeros(len(gradient), dtype=bool)
         gives = np.abs(gradient @ np.stack((pull * self._dt, self._spread(self._change)), axis=1))
-        speeds = np.abs(gradient) @ (np.abs(came) + np.abs(pull) * self._dt)
+        swift = (np.abs(came) + np.abs(pull) * self._dt)[self._order]
+        swift[:, :2] = np.hypot(swift[:, :1], swift[:, 1:2])  # whichever way: rounding knows none
+        speeds = np.abs(gradient) @ self._spread(swift)
         allowed = gives.max(axis=1) + ROUNDING * speeds
         return np.asarray(gradient @ came < -allowed)
 
