@@ -1,6 +1,6 @@
 """The closed forms of the machines hold what is known of them otherwise."""
 
-from math import asin, exp, hypot, pi, radians, sin
+from math import asin, cos, exp, hypot, pi, radians, sin
 
 import pytest
 
@@ -41,6 +41,27 @@ def test_a_light_rope_of_many_knots_holds_e_to_the_mu_phi(mu: float) -> None:
 def test_without_friction_a_capstan_is_an_atwood_machine() -> None:
     """Whose rope weighs as much on either side."""
     assert machines.capstan_acceleration(2.0, 0.0, 25, 1e-12, G) == pytest.approx(G / 3, rel=1e-9)
+
+
+@pytest.mark.parametrize("masses", [(1.0, 1.0), (1.0, 50.0), (1000.0, 1.0)])
+@pytest.mark.parametrize("degrees", [-30, 0, 20, 70, 90])
+def test_an_elastic_dumbbell_keeps_its_energy(masses: tuple[float, float], degrees: float) -> None:
+    """And the end that is struck leaves with the speed with which it came."""
+    speed, length, whole = 3.0, 2.0, sum(masses)
+    spin, rise = machines.dumbbell_bounce(masses, radians(degrees), speed, 1.0, length)
+
+    moment = masses[0] * masses[1] / whole * length**2
+    energy = (whole * rise**2 + moment * spin**2) / 2
+    assert energy == pytest.approx(whole * speed**2 / 2, rel=1e-12)
+    lever = -masses[1] / whole * length * cos(radians(degrees))
+    assert rise + spin * lever == pytest.approx(speed, rel=1e-12)
+
+
+def test_an_upright_dumbbell_bounces_as_a_ball() -> None:
+    spin, rise = machines.dumbbell_bounce((1.0, 3.0), pi / 2, 2.0, 0.5)
+
+    assert spin == pytest.approx(0, abs=1e-15)
+    assert rise == pytest.approx(1.0)
 
 
 def test_a_trebuchet_whose_weight_hangs_at_the_axle_is_a_falling_stick() -> None:

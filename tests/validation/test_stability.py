@@ -17,7 +17,14 @@ from sandbox.physics.world import build
 from validation import cli
 from validation.stability import command, history, run
 from validation.stability.case import Frontier, HardCase, make, watch
-from validation.stability.families import all_cases, all_frontiers, all_levels, chains, cradles
+from validation.stability.families import (
+    all_cases,
+    all_frontiers,
+    all_levels,
+    chains,
+    compositions,
+    cradles,
+)
 from validation.stability.figures import drift, separation
 from validation.stability.frontier import furthest, reach, step_cost, trial
 from validation.stability.levels import FOLDER
@@ -121,9 +128,14 @@ def test_every_frontier_is_written_down_and_none_behind_pymunk_without_a_reason(
         assert entry["figure"] * 1.05 >= entry["naive"] or frontier.beyond, name
 
 
-def test_loads_cradles_and_bullets_reach_ten_times_as_far_as_pymunk() -> None:
+def test_loads_cradles_bullets_and_cars_reach_ten_times_as_far_as_pymunk() -> None:
     kept = history.read()
-    for name in ("a load on 20 links", "a cradle that touches", "the speed of a bullet"):
+    for name in (
+        "a load on 20 links",
+        "a cradle that touches",
+        "the speed of a bullet",
+        "a car on light wheels",
+    ):
         assert kept[name][-1]["figure"] >= 10 * kept[name][-1]["naive"], name
 
 
@@ -139,6 +151,10 @@ def test_loads_cradles_and_bullets_reach_ten_times_as_far_as_pymunk() -> None:
         "a damped spring",
         "a pyramid with overlaps of 25 %",
         "20 links with 1e5 times their mass: length",
+        "1,000,000 : 1 on a strut",
+        "a car of 10,000 times its wheels",
+        "two capstans with ropes of 24 links",
+        "dumbbells of 1,000,000 : 1",
     ],
 )
 def test_a_case_holds_to_its_end(name: str) -> None:
@@ -190,6 +206,27 @@ def test_pymunk_breaks_where_the_sandbox_holds() -> None:
     assert alone.figure > 0.1
 
 
+@pytest.mark.parametrize(
+    ("name", "difficulty", "missed"),
+    [
+        ("a weight on a strut", 1e6, 1e-3),
+        ("a rope round a drum", 12, 1),
+        ("a stack solved directly", 2, 1e-6),
+        ("a dumbbell that bounces", 10, 0.1),
+    ],
+)
+def test_pymunk_misses_compositions_that_are_solved_together(
+    name: str, difficulty: float, missed: float
+) -> None:
+    """At the same cost: a force by 1e-1, a rope's way by several times, 6e-6 m, and 0.6 m/s."""
+    frontier = FRONTIERS[name]
+
+    here, alone = trial(frontier, difficulty), trial(frontier, difficulty, alone=True)
+
+    assert here.figure <= frontier.bound
+    assert alone.figure > missed
+
+
 def test_pymunk_may_spend_what_the_sandbox_spends() -> None:
     """Its rate follows from the price of a step: a second costs both the same."""
     frontier = FRONTIERS["a load on 20 links"]
@@ -217,6 +254,15 @@ def test_pymunk_alone_has_its_own_joints() -> None:
     assert [type(c) for c in world.scene.space.constraints] == [pymunk.PinJoint] * 3
     assert watch(level, world, 0.5).world.hooks == 0
     assert separation(watch(level, build(level), 0.5)) < 1e-12
+
+
+def test_pymunks_own_rail_is_a_groove() -> None:
+    world = naive(make(compositions.strut(10)), 1000)
+    joints = world.scene.space.constraints
+
+    assert {type(c) for c in joints} == {pymunk.PinJoint, pymunk.GrooveJoint}
+    last = world.advance(1000)
+    assert last.position[2] == pytest.approx([0, 1.1], abs=1e-3)
 
 
 def test_a_step_that_cannot_be_taken_has_no_price() -> None:

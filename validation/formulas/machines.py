@@ -102,6 +102,22 @@ def struck_spin(momentum: float, arm: float, moments: float) -> float:
     return momentum * arm / moments
 
 
+def dumbbell_bounce(
+    masses: tuple[float, float], angle: float, speed: float, e: float, length: float = 1.0
+) -> tuple[float, float]:
+    """Return how a dumbbell leaves a smooth floor: its spin [rad/s], its centre's velocity [m/s].
+
+    It falls without spin. Its first end hits the floor; the second is at `angle` above the level.
+    The floor's push J is upright, so the end that is struck leaves with J (1/M + x²/I) - v = e v
+    (Newton's law of restitution), x its lever about the centre (the chapter, sections 7 and 8).
+    """
+    whole = sum(masses)
+    moment = masses[0] * masses[1] / whole * length**2
+    lever = -masses[1] / whole * length * np.cos(angle)
+    push = (1 + e) * speed / (1 / whole + lever**2 / moment)
+    return float(lever * push / moment), float(push / whole - speed)
+
+
 Slope = Callable[[Array], Array]
 
 

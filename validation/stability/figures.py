@@ -71,6 +71,17 @@ def _way(end: End, run: Run) -> Array:
     return np.asarray(x + 1j * y + turned)
 
 
+def mass(run: Run, name: str) -> float:
+    """Return the mass of a body [kg]."""
+    return float(run.world.scene.bodies[name].mass)
+
+
+def rows(run: Run, *names: str) -> list[int]:
+    """Return the numbers of bodies."""
+    known = list(run.level.bodies)
+    return [known.index(name) for name in names]
+
+
 def speed(run: Run) -> float:
     """Return how fast the quickest body ever was [m/s]."""
     return float(np.hypot(run.states.velocity[..., 0], run.states.velocity[..., 1]).max())

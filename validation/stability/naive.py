@@ -1,14 +1,16 @@
 """pymunk as it comes, on the scene of a level: its own stepping, settings and joints."""
 
 import pymunk
+from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
-from sandbox.model.joints import End, Held, Joint, Pivot, Rod, Rope, Spring, points
+from sandbox.model.joints import End, Held, Joint, Pivot, Rail, Rod, Rope, Spring, points
 from sandbox.model.level import Level, Stepping, span
 from sandbox.model.shapes import evaluate
 from sandbox.physics.world import World, build
 
-Ends = tuple[pymunk.Body, pymunk.Body, tuple[float, float], tuple[float, float]]
+LONG = 1e3
+"""m, of a rail to either side: pymunk's has ends."""
 
 
 def naive(level: Level, rate: float, iterations: int = 10) -> World:
@@ -40,6 +42,9 @@ def _joint(joint: Joint, level: Level, world: World) -> pymunk.Constraint:
             return pymunk.PinJoint(a, b, at_a, at_b)
         case Pivot():
             return pymunk.PivotJoint(a, b, at_a, at_b)
+        case Rail(direction=direction):
+            along = LONG * Vec2d(*evaluate(direction, values)).normalized()
+            return pymunk.GrooveJoint(b, a, at_b - along, at_b + along, at_a)
         case Rope(length=length):
             most = length(values) if length else span(joint, level.bodies, values)
             return pymunk.SlideJoint(a, b, at_a, at_b, 0, most)

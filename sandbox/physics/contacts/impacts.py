@@ -7,7 +7,7 @@ from sandbox.physics.batch import Booleans
 from sandbox.physics.contacts.kick import Kick
 from sandbox.physics.contacts.newton import solve_rows
 from sandbox.physics.contacts.problem import Active
-from sandbox.physics.exact.equations import QUADRATIC
+from sandbox.physics.exact.equations import QUADRATIC, angles, planes
 from sandbox.physics.exact.solver import TAUT
 
 ROUNDING = 1e-9
@@ -33,7 +33,9 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
     """
     gradient = kick.here.gradient[kick.layout.gaps]
     gives = np.abs(gradient @ np.stack((acts, change), axis=1))
-    speeds = np.abs(gradient) @ (np.abs(came) + np.abs(acts))
+    swift = np.abs(came) + np.abs(acts)
+    around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
+    speeds = np.abs(gradient) @ np.concatenate((around, angles(swift)))
     return np.asarray(gradient @ came < -gives.max(axis=1) - ROUNDING * speeds)
 
 

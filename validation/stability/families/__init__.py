@@ -7,7 +7,9 @@ from validation.stability.families import (
     bounces,
     bullets,
     chains,
+    compositions,
     cradles,
+    dumbbells,
     exact,
     oscillators,
     piles,
@@ -15,7 +17,19 @@ from validation.stability.families import (
 )
 from validation.stability.scene import Document
 
-FAMILIES = (exact, bounces, cradles, oscillators, piles, structures, chains, bullets)
+SEARCHED = (
+    cradles,
+    oscillators,
+    piles,
+    structures,
+    chains,
+    bullets,
+    compositions,
+    dumbbells,
+)
+"""Those with frontiers."""
+
+FAMILIES = (exact, bounces, *SEARCHED)
 
 
 def all_cases() -> Iterator[HardCase]:
@@ -26,7 +40,7 @@ def all_cases() -> Iterator[HardCase]:
 
 def all_frontiers() -> Iterator[Frontier]:
     """Yield the frontiers of all families."""
-    for family in (cradles, oscillators, piles, structures, chains, bullets):
+    for family in SEARCHED:
         yield from family.frontiers()
 
 

@@ -1,0 +1,109 @@
+"""Dumbbells: two bodies on a rod that bounce as one."""
+
+from collections.abc import Iterator
+from math import cos, inf, radians, sin
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from validation.formulas.machines import dumbbell_bounce
+from validation.stability.case import Frontier, HardCase
+from validation.stability.figures import Run, mass, rows
+from validation.stability.scene import MOMENTUM, Document, block, check, disc, level, rod, text_of
+
+FAMILY = "dumbbells"
+
+RATE = 240.0  # Hz
+FALL = 1.0  # m/s
+
+BOUNCED = 3 / RATE
+"""s; they hit the floor after half of it."""
+
+BOUNCES = 1e-10  # m/s
+AS_ONE = "the ends leave the floor as those of one rigid body, to 1e-10 of the speed of the fall"
+
+DUMBBELLS = ((20, 1.0, True), (35, 0.6, False), (70, 0.3, True), (10, 0.0, False), (85, 0.8, True))
+"""Their angles [°], restitution, and whether the upper end is the heavy one."""
+
+
+def dumbbells(ratio: float) -> Document:
+    """Return dumbbells of 1 m that fall on a smooth floor aslant, one end so many times heavier."""
+    bodies: Document = {"ground": block((0, -0.5), 20, 1, restitution=1)}
+    joints: Document = {}
+    checks = []
+    for i, (degrees, e, top_heavy) in enumerate(DUMBBELLS, start=1):
+        masses = _masses(ratio, top_heavy=top_heavy)
+        x, y, angle = 3.0 * (i - 3), 0.1 + FALL * BOUNCED / 2, radians(degrees)
+        ends = (x, y), (x + cos(angle), y + sin(angle))
+        for name, place, heavy in zip(("low", "high"), ends, masses, strict=True):
+            bodies[f"{name}{i}"] = disc(place, 0.1, heavy, velocity=[0, -FALL], restitution=e)
+        joints[f"rod{i}"] = rod(f"low{i}", f"high{i}")
+        checks.append(
+            check(f"low{i}.velocity.y", e * FALL, 1e-9, f"{degrees}°: it leaves with", at=2 / RATE)
+        )
+    return level(
+        f"Dumbbells of {text_of(ratio)} : 1",
+        "Dumbbells fall on a smooth floor aslant, and bounce as one body each.",
+        MOMENTUM,
+        effects={"contact": {}, "restitution": {}},
+        bodies=bodies,
+        joints=joints,
+        stepping={"rate": RATE},
+        duration=0.25,
+        checks=checks,
+        view={"center": [0.5, 1], "width": 16},
+    )
+
+
+def _masses(ratio: float, *, top_heavy: bool) -> tuple[float, float]:
+    """Return the masses of a dumbbell's lower and upper end [kg]."""
+    return (1.0, ratio) if top_heavy else (ratio, 1.0)
+
+
+def misses(run: Run) -> float:
+    """Return how far a dumbbell leaves the floor otherwise than as one body, at the most [m/s].
+
+    Looked at in the first instant after its impact: the velocity of its centre of mass, and its
+    spin times its length of 1 m.
+    """
+    return max(_misses(run, i) for i in range(1, len(DUMBBELLS) + 1))
+
+
+def _misses(run: Run, number: int) -> float:
+    degrees, e, _ = DUMBBELLS[number - 1]
+    low, high = f"low{number}", f"high{number}"
+    ends = rows(run, low, high)
+    place, velocity = run.states.position[:, ends], run.states.velocity[:, ends]
+    after = np.flatnonzero(velocity[:, 0, 1] > -FALL / 2)
+    if not len(after):
+        return inf
+    masses = mass(run, low), mass(run, high)
+    spin, rise = dumbbell_bounce(masses, radians(degrees), FALL, e)
+    found = _motion(place[after[0]], velocity[after[0]], masses)
+    return float(np.abs(found - (0.0, rise, spin)).max())
+
+
+def _motion(place: Array, velocity: Array, masses: tuple[float, float]) -> Array:
+    """Return the velocity of the centre of mass and the spin of two ends: (3,)."""
+    (along, up), (dx, dy) = place[1] - place[0], velocity[1] - velocity[0]
+    spin = (along * dy - up * dx) / (along**2 + up**2)
+    return np.array([*(masses @ velocity / sum(masses)), spin])
+
+
+LEVELS = {"dumbbells": lambda: dumbbells(1e6)}
+
+
+def cases() -> Iterator[HardCase]:
+    """Yield the dumbbells."""
+    yield HardCase(
+        name="dumbbells of 1,000,000 : 1", family=FAMILY, group="A", level="hard/dumbbells",
+        criterion=AS_ONE, figure=misses, bound=BOUNCES, duration=BOUNCED, every_step=True,
+    )  # fmt: skip
+
+
+def frontiers() -> Iterator[Frontier]:
+    """Yield how unequal the ends of a dumbbell may be."""
+    yield Frontier(
+        name="a dumbbell that bounces", family=FAMILY, axis="mass ratio", scene=dumbbells,
+        figure=misses, bound=BOUNCES, criterion=AS_ONE, start=1, end=1e6, duration=BOUNCED,
+    )  # fmt: skip
