@@ -232,6 +232,7 @@ class Direct:
         self._inertia = inertia
         self._order = order(len(inertia))
         self._begun = self._pull = self._change = np.zeros_like(inertia)
+        self._shift = np.zeros_like(inertia)  # by what taking back overlaps moved bodies in a step
         self._lead = 0.0
         self._until = 0.0
         self._length = self._next = joints.lengths(0.0)
@@ -270,6 +271,7 @@ class Direct:
         """
         self.contacts = self._believed(self._batch.contacts())
         self.last, self.stages = _nothing(self._begun), ()
+        self._shift = np.zeros_like(self._begun)
         self._follow(until)
         if len(self.contacts.bodies) or self._joints.added.any():
             self._solve_all()
@@ -284,7 +286,7 @@ class Direct:
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._pairs, self._known = None, None
-        self._change = np.zeros_like(self._change)
+        self._change, self._shift = np.zeros_like(self._change), np.zeros_like(self._shift)
 
     def _believed(self, contacts: Contacts) -> Contacts:
         """Return the contacts that there are.
@@ -308,9 +310,9 @@ class Direct:
         """Return how far bodies can have come into each other in a step: (k,) [m]."""
         place = self._batch.state()[:, :2]
         arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
-        motion = self._begun[contacts.bodies]
-        ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * np.abs(motion[..., 2])
-        return np.asarray(FURTHER * ways.sum(axis=1) * self._dt + QUADRATIC)
+        motion = (np.abs(self._begun) * self._dt + np.abs(self._shift))[contacts.bodies]
+        ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
+        return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
@@ -460,7 +462,9 @@ class Direct:
         if not back.any():
             return kick
         wanted = self._targets(kick)
-        wanted[: self._count] = kick.here.total[: self._count]
+        pulls_only, here = self._joints.pulls_only, kick.here.total[: self._count]
+        slack = np.minimum(here, wanted[: self._count])  # a slack rope may grow as long as it is
+        wanted[: self._count] = np.where(pulls_only, slack, here)
         wanted[kick.layout.gaps] += back
         still = np.zeros_like(kick.place.values)
         layout = kick.layout
@@ -474,8 +478,8 @@ class Direct:
             return kick
         place = Coordinates(kick.place.values + moved)
         state = self._batch.state()
-        shifted = moved[self._order]
-        state[:, :3] = np.where(self._moves[:, None], state[:, :3] + shifted, state[:, :3])
+        self._shift = np.where(self._moves[:, None], moved[self._order], 0.0)
+        state[:, :3] += self._shift
         self._batch.set_state(state)
         return self._kick_from(place, layout, kick.features.moved(place))
 
@@ -503,7 +507,7 @@ class Direct:
             return np.zeros(len(gradient), dtype=bool)
         gives = np.abs(gradient @ np.stack((pull * self._dt, self._spread(self._change)), axis=1))
         speeds = np.abs(gradient) @ (np.abs(came) + np.abs(pull) * self._dt)
-        allowed = gives.max(axis=1) + ROUNDING * speeds
+        allowed = gives.max(axis=1) + ROUNDING * speeds + self._blur(kick)
         return np.asarray(gradient @ came < -allowed)
 
     def _come(self, kick: Kick, motion: Array, struck: Booleans) -> tuple[Array, Array]:
@@ -674,7 +678,7 @@ class Direct:
     ) -> tuple[Array, Active]:
         """Solve each island by itself; rates are those with the impulses, if there are any."""
         found = np.zeros(len(rate))
-        blur = PLACES * float(np.abs(kick.place.values).max()) / abs(self._joints.drift)
+        blur = self._blur(kick)
         on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
         first = kick.layout.slips.start
         for rows in kick.layout.islands:
@@ -695,6 +699,10 @@ class Direct:
                 raise self._lost(kick, int(rows[row])) from None
             on[rows], slip[slips] = held
         return found, Active(on, slip)
+
+    def _blur(self, kick: Kick) -> float:
+        """Return how well velocities are known that are chosen by places [m/s]."""
+        return PLACES * float(np.abs(kick.place.values).max()) / abs(self._joints.drift)
 
     def _lost(self, kick: Kick, row: int) -> JointFailure | NoForces:
         """Say what no impulses were found for."""
