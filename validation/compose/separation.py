@@ -5,13 +5,14 @@ sides and of that between their nearest corners; within each other they are by t
 would part them, which lies across a side.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.batch import Booleans
 from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene import Document
 
@@ -92,12 +93,42 @@ def _nearest(a: Array, b: Array) -> Array:
     return np.where((far > TINY)[:, None], unit, (0.0, 1.0))[:, None]
 
 
+Placed = tuple[Array, float]
+"""The corners of a part over a run, (T, k, 2), and how far it reaches beyond them [m]."""
+
+
 @dataclass(frozen=True, slots=True)
 class Couple:
-    """Two bodies that may touch, and the smallest way between their parts: (T,) [m]."""
+    """Two bodies that may touch.
+
+    Attributes
+    ----------
+    names
+        Of both.
+    separation
+        (T,), the smallest way between their parts [m].
+    parts
+        Those of each.
+    """
 
     names: tuple[str, str]
     separation: Array
+    parts: tuple[Sequence[Placed], Sequence[Placed]]
+
+    def entered(self, depth: float) -> Booleans:
+        """Return when one is first seen so deep in the other, or one of its corners is: (T,)."""
+        ways = [self.separation, *self._corners()]
+        within = np.array(ways) < -depth
+        before = np.column_stack((np.zeros(len(ways), dtype=bool), within[:, :-1]))
+        return np.asarray((within & ~before).any(axis=0))
+
+    def _corners(self) -> Iterator[Array]:
+        """Yield the way between each corner of one and each part of the other: (T,)."""
+        first, second = self.parts
+        for own, others in ((first, second), (second, first)):
+            for (corners, radius), (other, around) in product(own, others):
+                for k in range(corners.shape[1]):
+                    yield gap(corners[:, k : k + 1], other, radius + around).separation
 
 
 def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:
@@ -122,7 +153,7 @@ def couples(document: Document, position: Array, angle: Array) -> Iterator[Coupl
         parts = [_near(*first, *second) for first in corners[a] for second in corners[b]]
         separation = np.min(parts, axis=0)
         if np.isfinite(separation).any():
-            yield Couple((a, b), separation)
+            yield Couple((a, b), separation, (corners[a], corners[b]))
 
 
 def _near(a: Array, first: float, b: Array, second: float) -> Array:

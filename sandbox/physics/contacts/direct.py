@@ -17,6 +17,7 @@ in three parts: to the step, with what rests and what is joined; the impact, all
 velocities, with Newton's law of restitution; and on from the step.
 """
 
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -62,6 +63,10 @@ FURTHER = 1.5
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
+
+SOON = 5
+"""Steps of Newton's method, within which it has come home where rows do not contradict each other: as
+long it lets them."""
 
 HALVINGS = 50
 """How often the share of a rebound that gives no energy is halved in on."""
@@ -607,7 +612,16 @@ class Direct:
                 return found
         except (JointFailure, NoForces):
             pass
-        return self._newton(kick, motion, drift, wanted, np.zeros(len(guess)), active, flat=True)
+        nothing = np.zeros(len(guess))
+        found = self._newton(kick, motion, drift, wanted, nothing, active, flat=True)
+        if self._count and not self._driven():
+            work = (found[0] * (kick.here.gradient @ (motion + found[1])))[: self._count]
+            self._joints.refuse_gain(motion, found[1], work)
+        return found
+
+    def _driven(self) -> bool:
+        """Whether surfaces that run, or bodies that move as told, may give energy."""
+        return self._belts or bool(self._begun[~self._moves].any())
 
     def _kinetic(self, motion: Array) -> float:
         """Return the kinetic energy of velocities [J]."""
@@ -644,7 +658,7 @@ class Direct:
         problem = kick.layout.problem
         if active is None:
             active = Active(problem.free, np.zeros(len(problem.friction.row), dtype=np.intp))
-        for _ in range(MAX_ITERATIONS):
+        for iteration in range(MAX_ITERATIONS):
             moved = motion + impulse @ kick.reply
             there = self._rows(Coordinates(kick.place.values + drift * moved), kick.features)
             if flat:
@@ -652,7 +666,8 @@ class Direct:
             wrong = there.total - wanted
             before = active
             rate = wrong / drift
-            found, active = self._solve(kick, there.gradient, problem, rate, active, impulse)
+            lets = inf if iteration < SOON else TAUT / drift
+            found, active = self._solve(kick, there.gradient, problem, rate, active, impulse, lets)
             impulse = found
             off = np.where(active.on, np.abs(wrong), 0.0)
             if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
@@ -675,6 +690,7 @@ class Direct:
         rate: Array,
         active: Active,
         impulse: Array | None = None,
+        lets: float = inf,
     ) -> tuple[Array, Active]:
         """Solve each island by itself; rates are those with the impulses, if there are any."""
         found = np.zeros(len(rate))
@@ -693,7 +709,7 @@ class Direct:
             matrix = matrix @ reply.T
             free = free if own is None else free - matrix @ own
             try:
-                found[rows], held = solve(part, matrix, free, guess, blur)
+                found[rows], held = solve(part, matrix, free, guess, blur, lets)
             except (Unsolvable, np.linalg.LinAlgError) as error:
                 row = error.row if isinstance(error, Unsolvable) else 0
                 raise self._lost(kick, int(rows[row])) from None
