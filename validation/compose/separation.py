@@ -117,18 +117,20 @@ class Couple:
 
     def entered(self, depth: float) -> Booleans:
         """Return when one is first seen so deep in the other, or one of its corners is: (T,)."""
-        ways = [self.separation, *self._corners()]
-        within = np.array(ways) < -depth
-        before = np.column_stack((np.zeros(len(ways), dtype=bool), within[:, :-1]))
-        return np.asarray((within & ~before).any(axis=0))
+        within = np.concatenate([_within(*both, depth) for both in product(*self.parts)], axis=1)
+        before = np.zeros_like(within)
+        before[1:] = within[:-1]
+        return np.asarray((within & ~before).any(axis=1))
 
-    def _corners(self) -> Iterator[Array]:
-        """Yield the way between each corner of one and each part of the other: (T,)."""
-        first, second = self.parts
-        for own, others in ((first, second), (second, first)):
-            for (corners, radius), (other, around) in product(own, others):
-                for k in range(corners.shape[1]):
-                    yield gap(corners[:, k : k + 1], other, radius + around).separation
+
+def _within(first: Placed, second: Placed, depth: float) -> Booleans:
+    """Return which corners of two parts are so deep in the other, across which they are: (T, k)."""
+    (a, own), (b, others) = first, second
+    found = gap(a, b, own + others)
+    over = np.einsum("tkc,tc->tk", a, found.normal)
+    under = np.einsum("tkc,tc->tk", b, found.normal)
+    deep = np.hstack((over - under.min(axis=1)[:, None], over.max(axis=1)[:, None] - under))
+    return np.asarray((deep + own + others > depth) & (found.separation < -depth)[:, None])
 
 
 def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:

@@ -130,11 +130,15 @@ class Problem(NamedTuple):
         (m,), whose impulse is not negative: contacts, ropes.
     friction
         All others.
+    alike
+        (m,), rows of the same number are scaled alike: those of one joint, which point along axes
+        that anybody may have turned. No row's is like another's if left out.
     """
 
     free: Booleans
     pushes: Booleans
     friction: Friction
+    alike: Integers | None = None
 
 
 def solve(
@@ -158,23 +162,30 @@ def solve(
     blur
         How well rates are known [m/s, rad/s].
     lets
-        By how much rows that repeat each other may contradict each other, besides what `CONTRADICTS`
-        says [m/s, rad/s].
+        By how much rows that repeat each other may contradict each other at the most, whatever
+        `CONTRADICTS` says [m/s, rad/s].
 
     Raises
     ------
     Unsolvable
         If no impulses are found.
     """
-    size = np.sqrt(np.maximum(matrix.diagonal(), 0.0))
-    size[size == 0] = 1.0
+    size = _sizes(matrix, problem.alike)
     scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
 
 
+def _sizes(matrix: Array, alike: Integers | None) -> Array:
+    """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
+    own = np.maximum(matrix.diagonal(), 0.0)
+    if alike is not None:
+        own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
+    return np.where(own > 0, np.sqrt(own), 1.0)
+
+
 class _Scaled:
-    """The problem with every row's own inverse mass at one; each row may `give` way a little."""
+    """The problem with all rows' own inverse masses near one; each may `give` way a little."""
 
     def __init__(
         self,

@@ -65,8 +65,7 @@ AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
 
 SOON = 5
-"""Steps of Newton's method, within which it has come home where rows do not contradict each other: as
-long it lets them."""
+"""Steps of Newton's method within which rows may contradict each other, if it is far from home."""
 
 HALVINGS = 50
 """How often the share of a rebound that gives no energy is halved in on."""
@@ -411,13 +410,20 @@ class Direct:
         touch = contacts.bodies[pair]
         bodies = [*self._joints.bodies, *touch, *touch[rubs]]
         return Layout(
-            Problem(free, pushes, friction),
+            Problem(free, pushes, friction, self._alike(whole)),
             islands(bodies, self._moves),
             touching,
             self._surfaces.restitution[a, b],
             gaps,
             slice(gaps.stop, whole),
         )
+
+    def _alike(self, whole: int) -> Integers | None:
+        """Return which of all rows are scaled alike: those of each joint; None if all have one."""
+        joints = self._joints.alike
+        if len(set(joints.tolist())) == len(joints):
+            return None
+        return np.concatenate((joints, np.arange(len(joints), whole)))
 
     @property
     def _count(self) -> int:
@@ -666,7 +672,8 @@ class Direct:
             wrong = there.total - wanted
             before = active
             rate = wrong / drift
-            lets = inf if iteration < SOON else TAUT / drift
+            far = np.abs(wrong[active.on]).max(initial=0.0) > QUADRATIC
+            lets = inf if far and iteration < SOON else TAUT / drift
             found, active = self._solve(kick, there.gradient, problem, rate, active, impulse, lets)
             impulse = found
             off = np.where(active.on, np.abs(wrong), 0.0)
@@ -835,7 +842,8 @@ def _part_of(problem: Problem, rows: Integers, slips: Integers) -> Problem:
         old.slips[slips],
         old.least[slips],
     )
-    return Problem(problem.free[rows], problem.pushes[rows], friction)
+    alike = None if problem.alike is None else problem.alike[rows]
+    return Problem(problem.free[rows], problem.pushes[rows], friction, alike)
 
 
 def _nothing(velocity: Array) -> Impacts:

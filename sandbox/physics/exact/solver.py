@@ -91,6 +91,9 @@ class ExactJoints:
         Those that each equation is about; the plane is the last of all, or −1.
     origin
         From where places are counted [m].
+    alike
+        (m,), the first of the equations of its joint, or of those of them that keep an angle: each
+        its own. What a pin keeps it keeps along two axes.
     added
         (m,), which equations have joined since the last kick.
     kick, drift
@@ -136,6 +139,9 @@ class ExactJoints:
         self._joints = [equation.joint for equation in equations]
         turns = [isinstance(equation, Turn) for equation in equations]
         self._pulling, self._turning = (_by_joint(equations, turns, way) for way in (False, True))
+        self.alike = np.arange(len(equations))
+        for held in self._pulling.values():
+            self.alike[held] = held[:1]
         self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
         self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
         self._unilateral = bool(self._pulls_only.any())
@@ -527,7 +533,9 @@ class ExactJoints:
             independence, shares = _weakest(slope)
             if independence < LOCKED * self._independence:
                 name = self._joints[taut[np.argmax(shares)]]
-                reason = f"'{name}' and the joints beside it are stretched: none can give way in a step"
+                reason = (
+                    f"'{name}' and the joints beside it are stretched: none gives way in a step"
+                )
                 return JointFailure(name, reason, None if self._driven(motion.values) else finer)
         name = self._joints[row]
         reason = f"nothing keeps '{name}' as it is through the next step"
