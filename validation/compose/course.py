@@ -63,6 +63,8 @@ class Course:
         How long it was to last [s].
     failure
         Why it stopped before that; empty if it did not.
+    advised
+        The rate at which it should not, if that is told [Hz].
     """
 
     scene: Scene
@@ -77,6 +79,7 @@ class Course:
     worked: float
     asked: float
     failure: str = ""
+    advised: float | None = None
 
     @property
     def dt(self) -> float:
@@ -94,15 +97,22 @@ class Course:
         return same.index(False) if False in same else len(same)
 
 
-def start(level: Level) -> World:
+def start(level: Level, rate: float | None = None) -> World:
     """Return the world of a level, at a rate that the sandbox itself asks for.
+
+    Parameters
+    ----------
+    level
+        Which.
+    rate
+        With which to begin, instead of its own [Hz].
 
     Raises
     ------
     Refused
         If it is refused without a rate that would do.
     """
-    rate = level.stepping.rate
+    rate = rate or level.stepping.rate
     for _ in range(TRIES):
         try:
             world = build(level, stepping=level.stepping.at(rate))
@@ -120,23 +130,44 @@ def start(level: Level) -> World:
     raise Refused(f"asks for ever higher rates, at last {rate:,} Hz")
 
 
+def led(scene: Scene, level: Level) -> Course:
+    """Run a level, and again at the rate that is advised, where it stops and one is.
+
+    Raises
+    ------
+    Refused
+        If it cannot start.
+    """
+    course = run(scene, level, start(level))
+    for _ in range(TRIES):
+        if course.advised is None or course.advised <= course.rate:
+            break
+        course = run(scene, level, start(level, course.advised), course.asked)
+    return course
+
+
 def run(scene: Scene, level: Level, world: World, duration: float | None = None) -> Course:
-    """Run a world, and record every step and what the ledger says of it."""
-    steps = min(count_steps(world, duration), MOST_STEPS)
-    notes = _Notes(world)
-    failure, deadline = "", process_time() + LIMIT
+    """Run a world, and record every step and what the ledger says of it.
+
+    Without a duration it is as long as the level says, or as many steps as a run has at the most.
+    """
+    steps = count_steps(world, duration)
+    if duration is None:
+        steps = min(steps, MOST_STEPS)
+    notes, limit = _Notes(world), LIMIT * max(1.0, steps / MOST_STEPS)
+    failure, advised, deadline = "", None, process_time() + limit
     with np.errstate(all="ignore"):
         for _ in range(steps):
             try:
                 world.advance()
                 notes.take()
             except SandboxError as error:
-                failure = str(error)
+                failure, advised = str(error), getattr(error, "rate", None)
                 break
             if process_time() > deadline:
-                failure = f"took more than {LIMIT:g} s"
+                failure = f"took more than {limit:g} s"
                 break
-    return notes.course(scene, level, steps * world.dt, failure)
+    return notes.course(scene, level, steps * world.dt, failure, advised)
 
 
 @dataclass(slots=True)
@@ -167,14 +198,16 @@ class _Notes:
         self.unexplained.append(balance.unexplained)
         self.lost.append(balance.unexplained_impulse)
 
-    def course(self, scene: Scene, level: Level, asked: float, failure: str) -> Course:
+    def course(
+        self, scene: Scene, level: Level, asked: float, failure: str, advised: float | None
+    ) -> Course:
         """Return all of it."""
         seen = Snapshot.stack(self.seen)
         return Course(
             scene, level, self.world.stepping.rate, seen, self.pairs,
             seen.tension != 0, np.array(self.booked), np.array(self.unexplained),
             np.array(self.lost),
-            _total(self.ledger.balance.work), asked, failure,
+            _total(self.ledger.balance.work), asked, failure, advised,
         )  # fmt: skip
 
 

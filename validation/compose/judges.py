@@ -203,7 +203,7 @@ def overlap(case: Case) -> Iterator[Judgement]:
     """Ask that bodies keep out of each other.
 
     An impact is found at the first step after it, as deep as the way of that step; so much is let
-    pass, for a while.
+    pass, for a while. Where the other corner of a side comes down later, that is another impact.
     """
     if case.couples:
         yield _most("overlap", max(_excess(case, couple) for couple in case.couples), SKIN)
@@ -213,13 +213,11 @@ def _excess(case: Case, couple: Couple) -> float:
     """Return by how much two bodies overlap beyond what a fresh impact explains [m]."""
     course = case.course
     depth = np.maximum(-couple.separation, 0.0)
-    within = depth > SKIN
-    fresh = within & ~np.concatenate(([False], within[:-1]))
-    if not within.any():
+    if not (depth > SKIN).any():
         return float(depth.max())
     ways = _ways(case, couple)
     allowance = np.zeros(len(depth))
-    for at in np.flatnonzero(fresh):
+    for at in np.flatnonzero(couple.entered(SKIN)):
         end = at + int(SOON * course.rate) + 1
         allowance[at:end] = np.maximum(allowance[at:end], ways[at])
     return float((depth - allowance).max())

@@ -4,7 +4,7 @@ from dataclasses import asdict, dataclass
 from time import perf_counter
 
 from sandbox.model.errors import SandboxError
-from validation.compose.course import Refused, run, start
+from validation.compose.course import Refused, led
 from validation.compose.judges import Judgement, judge
 from validation.compose.scenes import Scene, scene
 from validation.output import finite
@@ -74,11 +74,10 @@ def judge_scene(found: Scene) -> Outcome:
     judgements: list[Judgement] = []
     try:
         level = found.level()
-        world = start(level)
+        course = led(found, level)
     except (SandboxError, Refused) as error:
         refused, reason = True, str(error)
     else:
-        course = run(found, level, world)
         rate, reason = course.rate, course.failure
         judgements = judge(course)
     return Outcome(

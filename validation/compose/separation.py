@@ -5,13 +5,14 @@ sides and of that between their nearest corners; within each other they are by t
 would part them, which lies across a side.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, product
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.batch import Booleans
 from validation.compose.shapes import Part, is_dynamic, outline
 from validation.stability.scene import Document
 
@@ -92,12 +93,44 @@ def _nearest(a: Array, b: Array) -> Array:
     return np.where((far > TINY)[:, None], unit, (0.0, 1.0))[:, None]
 
 
+Placed = tuple[Array, float]
+"""The corners of a part over a run, (T, k, 2), and how far it reaches beyond them [m]."""
+
+
 @dataclass(frozen=True, slots=True)
 class Couple:
-    """Two bodies that may touch, and the smallest way between their parts: (T,) [m]."""
+    """Two bodies that may touch.
+
+    Attributes
+    ----------
+    names
+        Of both.
+    separation
+        (T,), the smallest way between their parts [m].
+    parts
+        Those of each.
+    """
 
     names: tuple[str, str]
     separation: Array
+    parts: tuple[Sequence[Placed], Sequence[Placed]]
+
+    def entered(self, depth: float) -> Booleans:
+        """Return when one is first seen so deep in the other, or one of its corners is: (T,)."""
+        within = np.concatenate([_within(*both, depth) for both in product(*self.parts)], axis=1)
+        before = np.zeros_like(within)
+        before[1:] = within[:-1]
+        return np.asarray((within & ~before).any(axis=1))
+
+
+def _within(first: Placed, second: Placed, depth: float) -> Booleans:
+    """Return which corners of two parts are so deep in the other, across which they are: (T, k)."""
+    (a, own), (b, others) = first, second
+    found = gap(a, b, own + others)
+    over = np.einsum("tkc,tc->tk", a, found.normal)
+    under = np.einsum("tkc,tc->tk", b, found.normal)
+    deep = np.hstack((over - under.min(axis=1)[:, None], over.max(axis=1)[:, None] - under))
+    return np.asarray((deep + own + others > depth) & (found.separation < -depth)[:, None])
 
 
 def couples(document: Document, position: Array, angle: Array) -> Iterator[Couple]:
@@ -122,7 +155,7 @@ def couples(document: Document, position: Array, angle: Array) -> Iterator[Coupl
         parts = [_near(*first, *second) for first in corners[a] for second in corners[b]]
         separation = np.min(parts, axis=0)
         if np.isfinite(separation).any():
-            yield Couple((a, b), separation)
+            yield Couple((a, b), separation, (corners[a], corners[b]))
 
 
 def _near(a: Array, first: float, b: Array, second: float) -> Array:

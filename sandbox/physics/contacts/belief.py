@@ -33,7 +33,7 @@ class Belief:
         place
             (n, 2), where the bodies are [m].
         way
-            (n, 3), how far they moved in the last step [m, rad].
+            (n, 3), how far they moved in the last step, whichever way [m, rad].
         """
         if not len(contacts.bodies):
             self._pairs = set()
@@ -51,5 +51,5 @@ def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
     """Return how far bodies can have come into each other in a step: (k,) [m]."""
     arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
     motion = way[contacts.bodies]
-    ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * np.abs(motion[..., 2])
+    ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
     return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)

@@ -16,6 +16,8 @@ Rows may repeat each other, as the two feet of a welded table do: the forces are
 only what they add up to. The least that contacts can give are taken.
 """
 
+from math import inf
+
 import numpy as np
 
 from sandbox.model.expressions import Array
@@ -60,7 +62,12 @@ class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
 
 
 def solve(
-    problem: Problem, matrix: Array, rate: Array, guess: Active, blur: float = 0.0
+    problem: Problem,
+    matrix: Array,
+    rate: Array,
+    guess: Active,
+    blur: float = 0.0,
+    lets: float = inf,
 ) -> tuple[Array, Active]:
     """Return the impulses, (m,) [N s or N m s], and which rows hold with them.
 
@@ -74,21 +81,31 @@ def solve(
         Which rows may hold.
     blur
         How well rates are known [m/s, rad/s].
+    lets
+        By how much rows that repeat each other may contradict each other at the most, whatever
+        `CONTRADICTS` says [m/s, rad/s].
 
     Raises
     ------
     Unsolvable
         If no impulses are found.
     """
-    size = np.sqrt(np.maximum(matrix.diagonal(), 0.0))
-    size[size == 0] = 1.0
-    scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size)
+    size = _sizes(matrix, problem.alike)
+    scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
 
 
+def _sizes(matrix: Array, alike: Integers | None) -> Array:
+    """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
+    own = np.maximum(matrix.diagonal(), 0.0)
+    if alike is not None:
+        own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
+    return np.where(own > 0, np.sqrt(own), 1.0)
+
+
 class _Scaled:
-    """The problem with every row's own inverse mass at one; each row may `give` way a little."""
+    """The problem with all rows' own inverse masses near one; each may `give` way a little."""
 
     def __init__(
         self,
@@ -97,31 +114,39 @@ class _Scaled:
         rate: Array,
         size: Array,
         blur: Array,
+        lets: float,
         give: float = 0.0,
     ) -> None:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
+        self._lets = lets
         self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
         row, contact, sticks, slips, least = problem.friction
         share = np.where(contact >= 0, size[row, None] / size[contact], 0.0)
         self._row, self._contact, self._least = row, contact, least * size[row]
         self._sticks, self._slips = share * sticks[:, None], share * slips[:, None]
         self._some = bool(len(row))
+        asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
+        self._asked = float(np.abs(asked).max(initial=0.0))
 
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses, and which rows hold."""
         impulse, found = self.mend(active)
         for give in GIVES if found is None else ():
-            softer = _Scaled(self._problem, self._matrix, self._rate, self._size, self._blur, give)
-            _, soft = softer.mend(active)
+            _, soft = self._softer(give).mend(active)
             if soft is not None:
                 impulse, found = self.mend(soft)
                 if found is not None:
                     break
         return (impulse, found) if found is not None else self._by_corners()
 
+    def _softer(self, give: float) -> "_Scaled":
+        """Return the same with rows that give way."""
+        problem, size, blur = self._problem, self._size, self._blur
+        return _Scaled(problem, self._matrix, self._rate, size, blur, self._lets, give)
+
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
-        least = MISSED * np.abs(self._rate).max() + self._blur.max()
+        least = MISSED * self._asked + self._blur.max()
         missed = self._missed(np.zeros_like(self._rate))
         for soft in SOFT:
             rough = self._lemke(soft)
@@ -134,7 +159,7 @@ class _Scaled:
             for tried in (self._with(guess)[0], rough):
                 missed = self._missed(tried)
                 most = float(np.abs(tried).max())
-                sound = most <= REPEATS * np.abs(self._rate).max()
+                sound = most <= REPEATS * self._asked
                 if sound and missed.max() <= least + FAINT * most:
                     return tried, guess
         raise Unsolvable(int(np.argmax(missed)))
@@ -218,8 +243,9 @@ class _Scaled:
 
     def _holds(self, impulse: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
-        rate = np.abs(self._rate + self._matrix @ impulse)[active.on].max(initial=0.0)
-        return bool(rate <= CONTRADICTS * np.abs(self._rate).max(initial=0.0) + self._blur.max())
+        rate = np.abs(self._rate + self._matrix @ impulse)
+        allowed = np.minimum(CONTRADICTS * self._asked, self._lets / self._size)
+        return bool((rate <= allowed + self._blur.max())[active.on].all())
 
     def _judge(self, impulse: Array, active: Active) -> Active | None:
         """Return which rows rather hold; None if those do."""

@@ -106,6 +106,7 @@ class Direct:
         self._order = order(len(inertia))
         self._inertia = self._spread(inertia)
         self._begun = self._pull = self._change = np.zeros_like(inertia)
+        self._shift = np.zeros_like(inertia)  # by what taking back overlaps moved bodies in a step
         self._lead = 0.0
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
@@ -141,9 +142,10 @@ class Direct:
         JointFailure, NoForces
             If there are none.
         """
-        place, way = self._batch.state()[:, :2], self._begun * self._dt
-        self.contacts = self._belief.sound(self._batch.contacts(), place, way)
+        place, way = self._batch.state()[:, :2], np.abs(self._begun) * self._dt
+        self.contacts = self._belief.sound(self._batch.contacts(), place, way + np.abs(self._shift))
         self.last, self.stages = _nothing(self._begun), ()
+        self._shift = np.zeros_like(self._begun)
         self._follow(until)
         if len(self.contacts.bodies) or self._joints.added.any():
             self._solve_all()
@@ -159,7 +161,7 @@ class Direct:
         """Begin anew: bodies were put elsewhere."""
         self._belief.forget()
         self._known.forget()
-        self._change = np.zeros_like(self._change)
+        self._change, self._shift = np.zeros_like(self._change), np.zeros_like(self._shift)
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
@@ -213,7 +215,8 @@ class Direct:
         if way is None:
             return kick
         state = self._batch.state()
-        state[self._moves, :3] += way[self._order][self._moves]
+        self._shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        state[:, :3] += self._shift
         self._batch.set_state(state)
         return kick.moved(Coordinates(place.values + way))
 
@@ -246,7 +249,17 @@ class Direct:
         except (JointFailure, NoForces):
             pass
         none = np.zeros_like(guess)
-        return newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
+        found = newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
+        joints = kick.layout.joints
+        if joints.stop and not self._driven():
+            work = (found[0] * (kick.here.gradient @ (motion + found[1])))[joints]
+            self._joints.refuse_gain(motion, found[1], work)
+        return found
+
+    def _driven(self) -> bool:
+        """Whether surfaces that run, or bodies that move as told, may give energy."""
+        running = bool(self._surfaces.running.any())
+        return running or bool(self._begun[~self._moves].any())
 
     def _kinetic(self, motion: Array) -> float:
         """Return the kinetic energy of velocities [J]."""

@@ -36,7 +36,8 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
     swift = np.abs(came) + np.abs(acts)
     around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
     speeds = np.abs(gradient) @ np.concatenate((around, angles(swift)))
-    return np.asarray(gradient @ came < -gives.max(axis=1) - ROUNDING * speeds)
+    allowed = gives.max(axis=1) + ROUNDING * speeds + kick.blur
+    return np.asarray(gradient @ came < -allowed)
 
 
 def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
@@ -103,8 +104,8 @@ def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
     slack[joints] = kick.joints.pulls_only & (
         kick.here.total[joints] + kick.before > TAUT + QUADRATIC
     )
-    free, pushes, friction = layout.problem
-    problem = layout.problem._replace(free=free & ~out, pushes=pushes & ~out & ~slack)
+    asked = layout.problem
+    problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
     on = problem.free | (problem.pushes & (rate < 0))
-    guess = Active(on, np.zeros(len(friction.row), dtype=np.intp))
+    guess = Active(on, np.zeros(len(asked.friction.row), dtype=np.intp))
     return solve_rows(kick, layout.asking(problem), kick.here.gradient, rate, guess)[0]

@@ -11,6 +11,9 @@ from sandbox.physics.contacts.layout import Layout
 from sandbox.physics.exact.equations import Coordinates, Rows
 from sandbox.physics.exact.solver import ExactJoints
 
+PLACES = 4e-16
+"""How well places are known, of themselves: velocities are chosen by them."""
+
 
 @dataclass(frozen=True, slots=True)
 class Kick:
@@ -94,6 +97,11 @@ class Kick:
         wanted[self.layout.joints] = -self.after
         wanted[self.layout.slips] -= self.joints.drift * self.runs
         return wanted
+
+    @property
+    def blur(self) -> float:
+        """How well velocities are known that are chosen by places [m/s]."""
+        return PLACES * float(np.abs(self.place.values).max()) / abs(self.joints.drift)
 
     def joint_rates(self) -> Array:
         """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""

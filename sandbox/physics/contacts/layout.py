@@ -140,7 +140,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     friction = Friction(row, contact, static[rubs], slips[rubs], np.zeros(len(rubs)))
     touch = contacts.bodies[pair]
     found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
-    problem = Problem(free, pushes, friction)
+    problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
     return Layout(
         problem,
         [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found],
@@ -150,6 +150,13 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         gaps,
         slice(gaps.stop, whole),
     )
+
+
+def _alike(joints: Integers, whole: int) -> Integers | None:
+    """Return which of all rows are scaled alike: those of each joint; None if all have one."""
+    if len(set(joints.tolist())) == len(joints):
+        return None
+    return np.concatenate((joints, np.arange(len(joints), whole)))
 
 
 def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
@@ -166,4 +173,6 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
         old.slips[slips],
         old.least[slips],
     )
-    return Island(rows, slips, Problem(problem.free[rows], problem.pushes[rows], friction))
+    alike = None if problem.alike is None else problem.alike[rows]
+    part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)
+    return Island(rows, slips, part)

@@ -1,6 +1,7 @@
 """The impulses of a kick, by Newton's method over problems of complementarity."""
 
 from collections.abc import Callable
+from math import inf
 
 import numpy as np
 
@@ -11,9 +12,10 @@ from sandbox.physics.contacts.layout import Layout
 from sandbox.physics.contacts.problem import Active
 from sandbox.physics.errors import JointFailure, NoForces
 from sandbox.physics.exact.equations import MAX_ITERATIONS, QUADRATIC, Rows
+from sandbox.physics.exact.solver import TAUT
 
-PLACES = 4e-16
-"""How well places are known, of themselves: velocities are chosen by them."""
+SOON = 5
+"""Steps of Newton's method within which rows may contradict each other, if it is far from home."""
 
 
 def newton(
@@ -50,11 +52,13 @@ def newton(
     JointFailure, NoForces
         If there are none.
     """
-    for _ in range(MAX_ITERATIONS):
+    for iteration in range(MAX_ITERATIONS):
         there = rows(drift * (motion + impulse @ kick.reply))
         wrong, before = there.total - wanted, active
         rate = wrong / drift
-        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse)
+        far = np.abs(wrong[active.on]).max(initial=0.0) > QUADRATIC
+        lets = inf if far and iteration < SOON else TAUT / drift
+        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
         off = np.where(active.on, np.abs(wrong), 0.0)
         if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
             return impulse, motion + impulse @ kick.reply, active
@@ -68,6 +72,7 @@ def solve_rows(
     rate: Array,
     active: Active,
     impulse: Array | None = None,
+    lets: float = inf,
 ) -> tuple[Array, Active]:
     """Solve each island by itself; return the impulses, (r,), and which rows hold.
 
@@ -83,13 +88,14 @@ def solve_rows(
         (r,), their rates with the impulses, if there are any [m/s, rad/s].
     active
         A guess.
+    lets
+        By how much rows may contradict each other [m/s, rad/s].
 
     Raises
     ------
     JointFailure, NoForces
         If there are none.
     """
-    blur = PLACES * float(np.abs(kick.place.values).max()) / abs(kick.joints.drift)
     found = np.zeros(len(rate))
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
     for rows, slips, problem in layout.islands:
@@ -100,7 +106,7 @@ def solve_rows(
         if impulse is not None:
             free = free - matrix @ impulse[part]
         try:
-            found[part], held = solve(problem, matrix, free, guess, blur)
+            found[part], held = solve(problem, matrix, free, guess, kick.blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None

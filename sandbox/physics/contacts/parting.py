@@ -41,7 +41,9 @@ def part(kick: Kick, surfaces: Surfaces, known: WarmStart, leaving: Array) -> Ar
     if not back.any():
         return None
     wanted = kick.targets()
-    wanted[layout.joints] = here.total[layout.joints]
+    held, slack = here.total[layout.joints], wanted[layout.joints]
+    slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
+    wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
     wanted[layout.gaps] += back
     smooth = layout.smooth()
     start = Active(smooth.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))

@@ -70,8 +70,12 @@ class Problem(NamedTuple):
         (m,), whose impulse is not negative: contacts, ropes.
     friction
         All others.
+    alike
+        (m,), rows of the same number are scaled alike: those of one joint, which point along axes
+        that anybody may have turned. No row's is like another's if left out.
     """
 
     free: Booleans
     pushes: Booleans
     friction: Friction
+    alike: Integers | None = None

@@ -22,6 +22,9 @@ TURN = np.cos(0.5)
 """The cosine of the largest angle by which a wire may turn in a step: what turns by more cannot be
 told from a bead that has cut a corner, and would be wrong by some percent."""
 
+FINER = 4.0
+"""How many times as many steps are advised to who turned by more."""
+
 SLACK = 1.0
 """Pieces, by which a bead may be over the end of a wire: one that starts there, and rounding."""
 
@@ -90,8 +93,8 @@ class WireEquation:
                 self._check_end(at)
                 self._last = at, tangent
                 return foot, tangent
-        reason = f"'{self.joint}' bends too sharply for a step of its bead; take a higher 'rate'"
-        raise JointFailure(self.joint, reason)
+        reason = f"'{self.joint}' bends too sharply for a step of its bead"
+        raise JointFailure(self.joint, reason, FINER)
 
     def _curve(self, at: float) -> tuple[complex, complex, complex]:
         """Return the point [m], and its first and second derivative by the number of pieces."""
