@@ -13,11 +13,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from typer.testing import CliRunner
 
+from sandbox.model.expressions import Array
 from sandbox.model.loading import load
 from sandbox.physics.world import build
 from validation import cli
 from validation.compose import judges, outcome
-from validation.compose.course import Course, Refused, run, start
+from validation.compose.course import Course, Refused, led, run, start
 from validation.compose.draft import Draft
 from validation.compose.families import FAMILIES
 from validation.compose.judges import MARGIN, Case, Judge, Judgement, judge
@@ -25,7 +26,7 @@ from validation.compose.keeping import Keeping, Places
 from validation.compose.outcome import Outcome, judge_scene, judged
 from validation.compose.report import complaints
 from validation.compose.scenes import Scene, scene, seeds
-from validation.compose.separation import couples, gap
+from validation.compose.separation import Couple, couples, gap
 from validation.compose.shapes import centroid, moment, outline
 from validation.compose.statics import Measured, Statics
 from validation.compose.symmetry import mirrored, turned
@@ -305,7 +306,55 @@ def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
     assert not named(judge(sinking(seen, "load", last), [judges.overlap]), "overlap").passed
 
 
+def test_a_second_corner_that_comes_down_is_an_impact_of_its_own_and_a_deeper_first_is_none() -> (
+    None
+):
+    """A box whose left corner lies 1 mm deep; then its right one comes down, or all of it sinks."""
+    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=float)
+    ground = np.array([(-5, -1), (5, -1), (5, 0), (-5, 0)], dtype=float)
+    tilted, deep = np.array([0.001, 0.001, 0.001]), np.array([-0.001, -0.001, -0.003])
+
+    def box(right: Array, left: Array) -> Array:
+        lift = (left[:, None] * (1 - square[:, 0]) + right[:, None] * (1 + square[:, 0])) / 2
+        return np.stack((np.broadcast_to(square[:, 0], lift.shape), square[:, 1] + 1 + lift), -1)
+
+    def entered(right: Array, left: Array) -> list[bool]:
+        parts = [(np.broadcast_to(ground, (3, 4, 2)), 0.0)], [(box(right, left), 0.0)]
+        separation = gap(parts[0][0][0], parts[1][0][0]).separation
+        return Couple(("ground", "box"), separation, parts).entered(1e-4).tolist()
+
+    assert entered(tilted, deep) == [True, False, False]
+    assert entered(-tilted * (0, 0, 1), deep) == [True, False, True]
+
+
 # Whole scenes
+
+
+MENDED = {
+    2707768698: "no rate was told at which a bead holds",
+    4268392387: "welded boxes on a belt shared their friction by the axes",
+    1831363507: "a slack rope held two wagons that overlapped",
+}
+"""Scenes that failed once, and why."""
+
+
+@pytest.mark.parametrize("seed", MENDED)
+def test_a_scene_that_failed_once_holds(seed: int) -> None:
+    found = judged(seed)
+
+    assert found.passed, (MENDED[seed], found.reason, found.failed)
+
+
+def test_a_run_that_stops_is_judged_at_the_rate_that_is_advised() -> None:
+    found = scene(565919744)
+    level = found.level()
+    first = run(found, level, start(level))
+    then = led(found, level)
+
+    assert first.failure.endswith(f"take a higher 'rate': {first.advised}, not {first.rate:g}")
+    assert not then.failure
+    assert then.rate >= 2 * first.rate
+    assert then.seen.t[-1] == pytest.approx(first.asked)
 
 
 @pytest.mark.parametrize("family", SOUND)

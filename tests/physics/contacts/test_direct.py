@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.errors import SimulationError
+from sandbox.physics.ledger import Ledger
 from sandbox.physics.world import World, build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, floor, level, worst
 from validation.case import textbook
@@ -264,6 +265,59 @@ def _ladder_goes(angle: float, mu: float) -> float:
     world = build(scene)
     start = world.snapshot.position[0].copy()
     return float(np.hypot(*(world.advance(120).position[0] - start)))
+
+
+def test_a_ladder_at_rest_is_struck_by_nothing() -> None:
+    """It leans on its wall with no speed but rounding; an impact in each tenth step left 0.17 J."""
+    lean = 1.1079350091660003
+    load = disc((-0.106100351034, 0.894843448414), radius=0.05, mass=20.8, friction=1)
+    hook = {"body": "ladder", "at": [-0.23762135, 0]}
+    scene = level(
+        {
+            "ground": GROUND,
+            "wall": fixed(
+                {"type": "box", "width": 1, "height": 10}, (1.318282645272, 5), friction=0.3886
+            ),
+            "ladder": box(
+                (0, 1.59939029345), size=(3.545, 0.06), mass=5.024, angle=lean, friction=1
+            ),
+            "load": load,
+        },
+        ROUGH,
+        joints={"rope": {"type": "rope", "ends": [hook, "load"]}},
+        stepping={"rate": 240},
+    )
+    world = build(scene)
+    ledger = Ledger(world)
+    for _ in range(240):
+        world.advance()
+        ledger.note()
+        assert world.scene.direct
+        assert not world.scene.direct.last.struck.any()
+    assert abs(ledger.balance.unexplained) < 1e-10  # J; 1e-12
+
+
+def test_a_slack_rope_lets_boxes_part_that_overlap() -> None:
+    """They met 3 mm within each other, and stay level; held together they turned by 2 degrees."""
+    scene = level(
+        {
+            "ground": fixed({"type": "box", "width": 40, "height": 1}, (0, -0.5), friction=0.2),
+            "light": box((0, 0.105), size=(0.21, 0.21), mass=15, friction=0.5, velocity=[1.2, 0]),
+            "heavy": box((0.188, 0.075), size=(0.15, 0.15), mass=47, friction=0.7),
+        },
+        ROUGH,
+        joints={"rope": {"type": "rope", "ends": ["light", "heavy"], "length": 0.7}},
+        stepping={"rate": 240},
+    )
+    world = build(scene)
+    deepest = 0.0
+    for _ in range(120):
+        world.advance()
+        deepest = max(deepest, float(world.contacts.depth.max(initial=0.0)))
+
+    assert deepest > 1e-3
+    assert np.abs(world.snapshot.position[1:, 1] - (0.105, 0.075)).max() < 1e-6
+    assert world.snapshot.position[2, 0] - world.snapshot.position[1, 0] > 0.18 - 1e-6
 
 
 def test_bodies_that_a_rod_holds_in_the_air_do_not_feel_the_floor() -> None:
