@@ -1,6 +1,6 @@
-"""Making what is hollow: the sides and ends of arcs, hoops with room in them, and feelers.
+"""Making what is hollow: the sides and ends of arcs and curves, hoops with room in them, feelers.
 
-Where the end of a static arc meets that of a static line or arc of the same thickness, the two know
+Where the end of a static arc or curve meets that of another static line of the same thickness, the two know
 each other, as the segments of a polyline do: no ball trips where they join.
 """
 
@@ -16,9 +16,12 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.model.shapes import Arc as ArcShape
+from sandbox.model.shapes import Curve as CurveShape
 from sandbox.physics.arcs import Arc, Piece
 from sandbox.physics.bodies import center_of, local_points
 from sandbox.physics.convex import convex_parts
+from sandbox.physics.course import Course
+from sandbox.physics.curves import Side, course_of
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.hollows import Hollows
 from sandbox.physics.outline import FEELER, dot
@@ -106,7 +109,8 @@ def make_hollow(
     SimulationError
         If something starts in a hoop that can only be touched from outside.
     """
-    if not any(isinstance(body.shape, ArcShape | Hoop) for body in level.bodies.values()):
+    hollow = ArcShape | Hoop | CurveShape
+    if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
         return None
     made = {
         name: _made(row, level.bodies[name], values, own)
@@ -115,21 +119,20 @@ def make_hollow(
     pairs = _pairs(level, values, made)
     if not pairs:
         return None
-    arcs = {
-        name: _arc(made[name], values, hair)
+    lines: dict[str, Arc | Course] = {
+        name: _line(made[name], values, hair)
         for name in made
         if any(name == hollow for hollow, _ in pairs)
     }
     hollows = Hollows(
-        {made[name].shapes[0]: arc for name, arc in arcs.items()},
         {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs},
         drift,
     )
     for shape in space.shapes:
         shape.filter = ORDINARY
-    for shape, piece in _pieces(made, arcs, pairs, hair):
+    for shape, piece in _pieces(made, lines, values, pairs, hair):
         hollows.know(shape, piece)
-    for shape, piece in _ends(made, arcs, values, hair):
+    for shape, piece in _ends(made, lines, values, hair):
         space.add(shape)
         hollows.know(shape, piece)
     for shape, piece in _feelers(made, pairs, hair):
@@ -151,7 +154,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
     located = effects.contact and effects.contact.located
     for name, hollow in made.items():
-        if not isinstance(hollow.spec.shape, ArcShape | Hoop):
+        if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
             continue
         for other, body in made.items():
             if other == name or not (hollow.moves or body.moves):
@@ -202,8 +205,10 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
         raise SimulationError(other, 0.0, rule)
 
 
-def _arc(hollow: Made, values: Values, hair: float) -> Arc:
+def _line(hollow: Made, values: Values, hair: float) -> Arc | Course:
     shape = hollow.spec.shape
+    if isinstance(shape, CurveShape):
+        return course_of(shape, values)
     if isinstance(shape, Hoop):
         radius = shape.radius(values)
         return Arc(hollow.row, 0j, radius, radius - hair, radius, 1 + 0j, -2.0)
@@ -224,16 +229,23 @@ def _arc(hollow: Made, values: Values, hair: float) -> Arc:
 
 def _pieces(
     made: Mapping[str, Made],
-    arcs: Mapping[str, Arc],
+    lines: Mapping[str, Arc | Course],
+    values: Values,
     pairs: Sequence[tuple[str, str]],
     hair: float,
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the shapes that there are, as arcs see them."""
+    """Yield the shapes that there are, as arcs and curves see them."""
     for name, body in made.items():
-        if name in arcs:
-            arc, side = arcs[name], body.shapes[0]
-            side.filter = pymunk.ShapeFilter(categories=HOLLOW)
-            yield side, Piece(body.row, (arc.center,), arc.outer, arc)
+        line = lines.get(name)
+        for shape in body.shapes if line else ():
+            shape.filter = pymunk.ShapeFilter(categories=HOLLOW)
+        if isinstance(line, Arc):
+            yield body.shapes[0], Piece(body.row, (line.center,), line.outer, line)
+        elif line:
+            half = _half(body, values, hair)
+            for shape, stretch in zip(body.shapes, line.stretches, strict=True):
+                curve = Side(body.row, line, stretch, half)
+                yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
         elif any(name == other for _, other in pairs):
             for shape, core in zip(body.shapes, _cores(body), strict=True):
                 radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
@@ -265,7 +277,7 @@ def _feelers(
     """Yield a small disc for each corner that may touch an arc from inside."""
     for other in dict.fromkeys(other for _, other in pairs):
         body = made[other]
-        if isinstance(body.spec.shape, Disc | Hoop | ArcShape):
+        if isinstance(body.spec.shape, Disc | Hoop | ArcShape | CurveShape):
             continue
         known: set[complex] = set()
         for shape, core in zip(body.shapes, _cores(body), strict=True):
@@ -293,26 +305,32 @@ def _disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Ci
 
 
 def _ends(
-    made: Mapping[str, Made], arcs: Mapping[str, Arc], values: Values, hair: float
+    made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, hair: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the round ends of arcs, with feelers, but for those at which another line goes on."""
-    lines = [end for body in made.values() for end in _line_ends(body, values, hair)]
-    rounds = [(end, a) for name, a in arcs.items() for end in _arc_ends(made[name], a, values)]
-    ends = [*lines, *(end for end, _ in rounds)]
-    for line in {end.made.row: end.made for end in lines}.values():
-        _join(line, [end for end in lines if end.made is line], ends[len(lines) :])
-    for end, arc in rounds:
+    """Yield the round ends of arcs and curves, with feelers, unless another line goes on there."""
+    straight = [end for body in made.values() for end in _line_ends(body, values, hair)]
+    rounds = [
+        (end, line)
+        for name, line in lines.items()
+        for end in _round_ends(made[name], line, values, hair)
+    ]
+    ends = [*straight, *(end for end, _ in rounds)]
+    for own in {end.made.row: end.made for end in straight}.values():
+        _join(own, [end for end in straight if end.made is own], ends[len(straight) :])
+    for end, line in rounds:
         onwards = next((-other.onwards for other in ends if _meets(end, other)), 0j)
         if dot(onwards, end.onwards) > 1 - TANGENT:
             continue
         turned = complex(*end.made.body.rotation_vector)
         center = (end.place - complex(*end.made.body.position)) / turned
         cap = _disc_like(end.made.shapes[0], center, end.half)
+        arc = line if isinstance(line, Arc) else None
         ways = end.onwards / turned, onwards / turned
         yield cap, Piece(end.made.row, (center,), end.half, arc, *ways)
-        feeler = _feeler(cap, center, end.half + FELT * arc.radius)
-        core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
-        yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
+        if arc:
+            feeler = _feeler(cap, center, end.half + FELT * arc.radius)
+            core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
+            yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
 
 
 def _meets(end: _End, other: _End) -> bool:
@@ -322,15 +340,19 @@ def _meets(end: _End, other: _End) -> bool:
     return still and near and other is not end
 
 
-def _arc_ends(body: Made, arc: Arc, values: Values) -> Iterator[_End]:
+def _round_ends(body: Made, line: Arc | Course, values: Values, hair: float) -> Iterator[_End]:
     shape = body.spec.shape
-    if not isinstance(shape, ArcShape) or arc.cosine < -1:
-        return
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
-        out = rect(1, angle) * turned
-        at = place + turned * arc.center + arc.radius * out
-        yield _End(at, sign * out, (arc.outer - arc.inner) / 2, body, angle == shape.start(values))
+    if isinstance(line, Course):
+        for foot, sign in zip(line.ends, (-1, 1), strict=False):
+            at, onwards = place + turned * foot.point, sign * turned * foot.tangent
+            yield _End(at, onwards, _half(body, values, hair), body, sign < 0)
+    elif isinstance(shape, ArcShape) and line.cosine >= -1:
+        for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
+            out = rect(1, angle) * turned
+            at = place + turned * line.center + line.radius * out
+            half = (line.outer - line.inner) / 2
+            yield _End(at, sign * out, half, body, angle == shape.start(values))
 
 
 def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
@@ -338,10 +360,17 @@ def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
     if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
         return
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    half = shape.thickness(values) / 2 + hair
+    half = _half(body, values, hair)
     for index, neighbour in ((0, 1), (-1, -2)):
         at, before = (place + turned * body.points[i] for i in (index, neighbour))
         yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
+
+
+def _half(body: Made, values: Values, hair: float) -> float:
+    """Return how far the sides of a line are from its middle [m]."""
+    shape = body.spec.shape
+    assert isinstance(shape, Segment | Polyline | CurveShape)
+    return shape.thickness(values) / 2 + hair
 
 
 def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:

@@ -8,7 +8,7 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import XY, Arc, Disc, Hoop, Polyline, Segment
+from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
 from sandbox.physics.bodies import local_points
 
 CORNERS_OF_A_CIRCLE = 48
@@ -104,7 +104,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> Outline:
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
-    line = isinstance(shape, Segment | Polyline | Arc)
+    line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None
     return Outline(
         name=name,
         row=row,
@@ -113,9 +113,9 @@ def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> O
         color=color,
         radius=radius,
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
-        closed=not line,
+        closed=line is None,
         hollow=isinstance(shape, Hoop),
-        thickness=shape.thickness(values) if isinstance(shape, Segment | Polyline | Arc) else 0.0,
+        thickness=line.thickness(values) if line else 0.0,
     )
 
 

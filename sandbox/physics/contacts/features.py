@@ -13,7 +13,7 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll.
+radii that roll. On a curve see `curved`; a side touches one as the circle that is closest to it there.
 """
 
 from dataclasses import dataclass, replace
@@ -24,6 +24,8 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Plane
 from sandbox.physics.batch import Booleans, Contacts, Integers
+from sandbox.physics.contacts.curved import Curved, on_curves, roll_on_curves
+from sandbox.physics.course import Course
 from sandbox.physics.exact.equations import Coordinates, Rows, angles, planes
 
 PARALLEL = 1e-6
@@ -47,6 +49,8 @@ class Figure(NamedTuple):
         Of what is round, along its axes [m].
     ends
         Whether what is round is not so all the way.
+    course
+        Of what is a curve, or None.
     """
 
     radius: float
@@ -55,6 +59,7 @@ class Figure(NamedTuple):
     inner: float = 0.0
     center: complex = 0j
     ends: bool = False
+    course: Course | None = None
 
 
 class Figures:
@@ -66,6 +71,8 @@ class Figures:
         (n,) each, as of a `Figure` [m].
     ends
         (n,), whether it is round, but not all the way.
+    courses
+        Of those that are curves, by their numbers.
     """
 
     def __init__(self, figures: list[Figure]) -> None:
@@ -74,6 +81,7 @@ class Figures:
         self.inner = np.array([figure.inner for figure in figures])
         self.center = np.array([figure.center for figure in figures])
         self.ends = np.array([figure.ends for figure in figures], dtype=bool)
+        self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
         most = max((len(figure.normals) for figure in figures), default=0)
         self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
         for row, figure in enumerate(figures):
@@ -125,6 +133,8 @@ class Features:
         a and b above, (f,) each [m].
     apart
         (k,), d where the drift begins [m].
+    curved
+        The points on curves; their places among the first ones are those of the closest circles.
     """
 
     touching: Touching
@@ -134,6 +144,7 @@ class Features:
     sign: Array
     rolls: tuple[Array, Array]
     apart: Plane
+    curved: tuple[Curved, ...] = ()
 
     def look(self, place: Coordinates) -> Rows:
         """Return the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N)."""
@@ -156,6 +167,8 @@ class Features:
             across = 1j * along * np.where(round_, first / size, 1.0)
         else:
             across = 1j * along
+        for one in self.curved:
+            self._follow(one, where, turned, (arm_a, arm_b), (gap, off, along, across))
         angle = place.angle
         roll_a, roll_b = self.rolls
         slip = off[rubs] + roll_a * angle[a[rubs]] + roll_b * angle[b[rubs]]
@@ -173,6 +186,24 @@ class Features:
             extra = np.concatenate((own * turns[0], own[rubs] * turns[1] + roll))
             in_angle[rows, bodies] = sign * (way * arms.conj()).imag + extra
         return Rows(np.concatenate((gap, slip)), gradient)
+
+    def _follow(
+        self,
+        one: Curved,
+        where: Plane,
+        turned: Plane,
+        arms: tuple[Plane, Plane],
+        rows: tuple[Array, Array, Plane, Plane],
+    ) -> None:
+        """Put in what a point on a curve is: its gap, its slip, and their gradients."""
+        gap, off, along, across = rows
+        own, others = arms if one.sign > 0 else arms[::-1]
+        way = where[one.other] + others[one.point] - where[one.curve]
+        found = one.look(complex(way / turned[one.curve]))
+        gap[one.point], off[one.point] = found.gap, found.slip
+        along[one.point] = one.sign * found.normal * turned[one.curve]
+        across[one.point] = 1j * along[one.point] * found.share
+        own[one.point] = way
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
@@ -217,9 +248,16 @@ def features(
     faces_b = figures.faces(b, -n * turned[b].conj())
     own_a = faces_a & ~(faces_b & moves[a] & ~moves[b])
     own_b = faces_b & ~own_a
+    surfaces = middle + half, middle - half
+    curved = tuple(on_curves(figures, (a, b), n, surfaces, (where, turned)))
+    for one in curved:
+        center_of, is_round = ((center_a, round_a), (center_b, round_b))[one.sign < 0]
+        center_of[one.point] = where[one.curve] + turned[one.curve] * one.center
+        is_round[one.point] = True
+        (own_b if one.sign > 0 else own_a)[one.point] &= one.arched
     corner = ~(own_a | own_b)
-    core_a = middle + half - n * np.where(corner, figures.rounding[a], 0.0)
-    core_b = middle - half + n * np.where(corner, figures.rounding[b], 0.0)
+    core_a = surfaces[0] - n * np.where(corner, figures.rounding[a], 0.0)
+    core_b = surfaces[1] + n * np.where(corner, figures.rounding[b], 0.0)
     at_a, at_b = np.where(round_a, center_a, core_a), np.where(round_b, center_b, core_b)
     d = at_b - at_a
     within = corner & ((d.conj() * n).real < 0)
@@ -227,20 +265,23 @@ def features(
     inner_b &= ~inner_a | (figures.inner[b] > figures.inner[a])
     inner_a &= ~inner_b
     turns = np.where(own_a, turned[a], np.where(own_b, turned[b], 1.0))
+    rolls = _rolls(
+        _radii(figures, a, round_a, corner, inner_a)[rubs],
+        _radii(figures, b, round_b, corner, inner_b)[rubs],
+        own_a[rubs],
+        corner[rubs],
+        (inner_a[rubs], inner_b[rubs]),
+    )
+    roll_on_curves(curved, ~corner, rubs, figures, rolls)
     return Features(
         touching=touching,
         points=((at_a - where[a]) * turned[a].conj(), (at_b - where[b]) * turned[b].conj()),
         normal=n * turns.conj(),
         owns=(own_a.astype(float), own_b.astype(float)),
         sign=np.where(within, -1.0, 1.0),
-        rolls=_rolls(
-            _radii(figures, a, round_a, corner, inner_a)[rubs],
-            _radii(figures, b, round_b, corner, inner_b)[rubs],
-            own_a[rubs],
-            corner[rubs],
-            (inner_a[rubs], inner_b[rubs]),
-        ),
+        rolls=rolls,
         apart=d,
+        curved=tuple(one for one in curved if corner[one.point]),
     )
 
 
