@@ -10,8 +10,8 @@ from sandbox.model.shapes import Curve
 Points = NDArray[np.complex128]
 
 PIECES = 4096
-"""How many pieces a wire or curve is cut into, of equal s: a quintic through six points of such pieces is
-right to rounding for any curve that a person would call smooth."""
+"""How many pieces a wire or curve is cut into, of equal s: a quintic through six points of such
+pieces is right to rounding for any curve that a person would call smooth."""
 
 NEAR = 1e-9
 """How far apart points may be that are meant to be the same, of the size of the wire."""
@@ -24,7 +24,7 @@ def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
 
 
 def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
-    """Return the points of a wire or curve at equal steps of s, both ends included [m]: (pieces + 1,)."""
+    """Return the points of a wire or curve at equal steps of s, both ends too [m]: (pieces + 1,)."""
     first, last = (end(values) for end in wire.s)
     return places(wire, values, np.linspace(first, last, pieces + 1))
 

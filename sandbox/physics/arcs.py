@@ -188,9 +188,9 @@ def way_along(
     """Return how something comes to an arc, and how it leaves it to follow it for a drift.
 
     A drift is straight, so what follows an arc is further out after it than before, by (v dt)² / 2r
-    if it moves along it inside. It is not if it parts with v² dt / 2r: then the velocities before and
-    after the kick are those along two chords, and their mean lies along the arc. How the kick will
-    change the speed along the arc is taken from the last one.
+    if it moves along it. It is not if it parts with v² dt / 2r, or comes with as much from outside:
+    then the velocities before and after the kick are those along two chords, and their mean lies
+    along the arc. How the kick will change the speed along the arc is taken from the last one.
 
     Parameters
     ----------
@@ -289,8 +289,8 @@ def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
     """Whether a shape may touch what may be the end of an arc.
 
-    It may where it is nearest beyond the end: what is beside the arc, or curve, touches its side. A line that
-    goes on from there is touched in its place.
+    It may where it is nearest beyond the end: what is beside the arc touches its side. A line
+    that goes on from there is touched in its place.
     """
     if not end.away:
         return True

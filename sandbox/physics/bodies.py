@@ -68,6 +68,7 @@ def _moment(spec: Body, mass: float, values: Values) -> float:
     """Return the moment of inertia about the centre of mass [kg m²]."""
     if spec.moment is not None:
         return spec.moment(values)
+    assert not isinstance(spec.shape, Curve)
     match spec.shape:
         case Disc(radius=radius):
             return pymunk.moment_for_circle(mass, 0, radius(values))
@@ -81,8 +82,6 @@ def _moment(spec: Body, mass: float, values: Values) -> float:
             return _moment_of_line(mass, local_points(spec, values))
         case Arc() as arc:
             return mass * (arc.radius(values) ** 2 - abs(_middle_of(arc, values)) ** 2)
-        case Curve():
-            raise TypeError("a curve is not dynamic")
 
 
 def _moment_of_line(mass: float, points: list[XY]) -> float:

@@ -3,6 +3,7 @@
 Everything is along the axes of its body, and a place on it is counted in the pieces of `Quintics`.
 """
 
+from itertools import pairwise
 from math import sqrt
 from typing import NamedTuple
 
@@ -20,6 +21,9 @@ QUADRATIC = 1e-6
 
 HALVINGS = 60
 """How often a foot is looked for; what Newton's method does not find is halved in on."""
+
+FOLLOWED = 0.125
+"""The share of a course by which a foot may go on in a step."""
 
 FLATTEST = 1e-9
 """1/m, the least curvature: what bends less is taken for a circle as large as this makes it."""
@@ -110,7 +114,8 @@ class Course:
 
     def follow(self, point: complex, at: float) -> Foot:
         """Return the nearest point of the course that is near to a place on it."""
-        return self._between(point, at - KNOT, at + KNOT, at)
+        reach = self._curve.count * FOLLOWED
+        return self._between(point, at - reach, at + reach, at)
 
     def parallel(self, direction: complex, stretch: Stretch) -> Foot | None:
         """Return where a stretch that bends runs in a direction, None if it does nowhere."""
@@ -180,9 +185,9 @@ class Course:
         size = float(np.abs(self._knots - self._knots[0]).max())
         bends = np.array([foot.bend for foot in feet])
         bends[np.abs(bends) * size < QUADRATIC] = 0.0
-        turns = np.abs(np.angle([b.tangent / a.tangent for a, b in zip(feet, feet[1:])]))
+        turns = np.abs(np.angle([b.tangent / a.tangent for a, b in pairwise(feet)]))
         cuts = _cuts(bends, turns)
-        return tuple(self._stretch(a, b, bends[a : b + 1]) for a, b in zip(cuts, cuts[1:]))
+        return tuple(self._stretch(a, b, bends[a : b + 1]) for a, b in pairwise(cuts))
 
     def _stretch(self, first: int, last: int, bends: np.ndarray) -> Stretch:
         knots = self._knots[first : last + 1]

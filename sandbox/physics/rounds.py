@@ -1,20 +1,15 @@
-"""Making what is hollow: the sides and ends of arcs and curves, hoops with room in them, feelers.
-
-Where the end of a static arc or curve meets that of another static line of the same thickness, the two know
-each other, as the segments of a polyline do: no ball trips where they join.
-"""
+"""Making what is hollow: arcs, curves and hoops with room in them, and feelers for all others."""
 
 from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence
 from math import cos, tau
-from typing import NamedTuple
 
 import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
 from sandbox.physics.arcs import Arc, Piece
@@ -22,63 +17,10 @@ from sandbox.physics.bodies import center_of, local_points
 from sandbox.physics.convex import convex_parts
 from sandbox.physics.course import Course
 from sandbox.physics.curves import Side, course_of
+from sandbox.physics.ends import make_ends
 from sandbox.physics.errors import SimulationError
+from sandbox.physics.feelers import FELT, HOLLOW, ORDINARY, Made, half_of, make_feeler
 from sandbox.physics.hollows import Hollows
-from sandbox.physics.outline import FEELER, dot
-
-HOLLOW = 1 << 30
-"""The category of the sides of arcs, which feelers meet."""
-
-ORDINARY = pymunk.ShapeFilter(categories=0xFFFFFFFF & ~(HOLLOW | FEELER))
-
-FELT = 0.5
-"""The share of its length by which what touches an arc from inside may be too deep in it, and a
-corner still find it; of an arc the share of its radius."""
-
-MET = 1e-6
-"""m, how near to each other lines end that go on into each other."""
-
-TANGENT = 1e-6
-"""One less the cosine between lines that go on into each other without a corner."""
-
-
-class Made(NamedTuple):
-    """A body that may be touched.
-
-    Attributes
-    ----------
-    row
-        Its index.
-    spec
-        What the level says of it.
-    body
-        pymunk's.
-    shapes
-        With which it touches others.
-    points
-        The corners of its shape, relative to it [m].
-    """
-
-    row: int
-    spec: Body
-    body: pymunk.Body
-    shapes: Sequence[pymunk.Shape]
-    points: Sequence[complex]
-
-    @property
-    def moves(self) -> bool:
-        """Whether it is dynamic."""
-        return self.spec.type == "dynamic"
-
-
-class _End(NamedTuple):
-    """Where a static line or arc ends."""
-
-    place: complex  # in the plane
-    onwards: complex  # the unit vector in which it would go on
-    half: float  # half its thickness
-    made: Made
-    first: bool  # whether it begins there
 
 
 def make_hollow(
@@ -132,7 +74,7 @@ def make_hollow(
         shape.filter = ORDINARY
     for shape, piece in _pieces(made, lines, values, pairs, hair):
         hollows.know(shape, piece)
-    for shape, piece in _ends(made, lines, values, hair):
+    for shape, piece in make_ends(made, lines, values, hair):
         space.add(shape)
         hollows.know(shape, piece)
     for shape, piece in _feelers(made, pairs, hair):
@@ -242,7 +184,7 @@ def _pieces(
         if isinstance(line, Arc):
             yield body.shapes[0], Piece(body.row, (line.center,), line.outer, line)
         elif line:
-            half = _half(body, values, hair)
+            half = half_of(body, values, hair)
             for shape, stretch in zip(body.shapes, line.stretches, strict=True):
                 curve = Side(body.row, line, stretch, half)
                 yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
@@ -286,103 +228,5 @@ def _feelers(
             for corner in core:
                 if corner not in known:
                     known.add(corner)
-                    feeler = _feeler(shape, corner, reach)
+                    feeler = make_feeler(shape, corner, reach)
                     yield feeler, Piece(body.row, tuple(core), radius, corner=corner)
-
-
-def _feeler(shape: pymunk.Shape, corner: complex, reach: float) -> pymunk.Circle:
-    feeler = _disc_like(shape, corner, reach)
-    feeler.filter = pymunk.ShapeFilter(categories=FEELER, mask=HOLLOW)
-    return feeler
-
-
-def _disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Circle:
-    """Return a disc that rubs and bounces as another shape of the same body."""
-    disc = pymunk.Circle(shape.body, radius, (center.real, center.imag))
-    disc.friction, disc.elasticity = shape.friction, shape.elasticity
-    disc.collision_type, disc.filter = shape.collision_type, ORDINARY
-    return disc
-
-
-def _ends(
-    made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, hair: float
-) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the round ends of arcs and curves, with feelers, unless another line goes on there."""
-    straight = [end for body in made.values() for end in _line_ends(body, values, hair)]
-    rounds = [
-        (end, line)
-        for name, line in lines.items()
-        for end in _round_ends(made[name], line, values, hair)
-    ]
-    ends = [*straight, *(end for end, _ in rounds)]
-    for own in {end.made.row: end.made for end in straight}.values():
-        _join(own, [end for end in straight if end.made is own], ends[len(straight) :])
-    for end, line in rounds:
-        onwards = next((-other.onwards for other in ends if _meets(end, other)), 0j)
-        if dot(onwards, end.onwards) > 1 - TANGENT:
-            continue
-        turned = complex(*end.made.body.rotation_vector)
-        center = (end.place - complex(*end.made.body.position)) / turned
-        cap = _disc_like(end.made.shapes[0], center, end.half)
-        arc = line if isinstance(line, Arc) else None
-        ways = end.onwards / turned, onwards / turned
-        yield cap, Piece(end.made.row, (center,), end.half, arc, *ways)
-        if arc:
-            feeler = _feeler(cap, center, end.half + FELT * arc.radius)
-            core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
-            yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
-
-
-def _meets(end: _End, other: _End) -> bool:
-    """Whether two lines that never move go on into each other."""
-    still = end.made.spec.type == other.made.spec.type == "static"
-    near = abs(end.place - other.place) <= MET and abs(end.half - other.half) <= MET
-    return still and near and other is not end
-
-
-def _round_ends(body: Made, line: Arc | Course, values: Values, hair: float) -> Iterator[_End]:
-    shape = body.spec.shape
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    if isinstance(line, Course):
-        for foot, sign in zip(line.ends, (-1, 1), strict=False):
-            at, onwards = place + turned * foot.point, sign * turned * foot.tangent
-            yield _End(at, onwards, _half(body, values, hair), body, sign < 0)
-    elif isinstance(shape, ArcShape) and line.cosine >= -1:
-        for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
-            out = rect(1, angle) * turned
-            at = place + turned * line.center + line.radius * out
-            half = (line.outer - line.inner) / 2
-            yield _End(at, sign * out, half, body, angle == shape.start(values))
-
-
-def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
-    shape = body.spec.shape
-    if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
-        return
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    half = _half(body, values, hair)
-    for index, neighbour in ((0, 1), (-1, -2)):
-        at, before = (place + turned * body.points[i] for i in (index, neighbour))
-        yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
-
-
-def _half(body: Made, values: Values, hair: float) -> float:
-    """Return how far the sides of a line are from its middle [m]."""
-    shape = body.spec.shape
-    assert isinstance(shape, Segment | Polyline | CurveShape)
-    return shape.thickness(values) / 2 + hair
-
-
-def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:
-    """Tell the segments at the ends of a line in which directions arcs go on from there."""
-    points, turned = line.points, complex(*line.body.rotation_vector)
-    corners = [points[0], *points, points[-1]]
-    joined = False
-    for end in ends:
-        for arc in (arc for arc in arcs if _meets(end, arc)):
-            joined, beyond = True, -arc.onwards / turned
-            corners[0 if end.first else -1] += beyond
-    for index, shape in enumerate(line.shapes if joined else ()):
-        assert isinstance(shape, pymunk.Segment)
-        before, after = corners[index], corners[index + 3]
-        shape.set_neighbors((before.real, before.imag), (after.real, after.imag))

@@ -78,11 +78,14 @@ def _curve_fault(curve: Curve, values: Values) -> str | None:
         return f"the curve is not smooth near {at}: its derivatives are not finite, or jump there"
     ahead, back = points[2:] - points[1:-1], points[:-2] - points[1:-1]
     bends = 2 * np.abs(_cross(ahead, back)) / np.abs(ahead * back * (ahead - back))
-    least, at = 1 / float(bends.max()), _shown(points[1:-1][bends.argmax()])
+    most = float(bends.max())
+    least, at = 1 / max(most, NEAR / size), _shown(points[1:-1][bends.argmax()])
     if least < max(TIGHT * size, curve.thickness(values) / 2):
         half = f"half its thickness, {curve.thickness(values) / 2:.3g} m"
-        most = half if least >= TIGHT * size else f"{TIGHT:g} of its size; it is sharp there"
-        return f"the radius of curvature at {at} is {least:.3g} m, less than {most}"
+        bound = (
+            half if least >= TIGHT * size else f"{TIGHT:g} of its size; end it before, or round it"
+        )
+        return f"the radius of curvature at {at} is {least:.3g} m, less than {bound}"
     return None
 
 

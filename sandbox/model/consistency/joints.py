@@ -20,7 +20,8 @@ from sandbox.model.parts import Fault
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
-"""How many wires and curves a level may have: to look at one takes 3 ms, at the defaults and at both ends."""
+"""How many wires and curves a level may have: to look at one takes 3 ms, at the defaults and at
+both ends."""
 
 
 def something_to_hold(level: Level) -> Iterator[Fault]:

@@ -3,7 +3,7 @@
 With P the middle of what is round, or a corner, F the foot of P on the curve, t and κ the tangent
 and the curvature there, and d the distance from F to P, all along the axes of the curve's body:
 
-    V = d        dV = n · dP        S = -h ∫ (1 - κ δ0) ds        dS = i n · dP (1 - κ δ0) / (1 - κ δ)
+    V = d    dV = n · dP    S = −h ∫ (1 − κ δ0) ds    dS = i n · dP (1 − κ δ0) / (1 − κ δ)
 
 h is 1 where P is on the left of the curve and −1 on the right, n = h i t, and δ = h d. S is how far
 P has gone along the line that is parallel to the curve through where it was.
@@ -128,16 +128,18 @@ def on_curves(
         for curve, other, sign in ((a, b, 1), (b, a, -1)):
             if course := figures.courses.get(curve):
                 out = complex(normal[point]) * sign
-                place = complex(points[0 if sign < 0 else 1][point])
+                on_curve, place = (complex(side[point]) for side in points[::sign])
                 if radius := figures.radius[other]:
                     place = complex(placed[0][other])
                 else:
                     radius = figures.rounding[other]
                     place += out * radius
-                at = (place - complex(placed[0][curve])) / complex(placed[1][curve])
-                if foot := course.foot(at):
+                where, turned = (complex(values[curve]) for values in placed)
+                near, at = course.foot((on_curve - where) / turned), (place - where) / turned
+                if near:
+                    foot = course.follow(at, near.at)
                     left = 1j * foot.tangent
-                    hand = 1 if dot(out / complex(placed[1][curve]), left) >= 0 else -1
+                    hand = 1 if dot(out / turned, left) >= 0 else -1
                     start = dot(at - foot.point, left)
                     yield Curved(point, curve, other, sign, course, foot, hand, start, radius)
 

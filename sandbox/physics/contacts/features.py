@@ -13,7 +13,7 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll. On a curve see `curved`; a side touches one as the circle that is closest to it there.
+radii that roll. Of curves see `curved`; a side touches one as the circle that is closest there.
 """
 
 from dataclasses import dataclass, replace
