@@ -35,6 +35,8 @@ class Outline:
         The corners [m]; those of a polygon around a circle.
     closed
         Whether the last corner is joined to the first.
+    curved
+        Whether it is a curve: then what it is hatched away from is the same all along it.
     hollow
         Whether only the rim is drawn.
     thickness
@@ -49,6 +51,7 @@ class Outline:
     radius: float | None
     points: tuple[XY, ...]
     closed: bool
+    curved: bool
     hollow: bool
     thickness: float
 
@@ -114,6 +117,7 @@ def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> O
         radius=radius,
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
         closed=line is None,
+        curved=isinstance(shape, Curve),
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
     )
