@@ -42,13 +42,11 @@ from sandbox.physics.exact.equations import (
 )
 from sandbox.physics.exact.solver import TAUT, ExactJoints
 from sandbox.physics.sequence import Impacts
+from sandbox.physics.settling import PLACES
 
 ROUNDING = 1e-9
 """An approach slower than this share of the speeds that it is the difference of is none, nor is one
 of this share of what acts in a step."""
-
-PLACES = 4e-16
-"""How well places are known, of themselves: velocities are chosen by them."""
 
 EXACT = 1e-12
 """The share of the work of impacts that may be rounding."""
