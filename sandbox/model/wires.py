@@ -24,7 +24,7 @@ def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
 
 
 def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
-    """Return the points of a wire or curve at equal steps of s, both ends too [m]: (pieces + 1,)."""
+    """Return the points of a wire or curve at equal steps of s, with both ends: (n + 1,) [m]."""
     first, last = (end(values) for end in wire.s)
     return places(wire, values, np.linspace(first, last, pieces + 1))
 
