@@ -136,6 +136,7 @@ PARTS = (
             "energy/helix",
             "energy/four-slides",
             "energy/brachistochrone",
+            "energy/cycloid-slide",
         ),
     ),
     Part(PROJECTILE, "speed and angle, apex and landing", ("kinematics/projectile",)),
@@ -168,7 +169,11 @@ PARTS = (
     Part(ROTATION, "balance beam", ("rotation/balance-beam",)),
     Part(ROTATION, "a hoop rolls slower than a disc", ("rotation/rolling", "rotation/race")),
     Part(ROTATION, "from sliding to rolling", ("rotation/slide-to-roll",)),
-    Part(ROTATION, "rolling in a half-pipe", ("rotation/half-pipe",)),
+    Part(
+        ROTATION,
+        "rolling in a half-pipe, and in cycloids",
+        ("rotation/half-pipe", "rotation/cycloid-bowls"),
+    ),
     Part(ROTATION, "angular momentum is conserved", ("rotation/thrown-box", "rotation/skater")),
     Part(ROTATION, "a star that collapses spins faster", ("rotation/collapsing-star",)),
     Part(

@@ -2,7 +2,7 @@
 
 A dynamic body's position is its centre of mass: the points of a polygon, segment, polyline or arc
 are moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies
-keep their points as they are written, relative to their position.
+keep their points as they are written, relative to their position; only they can be curves.
 """
 
 from math import tau
@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
+from sandbox.model import expressions
 from sandbox.model.base import Model
 from sandbox.model.bounds import Acceleration, Coordinate, Extent, Speed, Width
 from sandbox.model.expressions import Array, Expression, Values
@@ -114,8 +115,24 @@ class Arc(Model):
     """m"""
 
 
+class Curve(Model):
+    """A line along any smooth curve, touched from both sides: a bowl, a slide, a row of hills.
+
+    It is of a body that does not move, or moves as told. What touches it meets the curve itself,
+    not pieces of it. A curve whose ends meet is closed.
+    """
+
+    type: Literal["curve"]
+    curve: tuple[expressions.Curve, expressions.Curve]
+    """[x, y] in m of its points, relative to the body, over the parameters and s"""
+    s: tuple[Expression, Expression]
+    """from where to where s runs"""
+    thickness: Width = Width(0)
+    """m"""
+
+
 Shape = Annotated[
-    Disc | Hoop | Box | Polygon | Segment | Polyline | Arc, Field(discriminator="type")
+    Disc | Hoop | Box | Polygon | Segment | Polyline | Arc | Curve, Field(discriminator="type")
 ]
 
 ROUND_OFF = 1e-12

@@ -1,33 +1,34 @@
-"""Where the curves of wires run. The plane is complex here: a point is x + iy."""
+"""Where wires and curves run. The plane is complex here: a point is x + iy."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Wire
+from sandbox.model.shapes import Curve
 
 Points = NDArray[np.complex128]
 
 PIECES = 4096
-"""How many pieces a wire is cut into, of equal s: a quintic through six points of such pieces is
-right to rounding for any curve that a person would call smooth."""
+"""How many pieces a wire or curve is cut into, of equal s: a quintic through six points of such
+pieces is right to rounding for any curve that a person would call smooth."""
 
 NEAR = 1e-9
 """How far apart points may be that are meant to be the same, of the size of the wire."""
 
 
-def places(wire: Wire, values: Values, s: Array) -> Points:
-    """Return the points of a wire [m]; where there is none, it is not finite."""
+def places(wire: Wire | Curve, values: Values, s: Array) -> Points:
+    """Return the points of a wire or curve [m]; where there is none, it is not finite."""
     x, y = (coordinate.over(values, s) for coordinate in wire.curve)
     return np.asarray(x + 1j * y)
 
 
-def along(wire: Wire, values: Values, pieces: int = PIECES) -> Points:
-    """Return the points of a wire at equal steps of s, both ends included [m]: (pieces + 1,)."""
+def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
+    """Return the points of a wire or curve at equal steps of s, with both ends: (n + 1,) [m]."""
     first, last = (end(values) for end in wire.s)
     return places(wire, values, np.linspace(first, last, pieces + 1))
 
 
 def is_closed(points: Points) -> bool:
-    """Whether a wire ends where it begins."""
+    """Whether a wire or curve ends where it begins."""
     return bool(abs(points[-1] - points[0]) <= NEAR * np.ptp(np.abs(points - points[0])))

@@ -10,9 +10,12 @@ Points of the plane are complex numbers here.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import sqrt
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.physics.outline import dot
+
+if TYPE_CHECKING:
+    from sandbox.physics.curves import Side
 
 Placed = tuple[complex, complex]
 """Where a body is, and how it is turned: x + iy [m], cos + i sin."""
@@ -85,6 +88,8 @@ class Piece:
     corner
         Of a feeler, which only touches arcs from inside: the corner, or end, that does [m]; None of
         other shapes. The core is that of the whole.
+    curve
+        The stretch of a curve that it is; None of other shapes.
     """
 
     body: int
@@ -94,15 +99,16 @@ class Piece:
     away: complex = 0j
     goes_on: complex = 0j
     corner: complex | None = None
+    curve: "Side | None" = None
 
 
-class Inside(NamedTuple):
-    """A corner, or something round, that is near the inner side of an arc.
+class Touch(NamedTuple):
+    """A corner, or something round, that is near the inner side of an arc, or either of a curve.
 
     Attributes
     ----------
     arc
-        Whose side it is.
+        Whose side it is; of a curve, the circle that is closest to it there.
     body
         The index of the body that touches it.
     point
@@ -115,6 +121,8 @@ class Inside(NamedTuple):
         The unit vector from the arc to the other, so towards its centre.
     on_arc, on_other
         Where they touch, on the surface of each, in the plane [m].
+    sign
+        1 from inside, −1 from outside; 0 where nothing is followed.
     """
 
     arc: Arc
@@ -125,10 +133,11 @@ class Inside(NamedTuple):
     normal: complex
     on_arc: complex
     on_other: complex
+    sign: int = 1
 
 
 class Way(NamedTuple):
-    """How what touches an arc from inside comes to it, and must leave it to follow it.
+    """How what touches an arc comes to it, and must leave it to follow it.
 
     Attributes
     ----------
@@ -146,8 +155,8 @@ class Way(NamedTuple):
     along: float
 
 
-Verdict = Inside | bool
-"""How two shapes touch: from inside an arc; as pymunk has it; or not at all."""
+Verdict = Touch | bool
+"""How two shapes touch: as told; as pymunk has it; or not at all."""
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
@@ -170,7 +179,7 @@ def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 
 def way_along(
-    found: Inside,
+    found: Touch,
     places: tuple[Placed, Placed],
     motions: tuple[Motion, Motion],
     drift: float,
@@ -179,9 +188,9 @@ def way_along(
     """Return how something comes to an arc, and how it leaves it to follow it for a drift.
 
     A drift is straight, so what follows an arc is further out after it than before, by (v dt)² / 2r
-    if it moves along it. It is not if it parts with v² dt / 2r: then the velocities before and
-    after the kick are those along two chords, and their mean lies along the arc. How the kick will
-    change the speed along the arc is taken from the last one.
+    if it moves along it. It is not if it parts with v² dt / 2r, or comes with as much from outside:
+    then the velocities before and after the kick are those along two chords, and their mean lies
+    along the arc. How the kick will change the speed along the arc is taken from the last one.
 
     Parameters
     ----------
@@ -195,16 +204,17 @@ def way_along(
         The speed along the arc a step ago [m/s]; None if it did not follow the arc then.
     """
     (at, there), (rates, moves) = places, motions
-    way = _put(there, found.point) - _put(at, found.arc.center)
+    way = put(there, found.point) - put(at, found.arc.center)
     center, point = at[1] * found.arc.center, there[1] * found.point
     velocity = (moves[0] + 1j * moves[1] * point) - (rates[0] + 1j * rates[1] * center)
     bends = (rates[1] ** 2 * center - moves[1] ** 2 * point) * (drift / 2)
     out, far = way / abs(way), abs(way)
     along = dot(velocity + bends, 1j * out)
-    moved = (along if before is None else 2 * along - before) * drift
-    back = far - sqrt(max(far * far - moved * moved, 0.0))
+    moved = min(abs(along if before is None else 2 * along - before) * drift, far)
+    back = moved * moved / (far + sqrt(far * far - moved * moved))
     nearer = min(max(KEPT - found.depth, 0.0) * SOON, back)
-    return Way(dot(velocity, out), (back - nearer) / drift + dot(bends, out), along)
+    comes, apart = found.sign * dot(velocity, out), found.sign * (back / drift + dot(bends, out))
+    return Way(comes, apart - nearer / drift, along)
 
 
 def _is_side(piece: Piece) -> bool:
@@ -215,11 +225,11 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     """Return how a shape that is no side of an arc touches one."""
     arc = side.arc
     assert arc is not None
-    center = _put(at, arc.center)
+    center = put(at, arc.center)
     if other.corner is None and len(other.core) > 1:
         return _is_outside(arc, other, center, at[1], there)
     point = other.core[0] if other.corner is None else other.corner
-    way = _put(there, point) - center
+    way = put(there, point) - center
     if not way or not arc.spans(way, at[1]):
         return False
     if other.corner is None and abs(way) >= arc.radius:
@@ -227,7 +237,7 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     if other.corner is None and other.away:
         return False  # its feeler does
     if other.corner is not None:
-        leans = dot(_put(there, _mean(other.core)) - center, way) >= arc.radius * abs(way)
+        leans = dot(put(there, _mean(other.core)) - center, way) >= arc.radius * abs(way)
         if leans or _is_outside(arc, other, center, at[1], there):
             return False
     found = _inside(arc, center, other.body, point, other.radius, way)
@@ -238,12 +248,12 @@ def _at_side(side: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 
 def _inside(
     arc: Arc, center: complex, body: int, point: complex, radius: float, way: complex
-) -> Inside:
+) -> Touch:
     """Return how a point that is thickened, so far from an arc's centre, is to its inner side."""
     out = way / abs(way)
     on_arc, on_other = center + arc.inner * out, center + way + radius * out
     depth = abs(way) + radius - arc.inner
-    return Inside(arc, body, point, radius, depth, -out, on_arc, on_other)
+    return Touch(arc, body, point, radius, depth, -out, on_arc, on_other)
 
 
 def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there: Placed) -> bool:
@@ -251,7 +261,7 @@ def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there:
 
     It is nearest to the arc's centre with a point towards the arc, and lies beyond that.
     """
-    core = [_put(there, corner) for corner in other.core]
+    core = [put(there, corner) for corner in other.core]
     way = _nearest(core, center) - center
     if not way or not arc.spans(way, turned):
         return False
@@ -266,8 +276,8 @@ def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
     assert narrow is not None
     if wide.radius < narrow.radius:
         return _sides(other, one, there, at)
-    center = _put(at, wide.center)
-    way = _put(there, narrow.center) - center
+    center = put(at, wide.center)
+    way = put(there, narrow.center) - center
     if abs(way) >= wide.radius:
         return wide.spans(way, at[1]) and narrow.spans(-way, there[1])
     if not way or not (wide.spans(way, at[1]) and narrow.spans(way, there[1])):
@@ -279,27 +289,29 @@ def _sides(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
 def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
     """Whether a shape may touch what may be the end of an arc.
 
-    It may where it is nearest beyond the end: what is beside the arc touches its side. A line that
-    goes on from there is touched in its place.
+    It may where it is nearest beyond the end: what is beside the arc touches its side. A line
+    that goes on from there is touched in its place.
     """
-    if end.arc is None or not end.away:
+    if not end.away:
         return True
     if len(other.core) > 1:
-        core = [_put(there, corner) for corner in other.core]
-        return _ends_at(end, at, _nearest(core, _put(at, end.core[0])))
-    point = _put(there, other.core[0])
-    if end.arc.spans(point - _put(at, end.arc.center), at[1]):
+        core = [put(there, corner) for corner in other.core]
+        return _ends_at(end, at, _nearest(core, put(at, end.core[0])))
+    point = put(there, other.core[0])
+    if end.arc is None:
+        return _ends_at(end, at, point)
+    if end.arc.spans(point - put(at, end.arc.center), at[1]):
         return False
     return not end.goes_on or _ends_at(end, at, point)
 
 
 def _ends_at(end: Piece, at: Placed, point: complex) -> bool:
     """Whether a point is seen from an arc's end where neither the arc is nor another line."""
-    way = point - _put(at, end.core[0])
+    way = point - put(at, end.core[0])
     return dot(way, end.away * at[1]) >= 0 and dot(way, end.goes_on * at[1]) <= 0
 
 
-def _put(there: Placed, point: complex) -> complex:
+def put(there: Placed, point: complex) -> complex:
     """Return where a point of a body is in the plane [m]."""
     return there[0] + there[1] * point
 

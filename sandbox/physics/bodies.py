@@ -13,6 +13,7 @@ from sandbox.model.shapes import (
     XY,
     Arc,
     Box,
+    Curve,
     Disc,
     Hoop,
     Polygon,
@@ -21,6 +22,7 @@ from sandbox.model.shapes import (
     evaluate,
     points_of,
 )
+from sandbox.model.wires import along
 from sandbox.physics.errors import SimulationError
 
 FAR = 1000
@@ -29,6 +31,9 @@ rounding of squares: from there on it is looked at from a corner of its own."""
 
 FACETS = 96
 """Of how many straight pieces a circle is drawn."""
+
+DRAWN = 512
+"""Of how many straight pieces a curve is."""
 
 
 def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
@@ -63,6 +68,7 @@ def _moment(spec: Body, mass: float, values: Values) -> float:
     """Return the moment of inertia about the centre of mass [kg m²]."""
     if spec.moment is not None:
         return spec.moment(values)
+    assert not isinstance(spec.shape, Curve)
     match spec.shape:
         case Disc(radius=radius):
             return pymunk.moment_for_circle(mass, 0, radius(values))
@@ -110,10 +116,12 @@ def _points_along(arc: Arc, spec: Body, values: Values) -> list[XY]:
 def local_points(spec: Body, values: Values) -> list[XY]:
     """Return the corners of a body's shape relative to it [m]; those of a disc or hoop are none.
 
-    A dynamic body's are moved so that the origin is its centre of mass. Those of an arc are some
-    that lie on it, to be drawn.
+    A dynamic body's are moved so that the origin is its centre of mass. Those of an arc or curve
+    are some that lie on it, to be drawn.
     """
     shape = spec.shape
+    if isinstance(shape, Curve):
+        return [(point.real, point.imag) for point in along(shape, values, DRAWN).tolist()]
     if isinstance(shape, Arc):
         return _points_along(shape, spec, values)
     if isinstance(shape, Disc | Hoop):

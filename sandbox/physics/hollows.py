@@ -1,8 +1,8 @@
-"""Arcs and hoops in pymunk's space: a circle that is found by pymunk, and touched as an arc is.
+"""Arcs, hoops and curves in pymunk's space: circles that pymunk finds, touched as they are.
 
 Whatever is within a circle overlaps it, so pymunk finds it in every step. Before it solves, a
 callback puts the exact contact in place of its own, or takes it away. What has corners touches an
-arc from inside with these: each gets a small disc, a feeler, that meets nothing but arcs.
+arc from inside, or a curve, with these: each gets a small disc, a feeler, that meets nothing else.
 
 A hoop in which no other body of the level has room remains a disc, and costs nothing.
 """
@@ -13,8 +13,9 @@ from collections.abc import Iterator, Mapping
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.arcs import Arc, Inside, Piece, Placed, Verdict, verdict, way_along
+from sandbox.physics.arcs import Piece, Placed, Touch, Verdict, way_along
 from sandbox.physics.batch import Contacts
+from sandbox.physics.curves import verdict
 from sandbox.physics.raw import Meeting, address
 
 Shapes = tuple[int, int]
@@ -24,14 +25,15 @@ HIT = 3.0
 """From how many times the approach of what follows an arc on something hits it. What comes from a
 straight way on does so with up to twice that."""
 
+SLOWEST = 1e-12
+"""m/s, from which what follows a curve outside comes or goes, and does not rest on it."""
+
 
 class Hollows:
-    """The arcs of a scene, and the hoops that may have something in them.
+    """The arcs and curves of a scene, and the hoops that may have something in them.
 
     Parameters
     ----------
-    arcs
-        All of them, by the pymunk shape that is the side of each.
     pairs
         The pairs of bodies that may touch in another way than pymunk has it: their names, in order,
         and their indices.
@@ -41,21 +43,20 @@ class Hollows:
 
     Attributes
     ----------
-    arcs, pairs
-        The same; of the pairs the names.
+    pairs
+        The names of the same.
     """
 
     def __init__(
         self,
-        arcs: Mapping[pymunk.Shape, Arc],
         pairs: Mapping[tuple[str, str], frozenset[int]],
         drift: float | None,
     ) -> None:
-        self.arcs, self.pairs, self._drift = arcs, frozenset(pairs), drift
+        self.pairs, self._drift = frozenset(pairs), drift
         self._rows = frozenset(pairs.values())
         self._pieces: dict[int, Piece] = {}
         self._shapes: list[pymunk.Shape] = []  # or pymunk would let go of them
-        self._touching: dict[Shapes, Inside | None] = {}
+        self._touching: dict[Shapes, Touch | None] = {}
         self._along: dict[Shapes, float] = {}
 
     def know(self, shape: pymunk.Shape, piece: Piece) -> None:
@@ -79,27 +80,28 @@ class Hollows:
             self._touching[pair] = None
             return True
         self._touching[pair] = found
-        if self._pieces[one].arc is found.arc:
+        if self._pieces[one].body == found.arc.body:
             meeting.replace(found.normal, found.on_arc, found.on_other)
         else:
             meeting.replace(-found.normal, found.on_other, found.on_arc)
         return True
 
     def follow(self, arbiter: pymunk.Arbiter) -> None:
-        """Let what touches an arc from inside follow it, as its coefficient of restitution lets it.
+        """Let what touches an arc from inside, or a curve, follow it, as far as it does not bounce.
 
         pymunk would leave it the velocity along the arc where it is, which leads out of the arc:
         each step would take (v dt / r)² of v². What comes faster than from a straight way on into
-        the arc, which is twice as fast as along it, hits it.
+        the arc, which is twice as fast as along it, hits it. From outside of a curve it is let come
+        back to it in the same manner: as fast as it must to be as far from it after the drift.
         """
         meeting = Meeting(arbiter)
         one, other = meeting.shapes
         pair = min(one, other), max(one, other)
         found = self._touching.get(pair)
-        if found is None or not self._drift:
+        if found is None or not (found.sign and self._drift):
             return
         places, motions = meeting.places(), meeting.motions()
-        if self._pieces[one].arc is not found.arc:
+        if self._pieces[one].body != found.arc.body:
             places, motions = places[::-1], motions[::-1]
         before = self._along.get(pair)
         way = way_along(found, places, motions, self._drift, before)
@@ -108,7 +110,7 @@ class Hollows:
             self._along.pop(pair, None)
         else:
             self._along[pair] = way.along
-        if way.comes > 0 and way.leaves > 0:
+        if way.comes > 0 and way.leaves > 0 if found.sign > 0 else abs(way.comes) > SLOWEST:
             share = way.leaves / way.comes
             meeting.bounce(max(share, meeting.restitution) if hits else share)
 
@@ -133,8 +135,8 @@ class Hollows:
         rows = frozenset(self._pieces[s].body for s in shapes if s in self._pieces)
         return rows not in self._rows or self._judge(shapes, at, there)
 
-    def inside(self, state: Array) -> Iterator[Inside]:
-        """Yield what touches an arc from inside; see `Batch.state`.
+    def inside(self, state: Array) -> Iterator[Touch]:
+        """Yield what touches an arc from inside, or a curve; see `Batch.state`.
 
         Right after a step these are the contacts that pymunk has just solved, for it looks for them
         where the bodies are then.
@@ -143,7 +145,7 @@ class Hollows:
             if known:
                 rows = [self._pieces[shape].body for shape in shapes]
                 found = self._judge(shapes, *(_placed(state[row]) for row in rows))
-                if isinstance(found, Inside):
+                if isinstance(found, Touch):
                     yield found
 
     def _judge(self, shapes: Shapes, at: Placed, there: Placed) -> Verdict:

@@ -1,81 +1,26 @@
-"""Making what is hollow: the sides and ends of arcs, hoops with room in them, and feelers.
-
-Where the end of a static arc meets that of a static line or arc of the same thickness, the two know
-each other, as the segments of a polyline do: no ball trips where they join.
-"""
+"""Making what is hollow: arcs, curves and hoops with room in them, and feelers for all others."""
 
 from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence
 from math import cos, tau
-from typing import NamedTuple
 
 import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
+from sandbox.model.shapes import Curve as CurveShape
 from sandbox.physics.arcs import Arc, Piece
 from sandbox.physics.bodies import center_of, local_points
 from sandbox.physics.convex import convex_parts
+from sandbox.physics.course import Course
+from sandbox.physics.curves import Side, course_of
+from sandbox.physics.ends import make_ends
 from sandbox.physics.errors import SimulationError
+from sandbox.physics.feelers import FELT, HOLLOW, ORDINARY, Made, half_of, make_feeler
 from sandbox.physics.hollows import Hollows
-from sandbox.physics.outline import FEELER, dot
-
-HOLLOW = 1 << 30
-"""The category of the sides of arcs, which feelers meet."""
-
-ORDINARY = pymunk.ShapeFilter(categories=0xFFFFFFFF & ~(HOLLOW | FEELER))
-
-FELT = 0.5
-"""The share of its length by which what touches an arc from inside may be too deep in it, and a
-corner still find it; of an arc the share of its radius."""
-
-MET = 1e-6
-"""m, how near to each other lines end that go on into each other."""
-
-TANGENT = 1e-6
-"""One less the cosine between lines that go on into each other without a corner."""
-
-
-class Made(NamedTuple):
-    """A body that may be touched.
-
-    Attributes
-    ----------
-    row
-        Its index.
-    spec
-        What the level says of it.
-    body
-        pymunk's.
-    shapes
-        With which it touches others.
-    points
-        The corners of its shape, relative to it [m].
-    """
-
-    row: int
-    spec: Body
-    body: pymunk.Body
-    shapes: Sequence[pymunk.Shape]
-    points: Sequence[complex]
-
-    @property
-    def moves(self) -> bool:
-        """Whether it is dynamic."""
-        return self.spec.type == "dynamic"
-
-
-class _End(NamedTuple):
-    """Where a static line or arc ends."""
-
-    place: complex  # in the plane
-    onwards: complex  # the unit vector in which it would go on
-    half: float  # half its thickness
-    made: Made
-    first: bool  # whether it begins there
 
 
 def make_hollow(
@@ -106,7 +51,8 @@ def make_hollow(
     SimulationError
         If something starts in a hoop that can only be touched from outside.
     """
-    if not any(isinstance(body.shape, ArcShape | Hoop) for body in level.bodies.values()):
+    hollow = ArcShape | Hoop | CurveShape
+    if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
         return None
     made = {
         name: _made(row, level.bodies[name], values, own)
@@ -115,21 +61,20 @@ def make_hollow(
     pairs = _pairs(level, values, made)
     if not pairs:
         return None
-    arcs = {
-        name: _arc(made[name], values, hair)
+    lines: dict[str, Arc | Course] = {
+        name: _line(made[name], values, hair)
         for name in made
         if any(name == hollow for hollow, _ in pairs)
     }
     hollows = Hollows(
-        {made[name].shapes[0]: arc for name, arc in arcs.items()},
         {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs},
         drift,
     )
     for shape in space.shapes:
         shape.filter = ORDINARY
-    for shape, piece in _pieces(made, arcs, pairs, hair):
+    for shape, piece in _pieces(made, lines, values, pairs, hair):
         hollows.know(shape, piece)
-    for shape, piece in _ends(made, arcs, values, hair):
+    for shape, piece in make_ends(made, lines, values, hair):
         space.add(shape)
         hollows.know(shape, piece)
     for shape, piece in _feelers(made, pairs, hair):
@@ -151,7 +96,7 @@ def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple
     sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
     located = effects.contact and effects.contact.located
     for name, hollow in made.items():
-        if not isinstance(hollow.spec.shape, ArcShape | Hoop):
+        if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
             continue
         for other, body in made.items():
             if other == name or not (hollow.moves or body.moves):
@@ -202,8 +147,10 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
         raise SimulationError(other, 0.0, rule)
 
 
-def _arc(hollow: Made, values: Values, hair: float) -> Arc:
+def _line(hollow: Made, values: Values, hair: float) -> Arc | Course:
     shape = hollow.spec.shape
+    if isinstance(shape, CurveShape):
+        return course_of(shape, values)
     if isinstance(shape, Hoop):
         radius = shape.radius(values)
         return Arc(hollow.row, 0j, radius, radius - hair, radius, 1 + 0j, -2.0)
@@ -224,16 +171,23 @@ def _arc(hollow: Made, values: Values, hair: float) -> Arc:
 
 def _pieces(
     made: Mapping[str, Made],
-    arcs: Mapping[str, Arc],
+    lines: Mapping[str, Arc | Course],
+    values: Values,
     pairs: Sequence[tuple[str, str]],
     hair: float,
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the shapes that there are, as arcs see them."""
+    """Yield the shapes that there are, as arcs and curves see them."""
     for name, body in made.items():
-        if name in arcs:
-            arc, side = arcs[name], body.shapes[0]
-            side.filter = pymunk.ShapeFilter(categories=HOLLOW)
-            yield side, Piece(body.row, (arc.center,), arc.outer, arc)
+        line = lines.get(name)
+        for shape in body.shapes if line else ():
+            shape.filter = pymunk.ShapeFilter(categories=HOLLOW)
+        if isinstance(line, Arc):
+            yield body.shapes[0], Piece(body.row, (line.center,), line.outer, line)
+        elif line:
+            half = half_of(body, values, hair)
+            for shape, stretch in zip(body.shapes, line.stretches, strict=True):
+                curve = Side(body.row, line, stretch, half)
+                yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
         elif any(name == other for _, other in pairs):
             for shape, core in zip(body.shapes, _cores(body), strict=True):
                 radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
@@ -265,7 +219,7 @@ def _feelers(
     """Yield a small disc for each corner that may touch an arc from inside."""
     for other in dict.fromkeys(other for _, other in pairs):
         body = made[other]
-        if isinstance(body.spec.shape, Disc | Hoop | ArcShape):
+        if isinstance(body.spec.shape, Disc | Hoop | ArcShape | CurveShape):
             continue
         known: set[complex] = set()
         for shape, core in zip(body.shapes, _cores(body), strict=True):
@@ -274,86 +228,5 @@ def _feelers(
             for corner in core:
                 if corner not in known:
                     known.add(corner)
-                    feeler = _feeler(shape, corner, reach)
+                    feeler = make_feeler(shape, corner, reach)
                     yield feeler, Piece(body.row, tuple(core), radius, corner=corner)
-
-
-def _feeler(shape: pymunk.Shape, corner: complex, reach: float) -> pymunk.Circle:
-    feeler = _disc_like(shape, corner, reach)
-    feeler.filter = pymunk.ShapeFilter(categories=FEELER, mask=HOLLOW)
-    return feeler
-
-
-def _disc_like(shape: pymunk.Shape, center: complex, radius: float) -> pymunk.Circle:
-    """Return a disc that rubs and bounces as another shape of the same body."""
-    disc = pymunk.Circle(shape.body, radius, (center.real, center.imag))
-    disc.friction, disc.elasticity = shape.friction, shape.elasticity
-    disc.collision_type, disc.filter = shape.collision_type, ORDINARY
-    return disc
-
-
-def _ends(
-    made: Mapping[str, Made], arcs: Mapping[str, Arc], values: Values, hair: float
-) -> Iterator[tuple[pymunk.Shape, Piece]]:
-    """Yield the round ends of arcs, with feelers, but for those at which another line goes on."""
-    lines = [end for body in made.values() for end in _line_ends(body, values, hair)]
-    rounds = [(end, a) for name, a in arcs.items() for end in _arc_ends(made[name], a, values)]
-    ends = [*lines, *(end for end, _ in rounds)]
-    for line in {end.made.row: end.made for end in lines}.values():
-        _join(line, [end for end in lines if end.made is line], ends[len(lines) :])
-    for end, arc in rounds:
-        onwards = next((-other.onwards for other in ends if _meets(end, other)), 0j)
-        if dot(onwards, end.onwards) > 1 - TANGENT:
-            continue
-        turned = complex(*end.made.body.rotation_vector)
-        center = (end.place - complex(*end.made.body.position)) / turned
-        cap = _disc_like(end.made.shapes[0], center, end.half)
-        ways = end.onwards / turned, onwards / turned
-        yield cap, Piece(end.made.row, (center,), end.half, arc, *ways)
-        feeler = _feeler(cap, center, end.half + FELT * arc.radius)
-        core = tuple(end.made.points[i] for i in (0, len(end.made.points) // 2, -1))
-        yield feeler, Piece(end.made.row, core, end.half, arc, *ways, corner=center)
-
-
-def _meets(end: _End, other: _End) -> bool:
-    """Whether two lines that never move go on into each other."""
-    still = end.made.spec.type == other.made.spec.type == "static"
-    near = abs(end.place - other.place) <= MET and abs(end.half - other.half) <= MET
-    return still and near and other is not end
-
-
-def _arc_ends(body: Made, arc: Arc, values: Values) -> Iterator[_End]:
-    shape = body.spec.shape
-    if not isinstance(shape, ArcShape) or arc.cosine < -1:
-        return
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
-        out = rect(1, angle) * turned
-        at = place + turned * arc.center + arc.radius * out
-        yield _End(at, sign * out, (arc.outer - arc.inner) / 2, body, angle == shape.start(values))
-
-
-def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
-    shape = body.spec.shape
-    if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
-        return
-    place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    half = shape.thickness(values) / 2 + hair
-    for index, neighbour in ((0, 1), (-1, -2)):
-        at, before = (place + turned * body.points[i] for i in (index, neighbour))
-        yield _End(at, (at - before) / abs(at - before), half, body, index == 0)
-
-
-def _join(line: Made, ends: Sequence[_End], arcs: Sequence[_End]) -> None:
-    """Tell the segments at the ends of a line in which directions arcs go on from there."""
-    points, turned = line.points, complex(*line.body.rotation_vector)
-    corners = [points[0], *points, points[-1]]
-    joined = False
-    for end in ends:
-        for arc in (arc for arc in arcs if _meets(end, arc)):
-            joined, beyond = True, -arc.onwards / turned
-            corners[0 if end.first else -1] += beyond
-    for index, shape in enumerate(line.shapes if joined else ()):
-        assert isinstance(shape, pymunk.Segment)
-        before, after = corners[index], corners[index + 3]
-        shape.set_neighbors((before.real, before.imag), (after.real, after.imag))

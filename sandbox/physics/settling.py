@@ -13,6 +13,7 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Batch
+from sandbox.physics.exact.equations import PLACES
 from sandbox.physics.joints import Joints
 
 MAX_KICKS = 500
@@ -40,6 +41,8 @@ class Settling:
         Of the scene.
     touching
         Whether there are contacts at all: without any, nothing has to settle.
+    placed
+        Whether contacts are solved for the places after the drift, not for velocities.
     finish
         Does what belongs after a kick of pymunk's, and raises what has gone wrong in it.
     """
@@ -53,10 +56,11 @@ class Settling:
         finish: Callable[[], None],
         *,
         touching: bool,
+        placed: bool = False,
     ) -> None:
         self._space, self._batch, self._joints, self._finish = space, batch, joints, finish
         self._moving = [b for b in bodies if b.body_type != pymunk.Body.STATIC]
-        self._holding = False
+        self._holding, self._placed = False, placed
         self._most = MAX_KICKS if touching else 1
 
     @contextmanager
@@ -93,6 +97,9 @@ class Settling:
         swept = self._space.iterations
         pulled = length * np.abs(pull).max(initial=0.0)
         close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
+        near = UNSETTLED * close
+        if self._placed:
+            near = max(near, PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / drift)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         changes: list[float] = []
         for count in range(self._most):
@@ -103,19 +110,19 @@ class Settling:
             after = self._batch.velocity()
             change = float(np.abs(after - previous).max(initial=0.0))
             changes.append(change)
-            if change <= close or _circles(changes[-2 * LULL :], close):
+            if change <= close or _circles(changes[-2 * LULL :], near):
                 break
-            if count % PATIENCE == PATIENCE - 1 and change > UNSETTLED * close:
+            if count % PATIENCE == PATIENCE - 1 and change > near:
                 most = MAX_SWEEPS // max(len(self._batch.contacts().bodies), 1)
                 self._space.iterations = max(min(2 * self._space.iterations, most), swept)
         self._space.iterations = swept
         return after
 
 
-def _circles(changes: Sequence[float], close: float) -> bool:
+def _circles(changes: Sequence[float], near: float) -> bool:
     """Whether what still changes is near rounding, and has ceased to grow less."""
     before, now = changes[:LULL], changes[LULL:]
-    return len(now) == LULL and max(now) <= UNSETTLED * close and min(now) >= min(before) / 2
+    return len(now) == LULL and max(now) <= near and min(now) >= min(before) / 2
 
 
 def _stay(_body: pymunk.Body, _dt: float) -> None:

@@ -12,6 +12,7 @@ from sandbox.model.shapes import (
     XY,
     Arc,
     Box,
+    Curve,
     Disc,
     Hoop,
     Polygon,
@@ -22,6 +23,8 @@ from sandbox.model.shapes import (
 )
 from sandbox.physics.bodies import center_of, local_points
 from sandbox.physics.convex import convex_parts, twice_area
+from sandbox.physics.course import Stretch
+from sandbox.physics.curves import course_of
 from sandbox.physics.outline import smallest
 
 HAIR = 1e-9
@@ -109,6 +112,14 @@ def _outline(
             center = center_of(shape, spec, values)
             outer = radius(values) + thickness(values) / 2 + hair
             return [pymunk.Circle(body, outer, (center.real, center.imag))]
+        case Curve(thickness=thickness):
+            half = thickness(values) / 2 + hair
+            return [_around(body, part, half) for part in course_of(shape, values).stretches]
+
+
+def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:
+    """Make a disc that holds a stretch of a curve."""
+    return pymunk.Circle(body, part.reach + half, (part.center.real, part.center.imag))
 
 
 def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymunk.Shape:

@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model import accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body, Level, Stepping
-from sandbox.model.shapes import Arc, Box, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.audit import Audit
 from sandbox.physics.batch import Contacts
 from sandbox.physics.bodies import local_points
@@ -302,7 +302,7 @@ def _thickness(body: Body, values: Values) -> float:
         case Polygon():
             corners = np.array(local_points(body, values))
             return float(abs(twice_area(corners)) / _around(corners)) * 2
-        case Segment() | Polyline() | Arc():
+        case Segment() | Polyline() | Arc() | Curve():
             return inf
 
 

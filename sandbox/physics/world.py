@@ -171,6 +171,7 @@ class World:
             self._joints,
             self._finish,
             touching=level.effects.contact is not None,
+            placed=self.scene.direct is not None,
         )
         self.stops = self._make_stops()
         self.hand = Hand(self._space, self._bodies)

@@ -64,6 +64,7 @@ GAIN_SPEED = {
     "energy/four-slides": "the beads come to the ends of their wires",
     "energy/brachistochrone": "the straight wire ends",
     "machines/marble-run": "the marble comes to the end of its wire",
+    "energy/cycloid-slide": "the discs come to the ends of their slides",
     "energy/loop": "the marble comes to the end of the track, whose bend begins behind a straight",
     "rotation/drum-and-weight": "the weight unwinds more string than a drum has",
 }

@@ -10,7 +10,7 @@ from sandbox.model import catalog
 from sandbox.model.crowds import crowd
 from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
-from sandbox.model.shapes import Arc
+from sandbox.model.shapes import Arc, Curve
 from sandbox.model.writing import text
 from sandbox.physics.timing import STEPS, Step, step_seconds
 from sandbox.physics.trace import count_steps
@@ -146,6 +146,7 @@ def _ways(level: Level) -> tuple[str, ...]:
         "static friction": any(body.static_friction for body in level.bodies.values()),
         "friction of pairs": friction and friction.pairs,
         "arcs": contact and any(isinstance(b.shape, Arc) for b in level.bodies.values()),
+        "curves": contact and any(isinstance(b.shape, Curve) for b in level.bodies.values()),
         "contacts solved directly": is_direct(level),
     }
     return tuple(way for way, is_taken in taken.items() if is_taken)

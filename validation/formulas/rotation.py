@@ -7,6 +7,7 @@ a sphere, 2/3 for a hollow sphere, and 0 for what slides without friction.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from validation.formulas import lagrange
 from validation.formulas.arrays import Array
 from validation.formulas.lagrange import pendulum_period
 
@@ -83,6 +84,21 @@ def rolling_period(factor: float, length: float, g: float, amplitude: float) -> 
     does as a pendulum of the length (1 + k) l; 0 < amplitude < π, g > 0.
     """
     return pendulum_period((1 + factor) * length, g, amplitude)
+
+
+def cycloid_height(factor: float, radius: float, g: float, start: float, t: ArrayLike) -> Array:
+    """Return the height above its lowest point of what rolls with its centre on a cycloid [m].
+
+    With the way s of the centre, m (1 + k) s'² / 2 + m g s² / (8 R) is kept: Huygens' bead, as if
+    under g / (1 + k). So s = 4 R sin(θ/2) cos(ωt), ω² = g / (4 (1 + k) R), for any start θ [rad]
+    in x = R (θ + sin θ), y = R (1 − cos θ). k = 0 is what slides; R, g > 0, |θ| < π.
+    """
+    return lagrange.cycloid_height(t, radius, g / (1 + factor), start)
+
+
+def cycloid_quarter(factor: float, radius: float, g: float) -> float:
+    """Return how long that takes to its lowest point [s]: π √((1 + k) R / g), from anywhere."""
+    return lagrange.cycloid_time(radius, g / (1 + factor))
 
 
 def trough_speed(factor: float, length: float, g: float, amplitude: float) -> float:

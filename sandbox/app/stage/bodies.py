@@ -1,7 +1,7 @@
 """Bodies and surfaces."""
 
 from itertools import pairwise
-from math import ceil, cos, hypot, sin
+from math import ceil, cos, dist, sin
 
 import pygame
 
@@ -90,20 +90,35 @@ def draw_surface(
         if outline.radius is None:
             lines.path(surface, edge, [*corners, corners[0]], 2)
         return
+    away, begun = camera.to_screen(inside), 0.0
+    nearest = min(pairwise(corners), key=lambda piece: dist(piece[0], away))
     for a, b in pairwise(corners):
-        _hatch(surface, a, b, camera.to_screen(inside))
+        side = _side(*(nearest if outline.curved else (a, b)), away)
+        begun = _hatch(surface, a, b, side, begun)
     lines.path(surface, edge, corners, max(outline.thickness * camera.scale, 3))
 
 
-def _hatch(surface: pygame.Surface, a: XY, b: XY, inside: XY) -> None:
-    length = hypot(b[0] - a[0], b[1] - a[1])
+def _side(a: XY, b: XY, inside: XY) -> int:
+    """Return on which side of a line a point is: 1 to the one, −1 to the other."""
+    across = (b[0] - a[0]) * (inside[1] - a[1]) - (b[1] - a[1]) * (inside[0] - a[0])
+    return 1 if across > 0 else -1
+
+
+def _hatch(surface: pygame.Surface, a: XY, b: XY, side: int, begun: float) -> float:
+    """Hatch a line on the other side, and return how far behind its end the next stroke is [px].
+
+    Parameters
+    ----------
+    begun
+        How far behind its beginning the first one is [px].
+    """
+    length = dist(a, b)
     if not length:
-        return
+        return begun
     ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
-    if (inside[0] - a[0]) * -uy + (inside[1] - a[1]) * ux > 0:
-        ux, uy, a, b = -ux, -uy, b, a  # so that the normal (-uy, ux) points away
     first, last = lines.seen(surface, a, b)
-    for i in range(int(first // HATCH), ceil(last / HATCH)):
-        x, y = a[0] + ux * i * HATCH, a[1] + uy * i * HATCH
-        end = x + (-uy - ux) * HATCH, y + (ux - uy) * HATCH
+    for i in range(ceil((first - begun) / HATCH), ceil((last - begun) / HATCH)):
+        x, y = a[0] + ux * (begun + i * HATCH), a[1] + uy * (begun + i * HATCH)
+        end = x + (uy + ux) * side * HATCH, y + (uy - ux) * side * HATCH
         lines.stroke(surface, theme.SURFACE, (x, y), end, 1)
+    return (begun - length) % HATCH

@@ -8,7 +8,7 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import XY, Arc, Disc, Hoop, Polyline, Segment
+from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
 from sandbox.physics.bodies import local_points
 
 CORNERS_OF_A_CIRCLE = 48
@@ -35,6 +35,8 @@ class Outline:
         The corners [m]; those of a polygon around a circle.
     closed
         Whether the last corner is joined to the first.
+    curved
+        Whether it is a curve: then what it is hatched away from is the same all along it.
     hollow
         Whether only the rim is drawn.
     thickness
@@ -49,6 +51,7 @@ class Outline:
     radius: float | None
     points: tuple[XY, ...]
     closed: bool
+    curved: bool
     hollow: bool
     thickness: float
 
@@ -104,7 +107,7 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
 def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> Outline:
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
-    line = isinstance(shape, Segment | Polyline | Arc)
+    line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None
     return Outline(
         name=name,
         row=row,
@@ -113,9 +116,10 @@ def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> O
         color=color,
         radius=radius,
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
-        closed=not line,
+        closed=line is None,
+        curved=isinstance(shape, Curve),
         hollow=isinstance(shape, Hoop),
-        thickness=shape.thickness(values) if isinstance(shape, Segment | Polyline | Arc) else 0.0,
+        thickness=line.thickness(values) if line else 0.0,
     )
 
 

@@ -169,9 +169,10 @@ class Stage:
             return
         self._base_key, self._trail_key = key, None
         grid.draw_grid(self._base, camera)
-        inside = self._middle()
+        middle = self._middle()
         for outline in self._outlines.values():
             if not outline.moves:
+                inside = self._nearest(outline) if outline.curved else middle
                 bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
         self._draw_centers()
         if self._relief:
@@ -191,6 +192,13 @@ class Stage:
         rows = [outline.row for outline in self._moving]
         x, y = self._world.snapshot.position[rows].mean(axis=0).tolist()
         return x, y
+
+    def _nearest(self, outline: Outline) -> XY:
+        """Return where what moves is nearest to an outline [m]."""
+        place, angle = self._state(outline)
+        line = np.array(outline.placed(place, angle))
+        away = [np.hypot(*(line - self._state(o)[0]).T).min() for o in self._moving]
+        return self._state(self._moving[int(np.argmin(away))])[0] if away else self.camera.center
 
     def _draw_centers(self) -> None:
         """Mark the centres of attraction."""

@@ -1,4 +1,4 @@
-"""Wires are smooth and do not cross themselves, and beads start on them."""
+"""Wires and curves are smooth and do not cross themselves, and beads start on wires."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -11,43 +11,51 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level, place
 from sandbox.model.parts import names_in
+from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 
 COARSE = 256
-"""How many pieces a wire is cut into to look for crossings."""
+"""How many pieces a wire or curve is cut into to look for crossings."""
 
 SHARPEST = 0.1
-"""rad, by which a smooth wire may turn from one of its pieces to the next."""
+"""rad, by which what is smooth may turn from one of its pieces to the next."""
+
+ROUGH = 1e-7
+"""The share of its size by which a curve may be off what its points make of it, between them."""
+
+TIGHT = 1e-4
+"""The share of its size that the radius of curvature of a curve must have everywhere."""
 
 WORK = 3500
-"""µs, about what it takes to look at a wire."""
+"""µs, about what it takes to look at a wire or curve."""
 
 PARALLEL = 1e-9
 """rad, between pieces that do not cross."""
 
 ZOOMS = 6
 
+_MIDDLE = np.array([3.0, -25.0, 150.0, 150.0, -25.0, 3.0]) / 256
+"""What the quintic through six points is half-way between the third and the fourth."""
+
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's wires."""
+    """Yield what must hold of a level's wires, and of its curves."""
     for name, wire in level.joints.items():
         if isinstance(wire, Wire):
             beads = [level.bodies[body] for body in bodies_of(wire)]
             names = names_in((wire, *((b.position, b.angle) for b in beads))) - {"s"}
-            yield Condition(("joints", name, "curve"), names, partial(_fault, wire, level), WORK)
+            yield Condition(
+                ("joints", name, "curve"), names, partial(_wire_fault, wire, level), WORK
+            )
+    for name, body in level.bodies.items():
+        if isinstance(body.shape, Curve):
+            path, names = ("bodies", name, "shape", "curve"), names_in(body.shape) - {"s"}
+            yield Condition(path, names, partial(_curve_fault, body.shape), WORK)
 
 
-def _fault(wire: Wire, level: Level, values: Values) -> str | None:
-    first, last = (end(values) for end in wire.s)
-    if not first < last:
-        return f"'s' must run upwards, but it runs from {first:g} to {last:g}"
-    points = along(wire, values)
-    if not np.isfinite(points).all():
-        lost = np.linspace(first, last, PIECES + 1)[~np.isfinite(points)][0]
-        return f"the wire is nowhere finite at s = {lost:g}"
-    if beyond := Coordinate.beyond(float(np.abs(points).max())):
-        return f"the wire is {np.abs(points).max():g} m away from the origin, {beyond}"
-    if rule := _shape_fault(points):
+def _wire_fault(wire: Wire, level: Level, values: Values) -> str | None:
+    points, rule = _looked_at(wire, values)
+    if rule:
         return rule
     away = _distance(wire, place(wire.bead, level.bodies, values), values)
     if away > NEAR * max(1.0, float(np.abs(points).max())):
@@ -55,19 +63,61 @@ def _fault(wire: Wire, level: Level, values: Values) -> str | None:
     return None
 
 
-def _shape_fault(points: Points) -> str | None:
+def _curve_fault(curve: Curve, values: Values) -> str | None:
+    """Say what keeps a curve from being touched: it must be round everywhere, on both sides."""
+    points, rule = _looked_at(curve, values)
+    if rule:
+        return rule
+    size = float(np.abs(points - points[0]).max())
+    first, last = (end(values) for end in curve.s)
+    between = places(curve, values, np.linspace(first, last, 2 * PIECES + 1)[5:-5:2])
+    near = [points[i : len(points) - 5 + i] for i in range(6)]
+    off = np.abs(np.tensordot(_MIDDLE, near, axes=1) - between)
+    if not off.max() <= ROUGH * size:
+        at = _shown(points[3:-2][off.argmax()])
+        return f"the curve is not smooth near {at}: its derivatives are not finite, or jump there"
+    ahead, back = points[2:] - points[1:-1], points[:-2] - points[1:-1]
+    bends = 2 * np.abs(_cross(ahead, back)) / np.abs(ahead * back * (ahead - back))
+    most = float(bends.max())
+    least, at = 1 / max(most, NEAR / size), _shown(points[1:-1][bends.argmax()])
+    if least < max(TIGHT * size, curve.thickness(values) / 2):
+        half = f"half its thickness, {curve.thickness(values) / 2:.3g} m"
+        bound = (
+            half if least >= TIGHT * size else f"{TIGHT:g} of its size; end it before, or round it"
+        )
+        return f"the radius of curvature at {at} is {least:.3g} m, less than {bound}"
+    return None
+
+
+def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, str | None]:
+    """Return the points of a wire or curve, and what is wrong with them, if anything is."""
+    first, last = (end(values) for end in wire.s)
+    points, what = along(wire, values), wire.type
+    if not first < last:
+        return points, f"'s' must run upwards, but it runs from {first:g} to {last:g}"
+    if not np.isfinite(points).all():
+        lost = np.linspace(first, last, PIECES + 1)[~np.isfinite(points)][0]
+        return points, f"the {what} is nowhere finite at s = {lost:g}"
+    if beyond := Coordinate.beyond(float(np.abs(points).max())):
+        return points, f"the {what} is {np.abs(points).max():g} m away from the origin, {beyond}"
+    return points, _shape_fault(points, what)
+
+
+def _shape_fault(points: Points, what: str) -> str | None:
     pieces = np.diff(points)
     if not np.abs(pieces).min() > 0:
-        return f"the wire does not move on with s at {_shown(points[np.abs(pieces).argmin()])}"
+        return f"the {what} does not move on with s at {_shown(points[np.abs(pieces).argmin()])}"
     corners = points[1:-1]
     if is_closed(points):
         pieces, corners = np.append(pieces, pieces[0]), points[1:]
     turns = np.abs(np.angle(pieces[1:] / pieces[:-1]))
     if turns.max() > SHARPEST:
         place = _shown(corners[turns.argmax()])
-        return f"a wire needs its corners rounded, but this one is sharp at {place}"
+        rule = f"a {what} needs its corners rounded, but this one is sharp at {place}"
+        long = f"; or, if it is not, it is too long for {PIECES} pieces: make it of several"
+        return rule + (long if what == "curve" else "")
     if (crossing := _crossing(points[:: PIECES // COARSE])) is not None:
-        return f"a wire must not cross itself, but this one does near {_shown(crossing)}"
+        return f"a {what} must not cross itself, but this one does near {_shown(crossing)}"
     return None
 
 

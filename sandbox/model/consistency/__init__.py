@@ -29,6 +29,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     surfaces.impacts_of_constant_masses,
     surfaces.sticking_or_bouncing,
     surfaces.arcs_fit,
+    surfaces.curves_fit,
     effects.laws_act,
     effects.landscape_fits,
     joints.constant_masses,

@@ -17,9 +17,11 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
+from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
-"""How many wires a level may have: to look at one takes 3 ms, at the defaults and at both ends."""
+"""How many wires and curves a level may have: to look at one takes 3 ms, at the defaults and at
+both ends."""
 
 
 def something_to_hold(level: Level) -> Iterator[Fault]:
@@ -35,8 +37,10 @@ def something_to_hold(level: Level) -> Iterator[Fault]:
             yield Fault(path, f"'{brief(same)}' is tied to itself; two different bodies are needed")
         elif not moves:
             yield Fault(path, "at least one end must be a dynamic body")
-    if "s" in level.parameters and any(isinstance(j, Wire) for j in level.joints.values()):
-        yield Fault(("parameters", "s"), "'s' runs along the wires; choose another name")
+    wires, curves = _wires_and_curves(level)
+    if "s" in level.parameters and (wires or curves):
+        what = "wires" if wires else "curves"
+        yield Fault(("parameters", "s"), f"'s' runs along the {what}; choose another name")
 
 
 def own_apart(level: Level) -> Iterator[Fault]:
@@ -60,11 +64,18 @@ def own_apart(level: Level) -> Iterator[Fault]:
 
 
 def not_too_many_wires(level: Level) -> Iterator[Fault]:
-    """Wires are no more than can be looked at for corners and crossings."""
-    count = sum(isinstance(joint, Wire) for joint in level.joints.values())
-    if count > MAX_WIRES:
-        rule = f"have {count:,} wires; {MAX_WIRES} are the most that can be looked at for crossings"
-        yield Fault(("joints",), rule)
+    """Wires and curves are no more than can be looked at for corners and crossings."""
+    wires, curves = _wires_and_curves(level)
+    if wires + curves > MAX_WIRES:
+        have = f"{wires:,} wires" if not curves else f"{wires + curves:,} wires and curves"
+        rule = f"have {have}; {MAX_WIRES} are the most that can be looked at for crossings"
+        yield Fault(("joints" if wires else "bodies",), rule)
+
+
+def _wires_and_curves(level: Level) -> tuple[int, int]:
+    """Return how many there are of each."""
+    wires = sum(isinstance(joint, Wire) for joint in level.joints.values())
+    return wires, sum(isinstance(body.shape, Curve) for body in level.bodies.values())
 
 
 def _twice(joint: Joint) -> str | None:

@@ -10,7 +10,7 @@ from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.level import Body, ContactEvent, Level, is_alone
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault
-from sandbox.model.shapes import Arc, Disc, Hoop
+from sandbox.model.shapes import Arc, Curve, Disc, Hoop
 
 
 def contact_declared(level: Level) -> Iterator[Fault]:
@@ -136,16 +136,37 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
 
 
 def arcs_fit(level: Level) -> Iterator[Fault]:
-    """Arcs: of what is found at the step after it, not located before, and does not stick."""
+    """Arcs and curves: what is found at the step after it is not located before, nor sticks."""
     contact, sticking = level.effects.contact, level.effects.sticking
-    arcs = [name for name, body in level.bodies.items() if isinstance(body.shape, Arc)]
+    arcs = {
+        name: "an arc" if isinstance(body.shape, Arc) else "a curve"
+        for name, body in level.bodies.items()
+        if isinstance(body.shape, Arc | Curve)
+    }
     if arcs and contact and contact.located:
-        rule = f"'{brief(arcs[0])}' is an arc; where there is one, no impacts can be located"
+        name, kind = next(iter(arcs.items()))
+        rule = f"'{brief(name)}' is {kind}; where there is one, no impacts can be located"
         yield Fault(("effects", "contact", "located"), rule)
     for index, pair in enumerate(sticking.pairs if sticking else ()):
         for name in set(pair.bodies).intersection(arcs):
-            rule = f"'{brief(name)}' is an arc; nothing can stick to one"
+            rule = f"'{brief(name)}' is {arcs[name]}; nothing can stick to one"
             yield Fault(("effects", "sticking", "pairs", index), rule)
+
+
+def curves_fit(level: Level) -> Iterator[Fault]:
+    """Curves do not move but as told, and no arc that moves touches one."""
+    curves = [name for name, body in level.bodies.items() if isinstance(body.shape, Curve)]
+    for name in curves:
+        if level.bodies[name].type == "dynamic":
+            rule = f"'{brief(name)}' is a curve; its 'type' must be 'static' or 'kinematic'"
+            yield Fault(("bodies", name, "type"), rule)
+    for name, body in level.bodies.items() if curves and level.effects.contact else ():
+        if isinstance(body.shape, Arc) and body.type == "dynamic":
+            rule = (
+                f"'{brief(name)}' is an arc that moves, and cannot touch the curve"
+                f" '{brief(curves[0])}'; make it a hoop, or the curve of arcs"
+            )
+            yield Fault(("bodies", name, "shape"), rule)
 
 
 def sticking_or_bouncing(level: Level) -> Iterator[Fault]:
@@ -179,7 +200,7 @@ def _no_belt(name: str, body: Body) -> Iterator[str]:
     """Yield why a body can be no belt."""
     if body.type == "dynamic":
         yield f"'{brief(name)}' is dynamic, but a belt stands still or moves as told"
-    if isinstance(body.shape, Disc | Hoop | Arc):
+    if isinstance(body.shape, Disc | Hoop | Arc | Curve):
         yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
     if body.type == "kinematic" and given(body, "angular_velocity"):
         yield f"'{brief(name)}' turns, but a belt keeps its direction"

@@ -170,12 +170,14 @@ class _Scaled:
         impulse = np.zeros_like(self._rate)
         for _ in range(GUESSES):
             impulse, repeats = self._with(active)
-            better = self._judge(impulse, active)
+            rate = self._rate + self._matrix @ impulse
+            better = self._judge(impulse, rate, active)
             if better is not None and repeats:
                 impulse = self._shared(impulse, active)
-                better = self._judge(impulse, active)
+                rate = self._rate + self._matrix @ impulse
+                better = self._judge(impulse, rate, active)
             if better is None:
-                return impulse, active if self._holds(impulse, active) else None
+                return impulse, active if self._holds(rate, active) else None
             if better.key in seen:
                 break
             seen.add(better.key)
@@ -241,15 +243,13 @@ class _Scaled:
         pushes = np.maximum(impulse, 0.0)[self._contact]
         return np.asarray((coefficients * pushes).sum(axis=1) + self._least)
 
-    def _holds(self, impulse: Array, active: Active) -> bool:
+    def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
-        rate = np.abs(self._rate + self._matrix @ impulse)
         allowed = np.minimum(CONTRADICTS * self._asked, self._lets / self._size)
-        return bool((rate <= allowed + self._blur.max())[active.on].all())
+        return bool((np.abs(rate) <= allowed + self._blur.max())[active.on].all())
 
-    def _judge(self, impulse: Array, active: Active) -> Active | None:
-        """Return which rows rather hold; None if those do."""
-        rate = self._rate + self._matrix @ impulse
+    def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
+        """Return which rows rather hold at such rates; None if those do."""
         close = TOLERANCE * np.abs(impulse).max(initial=0.0)
         largest = max(np.abs(self._rate).max(initial=0.0), np.abs(rate).max(initial=0.0))
         still = TOLERANCE * largest + self._blur

@@ -13,7 +13,7 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll.
+radii that roll. Of curves see `curved`; a side touches one as the circle that is closest there.
 """
 
 from dataclasses import dataclass, replace
@@ -24,113 +24,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Plane
 from sandbox.physics.batch import Booleans, Contacts, Integers
+from sandbox.physics.contacts.curved import Curved, on_curves, roll_on_curves
+from sandbox.physics.contacts.outlines import Figures, Outlines
 from sandbox.physics.exact.equations import Coordinates, Rows, angles, planes
-
-PARALLEL = 1e-6
-"""rad, by which a side and a contact may differ in direction and the contact be on that side."""
-
-
-class Figure(NamedTuple):
-    """What the outline of a body is to its contacts.
-
-    Attributes
-    ----------
-    radius
-        Of what is round, where it is touched from outside; 0 of what has sides [m].
-    normals
-        The unit normals of its sides, along its axes.
-    rounding
-        The radius of its corners, or ends [m].
-    inner
-        Of what is hollow, where it is touched from inside [m].
-    center
-        Of what is round, along its axes [m].
-    ends
-        Whether what is round is not so all the way.
-    """
-
-    radius: float
-    normals: Plane
-    rounding: float
-    inner: float = 0.0
-    center: complex = 0j
-    ends: bool = False
-
-
-class Figures:
-    """The outlines of n bodies, as tables.
-
-    Attributes
-    ----------
-    radius, rounding, inner, center
-        (n,) each, as of a `Figure` [m].
-    ends
-        (n,), whether it is round, but not all the way.
-    """
-
-    def __init__(self, figures: list[Figure]) -> None:
-        self.radius = np.array([figure.radius for figure in figures])
-        self.rounding = np.array([figure.rounding for figure in figures])
-        self.inner = np.array([figure.inner for figure in figures])
-        self.center = np.array([figure.center for figure in figures])
-        self.ends = np.array([figure.ends for figure in figures], dtype=bool)
-        most = max((len(figure.normals) for figure in figures), default=0)
-        self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
-        for row, figure in enumerate(figures):
-            self._normals[row, : len(figure.normals)] = figure.normals
-
-    def of(self, body: Integers) -> "Outlines":
-        """Return those of some bodies: (k,)."""
-        return Outlines(
-            body,
-            self.radius[body],
-            self.rounding[body],
-            self.inner[body],
-            self.center[body],
-            self.ends[body],
-            self._normals[body],
-        )
-
-
-class Outlines(NamedTuple):
-    """The outlines of the bodies at k points, one after the other, as of a `Figure` each.
-
-    Attributes
-    ----------
-    body
-        (k,), which.
-    """
-
-    body: Integers
-    radius: Array
-    rounding: Array
-    inner: Array
-    center: Plane
-    ends: Booleans
-    normals: Plane
-
-    def faces(self, direction: Plane) -> Booleans:
-        """Return whether they have a side that faces there, along their own axes: (k,)."""
-        off = np.abs(self.normals - direction[:, None])
-        return np.asarray((off < PARALLEL).any(axis=1))
-
-    def round(self, place: Coordinates, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
-        """Return whether they are round where they touch, (k,), and where their centres are, (k,).
-
-        They touch in the middle, with the normal n: (k,) each.
-        """
-        center = place.plane[self.body] + self.center * np.exp(1j * place.angle[self.body])
-        is_round: Booleans = self.radius > 0
-        if self.ends.any():
-            out = middle - center
-            is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
-            is_round = is_round & ~(self.ends & is_end)
-        return is_round, center
-
-    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans) -> Array:
-        """Return the radii with which they roll where they touch: (k,) [m]."""
-        radius = np.where(within, self.inner, self.radius)
-        return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))
 
 
 class Touching(NamedTuple):
@@ -144,6 +40,8 @@ class Touching(NamedTuple):
         (k,), the contact each belongs to, and which of its two points it is.
     rubs
         (f,), those with friction: the two points of a side share that of the first.
+    figures
+        The outlines of all bodies.
     outlines
         Of the first bodies, and of the second.
     all_a, all_b
@@ -158,6 +56,7 @@ class Touching(NamedTuple):
     pair: Integers
     point: Integers
     rubs: Integers
+    figures: Figures
     outlines: tuple[Outlines, Outlines]
     all_a: Integers
     all_b: Integers
@@ -184,6 +83,8 @@ class Features:
         a and b above, (f,) each [m].
     apart
         (k,), d where the drift begins [m].
+    curved
+        The points on curves; their places among the first ones are those of the closest circles.
     """
 
     touching: Touching
@@ -193,6 +94,7 @@ class Features:
     sign: Array
     rolls: tuple[Array, Array]
     apart: Plane
+    curved: tuple[Curved, ...] = ()
 
     def look(self, place: Coordinates) -> Rows:
         """Return the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N)."""
@@ -208,6 +110,8 @@ class Features:
         side = own_a + own_b
         if not side.all():
             along, across, gap, off = self._of_round(d, side == 0, along, gap, off)
+        for one in self.curved:
+            self._follow(one, place.plane, turned, arms, (gap, off, along, across))
         angle = place.angle
         roll_a, roll_b = self.rolls
         slip = off[rubs] + roll_a * angle[a[rubs]] + roll_b * angle[b[rubs]]
@@ -240,6 +144,24 @@ class Features:
         off = np.where(is_round, self.sign * first * turn, off)
         return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
 
+    def _follow(
+        self,
+        one: Curved,
+        where: Plane,
+        turned: Plane,
+        arms: tuple[Plane, Plane],
+        rows: tuple[Array, Array, Plane, Plane],
+    ) -> None:
+        """Put in what a point on a curve is: its gap, its slip, and their gradients."""
+        gap, off, along, across = rows
+        own, others = arms if one.sign > 0 else arms[::-1]
+        way = where[one.other] + others[one.point] - where[one.curve]
+        found = one.look(complex(way / turned[one.curve]))
+        gap[one.point], off[one.point] = found.gap, found.slip
+        along[one.point] = one.sign * found.normal * turned[one.curve]
+        across[one.point] = 1j * along[one.point] * found.share
+        own[one.point] = way
+
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
         a, b = self.touching.a, self.touching.b
@@ -262,7 +184,7 @@ def features(
     origin
         From where places are counted [m].
     """
-    a, b, pair, point, rubs, (first, second), _, _, yields = touching
+    a, b, pair, point, rubs, figures, (first, second), _, _, yields = touching
     n = contacts.direction.view(complex)[pair, 0]
     middle = np.ascontiguousarray(contacts.points).view(complex)[pair, point, 0] - origin
     half = n * (contacts.depths[pair, point] / 2)
@@ -273,9 +195,16 @@ def features(
     faces_b = second.faces(-n * turned_b.conj())
     own_a = first.faces(n * turned_a.conj()) & ~(faces_b & yields)
     own_b = faces_b & ~own_a
+    surfaces = middle + half, middle - half
+    curved = tuple(on_curves(figures, (a, b), n, surfaces, (place.plane, turned)))
+    for one in curved:
+        center_of, is_round = ((center_a, round_a), (center_b, round_b))[one.sign < 0]
+        center_of[one.point] = place.plane[one.curve] + turned[one.curve] * one.center
+        is_round[one.point] = True
+        (own_b if one.sign > 0 else own_a)[one.point] &= one.arched
     corner = ~(own_a | own_b)
-    core_a = middle + half - n * np.where(corner, first.rounding, 0.0)
-    core_b = middle - half + n * np.where(corner, second.rounding, 0.0)
+    core_a = surfaces[0] - n * np.where(corner, first.rounding, 0.0)
+    core_b = surfaces[1] + n * np.where(corner, second.rounding, 0.0)
     at_a, at_b = np.where(round_a, center_a, core_a), np.where(round_b, center_b, core_b)
     d = at_b - at_a
     within = corner & ((d.conj() * n).real < 0)
@@ -283,20 +212,23 @@ def features(
     inner_b &= ~inner_a | (second.inner > first.inner)
     inner_a &= ~inner_b
     turns = np.where(own_a, turned_a, np.where(own_b, turned_b, 1.0))
+    rolls = _rolls(
+        first.rolls(round_a, corner, inner_a)[rubs],
+        second.rolls(round_b, corner, inner_b)[rubs],
+        own_a[rubs],
+        corner[rubs],
+        (inner_a[rubs], inner_b[rubs]),
+    )
+    roll_on_curves(curved, ~corner, rubs, figures, rolls)
     return Features(
         touching=touching,
         points=((at_a - where_a) * turned_a.conj(), (at_b - where_b) * turned_b.conj()),
         normal=n * turns.conj(),
         owns=(own_a.astype(float), own_b.astype(float)),
         sign=np.where(within, -1.0, 1.0),
-        rolls=_rolls(
-            first.rolls(round_a, corner, inner_a)[rubs],
-            second.rolls(round_b, corner, inner_b)[rubs],
-            own_a[rubs],
-            corner[rubs],
-            (inner_a[rubs], inner_b[rubs]),
-        ),
+        rolls=rolls,
         apart=d,
+        curved=tuple(one for one in curved if corner[one.point]),
     )
 
 

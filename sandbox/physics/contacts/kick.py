@@ -8,11 +8,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.batch import Contacts
 from sandbox.physics.contacts.features import Features, features
 from sandbox.physics.contacts.layout import Layout
-from sandbox.physics.exact.equations import Coordinates, Rows
+from sandbox.physics.exact.equations import PLACES, Coordinates, Rows
 from sandbox.physics.exact.solver import ExactJoints
-
-PLACES = 4e-16
-"""How well places are known, of themselves: velocities are chosen by them."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.batch import Booleans, Contacts, Integers
-from sandbox.physics.contacts.features import Figures, Touching
+from sandbox.physics.contacts.features import Touching
 from sandbox.physics.contacts.islands import islands
+from sandbox.physics.contacts.outlines import Figures
 from sandbox.physics.contacts.problem import Friction, Problem
 from sandbox.physics.exact.solver import ExactJoints
 
@@ -122,6 +123,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         pair,
         np.repeat((0, 1), (count, len(two))),
         rubs,
+        surfaces.figures,
         (surfaces.figures.of(a), surfaces.figures.of(b)),
         np.concatenate((a, a[rubs])),
         np.concatenate((b, b[rubs])),

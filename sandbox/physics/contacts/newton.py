@@ -55,11 +55,12 @@ def newton(
     for iteration in range(MAX_ITERATIONS):
         there = rows(drift * (motion + impulse @ kick.reply))
         wrong, before = there.total - wanted, active
+        missed = np.abs(wrong)
         rate = wrong / drift
-        far = np.abs(wrong[active.on]).max(initial=0.0) > QUADRATIC
+        far = missed[active.on].max(initial=0.0) > QUADRATIC
         lets = inf if far and iteration < SOON else TAUT / drift
         impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
-        off = np.where(active.on, np.abs(wrong), 0.0)
+        off = np.where(active.on, missed, 0.0)
         if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
             return impulse, motion + impulse @ kick.reply, active
     raise lost(kick, int(off.argmax()))

@@ -8,11 +8,12 @@ import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
-from sandbox.model.shapes import Arc, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.anchor import Plane
 from sandbox.physics.bodies import center_of, local_points
-from sandbox.physics.contacts.features import Figure, Figures
 from sandbox.physics.contacts.layout import Surfaces
+from sandbox.physics.contacts.outlines import Figure, Figures
+from sandbox.physics.curves import course_of
 from sandbox.physics.outline import surfaces
 from sandbox.physics.pairs import pair_coefficients
 from sandbox.physics.sticking import sticking
@@ -67,6 +68,8 @@ def _figure(spec: Body, values: Values) -> Figure:
                 center=center_of(arc, spec, values),
                 ends=True,
             )
+        case Curve(thickness=thickness) as curve:
+            return Figure(0.0, NONE, thickness(values) / 2, course=course_of(curve, values))
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
             points = [complex(*point) for point in local_points(spec, values)]
             sides = np.array([b - a for a, b in pairwise(points)])

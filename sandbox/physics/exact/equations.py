@@ -18,6 +18,9 @@ MAX_ITERATIONS = 25
 QUADRATIC = 1e-8
 """m, below which one more of Newton's steps leaves nothing but rounding."""
 
+PLACES = 4e-16
+"""How well places are known, of themselves, where velocities are chosen by them."""
+
 
 @dataclass(slots=True)  # not frozen: some are made in every step
 class Coordinates:

@@ -1,18 +1,18 @@
 """A bead on a wire: its signed distance from a smooth curve stays zero.
 
-The curve is a quintic through six points at a time. The distance's gradient is the unit normal at
-the foot point, which Newton's method follows from where it was last.
+The distance's gradient is the unit normal at the foot point, which Newton's method follows from
+where it was last.
 """
 
 from collections.abc import Callable
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
-from sandbox.model.wires import Points, is_closed
+from sandbox.model.wires import Points
 from sandbox.physics.anchor import Anchor
 from sandbox.physics.errors import JointFailure
 from sandbox.physics.exact.equations import Coordinates, Share
+from sandbox.physics.quintics import Quintics
 
 MAX_ITERATIONS = 50
 QUADRATIC = 1e-6
@@ -27,10 +27,6 @@ FINER = 4.0
 
 SLACK = 1.0
 """Pieces, by which a bead may be over the end of a wire: one that starts there, and rounding."""
-
-_FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))
-_BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
-"""What the quintic through six points is, one point earlier."""
 
 
 class WireEquation:
@@ -54,9 +50,7 @@ class WireEquation:
         assert bead.body is not None
         self.joint = joint
         self._body, self._point = bead.body, bead.point
-        self._nodes = points
-        self._closed = is_closed(points)
-        self._pieces: list[list[complex]] = _quintics(points, self._closed).tolist()
+        self._nodes, self._curve = points, Quintics(points)
         self._last: tuple[float, complex] | None = None  # the foot, in pieces; the tangent there
 
     def forget(self) -> None:
@@ -77,7 +71,7 @@ class WireEquation:
         """Return the nearest point of the wire, and the unit tangent there."""
         at, before = self._last or (float(np.abs(self._nodes - bead).argmin()), None)
         for _ in range(MAX_ITERATIONS):
-            point, slope, bend = self._curve(at)
+            point, slope, bend = self._curve.at(at)
             away = point - bead
             steepness = abs(slope) ** 2 + (bend.conjugate() * away).real
             if not steepness > 0:  # beyond the centre of curvature
@@ -96,31 +90,8 @@ class WireEquation:
         reason = f"'{self.joint}' bends too sharply for a step of its bead"
         raise JointFailure(self.joint, reason, FINER)
 
-    def _curve(self, at: float) -> tuple[complex, complex, complex]:
-        """Return the point [m], and its first and second derivative by the number of pieces."""
-        count = len(self._pieces)
-        piece = int(at // 1) % count if self._closed else min(max(int(at), 0), count - 1)
-        u = at % count - piece if self._closed else at - piece
-        a, b, c, d, e, f = self._pieces[piece]
-        return (
-            a + u * (b + u * (c + u * (d + u * (e + u * f)))),
-            b + u * (2 * c + u * (3 * d + u * (4 * e + u * 5 * f))),
-            2 * c + u * (6 * d + u * (12 * e + u * 20 * f)),
-        )
-
     def _check_end(self, at: float) -> None:
-        if not self._closed and not -SLACK <= at <= len(self._pieces) + SLACK:
+        curve = self._curve
+        if not curve.closed and not -SLACK <= at <= curve.count + SLACK:
             reason = f"the bead has come to the end of '{self.joint}'; make the wire longer"
             raise JointFailure(self.joint, reason)
-
-
-def _quintics(points: Points, closed: bool) -> Points:
-    """Return for each piece the coefficients of the quintic through its six nearest points."""
-    if closed:
-        around = np.concatenate((points[-3:-1], points, points[1:3]))
-    else:
-        around = points
-        for _ in range(2):
-            earlier, later = _BEFORE @ around[:6], _BEFORE @ around[:-7:-1]
-            around = np.concatenate(([earlier], around, [later]))
-    return np.asarray(sliding_window_view(around, 6) @ _FIT.T)

@@ -1,0 +1,54 @@
+"""A smooth curve through points at equal steps of its parameter: a quintic through six at a time.
+
+The parameter counts the pieces between the points. The plane is complex here.
+"""
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from sandbox.model.wires import Points, is_closed
+
+_FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))
+_BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
+"""What the quintic through six points is, one point earlier."""
+
+
+class Quintics:
+    """A curve through points (n + 1,) [m]; one whose ends meet is closed.
+
+    Attributes
+    ----------
+    closed
+        Whether it is.
+    count
+        n, its pieces.
+    """
+
+    def __init__(self, points: Points) -> None:
+        self.closed = is_closed(points)
+        self._pieces: list[list[complex]] = _quintics(points, self.closed).tolist()
+        self.count = len(self._pieces)
+
+    def at(self, place: float) -> tuple[complex, complex, complex]:
+        """Return the point [m], and its first and second derivative by the number of pieces."""
+        count = self.count
+        piece = int(place // 1) % count if self.closed else min(max(int(place), 0), count - 1)
+        u = place % count - piece if self.closed else place - piece
+        a, b, c, d, e, f = self._pieces[piece]
+        return (
+            a + u * (b + u * (c + u * (d + u * (e + u * f)))),
+            b + u * (2 * c + u * (3 * d + u * (4 * e + u * 5 * f))),
+            2 * c + u * (6 * d + u * (12 * e + u * 20 * f)),
+        )
+
+
+def _quintics(points: Points, closed: bool) -> Points:
+    """Return for each piece the coefficients of the quintic through its six nearest points."""
+    if closed:
+        around = np.concatenate((points[-3:-1], points, points[1:3]))
+    else:
+        around = points
+        for _ in range(2):
+            earlier, later = _BEFORE @ around[:6], _BEFORE @ around[:-7:-1]
+            around = np.concatenate(([earlier], around, [later]))
+    return np.asarray(sliding_window_view(around, 6) @ _FIT.T)
