@@ -321,8 +321,16 @@ class _Scaled:
         return impulse
 
     def _missed(self, impulse: Array) -> Array:
-        """Return by how much each row misses what it asks for: (m,)."""
+        """Return by how much each row misses what it asks for: (m,).
+
+        Of contacts that is min(x, r), and of friction by how much x changes if r is taken from it
+        and its bound is kept: both are 0 where the conditions hold, and nowhere else.
+        """
         rate = self._rate + self._matrix @ impulse
-        missed = np.where(self._problem.free, np.abs(rate), np.maximum(-rate, 0.0))
+        missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))
         missed[~(self._problem.free | self._problem.pushes)] = 0.0
+        own, slip = impulse[self._row], rate[self._row]
+        bounds = (self._bounds(impulse, share) for share in (self._sticks, self._slips))
+        off = [np.abs(own - np.clip(own - slip, -bound, bound)) for bound in bounds]
+        missed[self._row] = np.minimum(*off)
         return np.where(np.isfinite(missed), missed, np.inf)
