@@ -18,6 +18,7 @@ from sandbox.physics.batch import Batch
 from sandbox.physics.bodies import make_body
 from sandbox.physics.broadphase import choose_broad_phase
 from sandbox.physics.constraints import pull_by_pymunk
+from sandbox.physics.corners import reach_out
 from sandbox.physics.hollows import Hollows
 from sandbox.physics.joints import Joints
 from sandbox.physics.laws import Gravity, Law, gravity, laws
@@ -254,6 +255,7 @@ def _make_contacts(
     if direct:
         leave_contacts(space)
     elif ours:
+        reach_out(space)
         choose_correction(space, level, values, 1 / stepping.rate)
     return pairs
 

@@ -42,7 +42,7 @@ from sandbox.physics.schemes import LEAPFROG, Composition, Substep, composition,
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.settling import Settling
 from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.stiffness import check_springs
+from sandbox.physics.stiffness import MARGIN, check_springs
 from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
 
@@ -508,11 +508,13 @@ class World:
             told = "no forces were found between '{}' and '{}'".format(
                 *(names[b] for b in error.bodies)
             )
-            self._ended = SimulationError(names[error.bodies[0]], self.t, told)
+            rate = MARGIN * self.stepping.rate
+            hint = way_out(rate, self.stepping.rate)
+            self._ended = SimulationError(names[error.bodies[0]], self.t, told, rate, hint=hint)
         elif isinstance(error, JointFailure):
-            rate = error.finer and error.finer * self.stepping.rate
-            hint = way_out(rate, self.stepping.rate) if rate else ""
-            self._ended = SimulationError(error.joint, self.t, str(error), rate, hint=hint)
+            finer = error.finer and error.finer * self.stepping.rate
+            hint = way_out(finer, self.stepping.rate) if finer else ""
+            self._ended = SimulationError(error.joint, self.t, str(error), finer, hint=hint)
         elif isinstance(error, EndlessImpacts):
             body = list(self.scene.bodies)[error.body]
             self._ended = SimulationError(body, self.t, str(error).format(body=f"'{body}'"))
