@@ -9,6 +9,7 @@ from scipy.special import ellipk
 
 from sandbox.model.errors import LevelError
 from sandbox.physics.contacts import features
+from sandbox.physics.contacts.direct import Direct
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.hollows import Hollows
 from sandbox.physics.world import World, build
@@ -56,6 +57,23 @@ def quarter(world: World) -> float:
     while after > 0:
         before, after = after, float(world.advance().position[0, 0])
     return (world.steps - after / (after - before)) * world.dt
+
+
+def test_the_first_kick_on_a_curve_settles_to_what_places_are_known_to(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The least digits of a foot go in circles for ever: 500 kicks, were they to stand still."""
+    kicks: list[float] = []
+    solve = Direct.solve
+
+    def counted(direct: Direct, until: float) -> None:
+        kicks.append(until)
+        solve(direct, until)
+
+    monkeypatch.setattr(Direct, "solve", counted)
+    on(CIRCLE, disc(((R - r) * sin(0.5), -(R - r) * cos(0.5)), radius=r), "direct", 500)
+
+    assert len(kicks) <= 50  # 20
 
 
 @pytest.mark.steps(4000)
