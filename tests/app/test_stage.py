@@ -319,6 +319,41 @@ def test_what_has_no_end_to_speak_of_is_drawn_where_it_is_seen(
     assert len(strokes) < 1000
 
 
+def test_a_curve_is_hatched_evenly_on_one_side(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    """On the other side than what is nearest to it, behind its crests as in its valleys."""
+    hills = {"type": "curve", "curve": ["s", "0.3*sin(4*s)"], "s": [-3, 3]}
+    scene = scenes.level(
+        effects={"contact": {}},
+        bodies={
+            "ball": {
+                "shape": {"type": "disc", "radius": 0.1}, "mass": 1, "position": [-2.9, 0.9],
+            },
+            "hills": {"type": "static", "shape": hills},
+        },
+        parameters={}, checks=[], ghosts={},
+    )  # fmt: skip
+    session = Session(scene)
+    stage = Stage(pen, SIZE)
+    stage.use(session.world)
+    stage.fit()
+    strokes: list[tuple[XY, XY]] = []
+
+    def counted(_: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
+        if color == theme.SURFACE and width == 1:
+            strokes.append((a, b))
+
+    monkeypatch.setattr(lines, "stroke", counted)
+    draw(session, stage)
+    begins, ends = np.array(strokes).swapaxes(0, 1)
+    gaps = np.hypot(*np.diff(begins, axis=0).T)
+    along = np.gradient(begins, axis=0)
+    across = along[:, 0] * (ends - begins)[:, 1] - along[:, 1] * (ends - begins)[:, 0]
+
+    assert len(strokes) > 30
+    assert gaps.min() > 0.9 * gaps.max()
+    assert (across > 0).all()  # downwards on the screen, which it follows to the right
+
+
 def test_the_wheels_of_pegs_beside_each_other_do_not_overlap() -> None:
     surface = pygame.Surface(SIZE)
     corners = [(50, 150), (50, 50), (90, 50), (90, 150)]

@@ -159,7 +159,7 @@ def test_runs_the_same_in_another_process(name: str, played: Played, elsewhere: 
 
 
 def test_pays_only_for_what_it_declares(level: Level) -> None:
-    """No shape without contact, no Python without a law, a string, a sequence, a cut or an arc.
+    """No shape without contact, no Python without a law, a string, a sequence, a cut or a bend.
 
     Springs that neither damp nor let go are pulled by pymunk, where nothing touches.
     """
@@ -175,8 +175,8 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     jointed = any(effects.contact or not _is_plain(joint) for joint in level.joints.values())
     located = any(e and e.located for e in (effects.contact, effects.friction))
     direct = effects.contact is not None and effects.contact.solver == "direct"
-    arcs = any(body.shape.type == "arc" for body in level.bodies.values())
-    hooked = jointed or laws or pairs or sticky or sequence or located or direct or arcs
+    bends = any(body.shape.type in ("arc", "curve") for body in level.bodies.values())
+    hooked = jointed or laws or pairs or sticky or sequence or located or direct or bends
     assert bool(world.hooks) == bool(hooked)
 
 

@@ -140,3 +140,23 @@ def test_what_rolls_down_a_hollow_keeps_its_energy(factor: float, angle: float) 
     speed = rotation.trough_speed(factor, 0.9, 9.81, angle)
 
     assert (1 + factor) * speed**2 / 2 == pytest.approx(9.81 * 0.9 * (1 - np.cos(angle)))
+
+
+@pytest.mark.parametrize("factor", FACTORS)
+@pytest.mark.parametrize("start", [0.3, 1.5, 3.0])
+def test_what_rolls_on_a_cycloid_keeps_its_energy_and_its_time(factor: float, start: float) -> None:
+    """(1 + k) s'² / 2 + g y, s² = 8 R y; it is at its lowest point after a quarter."""
+    radius, g = 0.7, 9.81
+    quarter = rotation.cycloid_quarter(factor, radius, g)
+    t = np.linspace(0, quarter, 9)[1:-1]
+    step = 1e-6
+    ways = [
+        np.sqrt(8 * radius * rotation.cycloid_height(factor, radius, g, start, t + sign * step))
+        for sign in (-1, 1)
+    ]
+    speed = (ways[1] - ways[0]) / (2 * step)
+    total = (1 + factor) * speed**2 / 2 + ways[0] * ways[1] / (8 * radius) * g
+    begun = g * radius * (1 - np.cos(start))
+
+    assert total == pytest.approx([begun] * len(t), rel=1e-6)
+    assert rotation.cycloid_height(factor, radius, g, start, quarter) == pytest.approx(0, abs=1e-20)

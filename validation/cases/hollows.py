@@ -81,14 +81,14 @@ def _bowls() -> Iterator[Case]:
                 expected=lambda p, _: rotation.cycloid_quarter(rotation.DISC, p["R"], p["g"]),
                 at=CrossingEvent(event="crossing", quantity=f"{disc}.position.x", direction="down"),
                 tolerance=5e-6,
-                naive_misses=4e-4,
+                naive_misses=2e-4,
             )
             yield case(
                 name=f"cycloid bowls: height of the {disc} disc at every step",
                 quantity=f"{disc}.position.y",
                 expected=partial(_height, disc),
                 tolerance=5e-5,
-                naive_misses=2e-3 if disc == "high" else None,
+                naive_misses=1e-3 if disc == "high" else None,
             )
 
 

@@ -20,10 +20,10 @@ COARSE = 256
 SHARPEST = 0.1
 """rad, by which what is smooth may turn from one of its pieces to the next."""
 
-ROUGH = 1e-7
+ROUGH = 1e-8
 """The share of its size by which a curve may be off what its points make of it, between them."""
 
-TIGHT = 1e-4
+TIGHT = 1e-3
 """The share of its size that the radius of curvature of a curve must have everywhere."""
 
 WORK = 3500
@@ -35,7 +35,10 @@ PARALLEL = 1e-9
 ZOOMS = 6
 
 _MIDDLE = np.array([3.0, -25.0, 150.0, 150.0, -25.0, 3.0]) / 256
-"""What the quintic through six points is half-way between the third and the fourth."""
+"""What the quintic through six points is half-way between the third and the fourth;"""
+
+_FIRST = np.array([63.0, 315.0, -210.0, 126.0, -45.0, 7.0]) / 256
+"""and between the first and the second."""
 
 
 def conditions(level: Level) -> Iterator[Condition]:
@@ -69,12 +72,9 @@ def _curve_fault(curve: Curve, values: Values) -> str | None:
     if rule:
         return rule
     size = float(np.abs(points - points[0]).max())
-    first, last = (end(values) for end in curve.s)
-    between = places(curve, values, np.linspace(first, last, 2 * PIECES + 1)[5:-5:2])
-    near = [points[i : len(points) - 5 + i] for i in range(6)]
-    off = np.abs(np.tensordot(_MIDDLE, near, axes=1) - between)
+    off = _roughness(curve, values, points)
     if not off.max() <= ROUGH * size:
-        at = _shown(points[3:-2][off.argmax()])
+        at = _shown(points[off.argmax()])
         return f"the curve is not smooth near {at}: its derivatives are not finite, or jump there"
     ahead, back = points[2:] - points[1:-1], points[:-2] - points[1:-1]
     bends = 2 * np.abs(_cross(ahead, back)) / np.abs(ahead * back * (ahead - back))
@@ -87,6 +87,17 @@ def _curve_fault(curve: Curve, values: Values) -> str | None:
         )
         return f"the radius of curvature at {at} is {least:.3g} m, less than {bound}"
     return None
+
+
+def _roughness(curve: Curve, values: Values, points: Points) -> Array:
+    """Return how far pieces are off the quintics through six points, in their middles [m]."""
+    first, last = (end(values) for end in curve.s)
+    between = places(curve, values, np.linspace(first, last, 2 * PIECES + 1)[1::2])
+    quintic = between.copy()
+    near = [points[i : len(points) - 5 + i] for i in range(6)]
+    quintic[2:-2] = np.tensordot(_MIDDLE, near, axes=1)
+    quintic[[0, -1]] = _FIRST @ points[:6], _FIRST @ points[:-7:-1]
+    return np.abs(quintic - between)
 
 
 def _looked_at(wire: Wire | Curve, values: Values) -> tuple[Points, str | None]:

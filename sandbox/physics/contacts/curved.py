@@ -142,6 +142,37 @@ def on_curves(
                     yield Curved(point, curve, other, sign, course, foot, hand, start, radius)
 
 
+def follow_curves(
+    curved: Sequence[Curved],
+    placed: tuple[Plane, Plane],
+    arms: tuple[Plane, Plane],
+    rows: tuple[Array, Array, Plane, Plane],
+) -> None:
+    """Put in what points on curves are.
+
+    Parameters
+    ----------
+    curved
+        The points.
+    placed
+        Where all bodies are, and how they are turned, (n,) each.
+    arms
+        From the two bodies of each point to where they touch, (k,) each [m].
+    rows
+        The gaps and slips, and how they change with d, (k,) each.
+    """
+    gap, slip, along, across = rows
+    for one in curved:
+        where, turned = placed[0], complex(placed[1][one.curve])
+        own, other = arms[:: one.sign]
+        way = complex(where[one.other] + other[one.point] - where[one.curve])
+        found = one.look(way / turned)
+        gap[one.point], slip[one.point] = found.gap, found.slip
+        along[one.point] = one.sign * found.normal * turned
+        across[one.point] = 1j * along[one.point] * found.share
+        own[one.point] = way
+
+
 def roll_on_curves(
     curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Rolls
 ) -> None:

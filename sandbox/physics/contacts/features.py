@@ -24,7 +24,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.anchor import Plane
 from sandbox.physics.batch import Booleans, Contacts, Integers
-from sandbox.physics.contacts.curved import Curved, on_curves, roll_on_curves
+from sandbox.physics.contacts.curved import Curved, follow_curves, on_curves, roll_on_curves
 from sandbox.physics.contacts.outlines import Figures, Outlines
 from sandbox.physics.exact.equations import Coordinates, Rows, angles, planes
 
@@ -110,8 +110,7 @@ class Features:
         side = own_a + own_b
         if not side.all():
             along, across, gap, off = self._of_round(d, side == 0, along, gap, off)
-        for one in self.curved:
-            self._follow(one, place.plane, turned, arms, (gap, off, along, across))
+        follow_curves(self.curved, (place.plane, turned), arms, (gap, off, along, across))
         angle = place.angle
         roll_a, roll_b = self.rolls
         slip = off[rubs] + roll_a * angle[a[rubs]] + roll_b * angle[b[rubs]]
@@ -143,24 +142,6 @@ class Features:
         turn = np.angle(d / np.where(is_round, self.apart, d))
         off = np.where(is_round, self.sign * first * turn, off)
         return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
-
-    def _follow(
-        self,
-        one: Curved,
-        where: Plane,
-        turned: Plane,
-        arms: tuple[Plane, Plane],
-        rows: tuple[Array, Array, Plane, Plane],
-    ) -> None:
-        """Put in what a point on a curve is: its gap, its slip, and their gradients."""
-        gap, off, along, across = rows
-        own, others = arms if one.sign > 0 else arms[::-1]
-        way = where[one.other] + others[one.point] - where[one.curve]
-        found = one.look(complex(way / turned[one.curve]))
-        gap[one.point], off[one.point] = found.gap, found.slip
-        along[one.point] = one.sign * found.normal * turned[one.curve]
-        across[one.point] = 1j * along[one.point] * found.share
-        own[one.point] = way
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
