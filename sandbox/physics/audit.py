@@ -6,28 +6,26 @@ when none does any more. The step that was the first to do so is booked as well.
 """
 
 from math import isfinite
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.balance import Balance
 from sandbox.physics.ledger import Ledger
-
-if TYPE_CHECKING:
-    from sandbox.physics.world import World
+from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.step_record import Recorded
 
 MUCH = 0.1
 """The share of the most kinetic energy so far by which a step changes it, if that is much."""
 
 
 class Audit:
-    """Looks at every observed step of a world.
+    """Looks at every observed step of a run.
 
     Parameters
     ----------
-    world
-        Which.
+    run
+        Which, such as a world.
     least
         An energy that is nothing beside the scene [J].
     swing
@@ -38,31 +36,32 @@ class Audit:
 
     def __init__(
         self,
-        world: "World",
+        run: Recorded,
         least: float,
         swing: float,
         always: bool,
     ) -> None:
-        self._world, self._least, self._swing, self._always = world, least, swing, always
-        self._inertia = world.scene.inertia
+        self._run, self._least, self._swing, self._always = run, least, swing, always
+        self._inertia = run.scene.inertia
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
         self._lifted = 0.0  # before they were opened
         self._had = self._lowest = 0.0  # when they were opened: the energy; what was stored since
 
-    def look(self, before: Array, lifted: float) -> float:
+    def look(self, now: Snapshot, before: Array, lifted: float) -> float:
         """Return how much energy has come from nowhere in a row of steps that change much [J].
 
         0 if it is no more than the scene could have, not finite if it is more than a number holds.
 
         Parameters
         ----------
+        now
+            The state.
         before
             (n, 3), the velocities that the last kick began with [m/s, rad/s].
         lifted
             What taking back overlaps has put in since the start [J].
         """
-        now = self._world.snapshot
         motion = np.column_stack((now.velocity, now.angular_velocity))
         kinetic = float(np.sum(self._inertia * motion * motion)) / 2
         if not isfinite(kinetic):
@@ -74,8 +73,8 @@ class Audit:
             self._books = None
             self._lifted = lifted
             return 0.0
-        if self._books is None or self._books.steps != self._world.steps - 1:
-            self._books = Ledger(self._world, before)
+        if self._books is None or self._books.steps != self._run.last.steps - 1:
+            self._books = Ledger(self._run, before)
             self._had = self._books.balance.energy
             self._lowest = _stored(self._books.balance)
         self._books.note()

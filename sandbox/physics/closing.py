@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.physics.ledger import Ledger
-from sandbox.physics.world import World
+from sandbox.physics.step_record import Recorded
 
 ROUNDING = 1e-11
 """The share of what was turned over that rounding may make in a run;"""
@@ -86,20 +86,20 @@ class Closing(NamedTuple):
 
 
 class Closer:
-    """Keeps the books of a world, and sees whether they close; told of every step."""
+    """Keeps the books of a run, and sees whether they close; told of every step."""
 
-    def __init__(self, world: World) -> None:
-        self._world, self._ledger = world, Ledger(world)
-        self._inertia = world.scene.inertia
+    def __init__(self, run: Recorded) -> None:
+        self._run, self._ledger = run, Ledger(run)
+        self._inertia, start = run.scene.inertia, run.last
         balance = self._ledger.balance
         self._stored = dict(balance.potential)
         self._turned, self._unexplained = balance.kinetic, 0.0
-        pull, place = world.forces.smooth[:, :2], world.snapshot.position
+        pull, place = start.smooth[:, :2], start.snapshot.position
         weight = float(np.sum(self._inertia[:, 0] * np.hypot(*pull.T)))
         self._scale = sum(map(abs, self._stored.values())) + weight * float(
             np.ptp(place, axis=0).max()
         )
-        self._bends = world.scene.joints.together is not None
+        self._bends = run.scene.joints.together is not None
         self._strain = self._slope = 0.0
         self._before = np.full_like(self._inertia, np.nan)
 
@@ -111,7 +111,7 @@ class Closer:
         others = (abs(v) for part in (balance.work, balance.loss) for v in part.values())
         self._turned = max(self._turned, balance.kinetic, *stores, *others)
         self._unexplained = max(self._unexplained, abs(balance.unexplained))
-        now = self._world.snapshot
+        now = self._run.last.snapshot
         pull = np.column_stack((now.acceleration, now.angular_acceleration))
         moves = np.column_stack((now.velocity, now.angular_velocity))
         self._strain = max(self._strain, float(np.sum(self._inertia * pull * pull)))
@@ -122,8 +122,8 @@ class Closer:
     @property
     def closing(self) -> Closing:
         """How they stand."""
-        dt, bound = self._world.dt, ROUNDING * self._turned + KNOWN * self._scale
-        if not self._world.stepping.as_it_comes:
+        dt, bound = self._run.last.dt, ROUNDING * self._turned + KNOWN * self._scale
+        if not self._run.stepping.as_it_comes:
             strain = self._strain * (1 / 12 + self._bends / 4)
             bound += dt * self._slope / 6 + dt * dt * strain
         overlaps = self._ledger.balance.overlaps

@@ -61,6 +61,30 @@ class Impact(NamedTuple):
     given: Array
 
 
+class Collided(NamedTuple):
+    """What books kept in the middle of a drift must know of the impacts that cut it; n bodies.
+
+    Attributes
+    ----------
+    impacts
+        One after the other.
+    begun
+        (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
+    lifted
+        How much more energy bodies have in the middle of the drift for nothing but being pulled
+        less than before their impacts [J]: along a parabola there is m a² dt²/8 more of it than in
+        the middle of the chord.
+    pulled
+        The momentum, and the angular momentum, that what pulls them gave along their way, beyond
+        what the kicks before and after give: (3,) [kg m/s, kg m²/s].
+    """
+
+    impacts: Sequence[Impact]
+    begun: Array
+    lifted: float
+    pulled: Array
+
+
 class Bounce(NamedTuple):
     """What one impact, or some at once, do to n bodies.
 

@@ -19,7 +19,6 @@ joint that keeps its length. What they do all the same is left unexplained.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -28,33 +27,32 @@ from sandbox.model.expressions import Array
 from sandbox.model.joints import Spring, bodies_of, is_exact
 from sandbox.physics.balance import Balance
 from sandbox.physics.batch import Contacts
+from sandbox.physics.collision import Collided
 from sandbox.physics.contacts.direct import Stage
 from sandbox.physics.joints import Pulls
 from sandbox.physics.kick import Kick, completed, pressed, rubbing
 from sandbox.physics.laws.law import Law
 from sandbox.physics.laws.spring import SpringForce
-from sandbox.physics.located import Located
 from sandbox.physics.massflow import MassFlows
 from sandbox.physics.motion import Instant, momentum
 from sandbox.physics.outline import surfaces
 from sandbox.physics.slipping import Stop
-
-if TYPE_CHECKING:
-    from sandbox.physics.world import World
+from sandbox.physics.step_record import Recorded
 
 SEEN = 1e-12
 """The share of a place, or of a metre, by which a body must have been moved to be seen to be."""
 
 
 class Ledger:
-    """Keeps the books of a world; n bodies. The world pays nothing for it.
+    """Keeps the books of a run; n bodies. The run pays nothing for it.
 
-    Open it on a world, let it `note` every step, and read its `balance`.
+    Open it on a world, let it `note` every step, and read its `balance`. What it knows of a step is
+    the world's record of it.
 
     Parameters
     ----------
-    world
-        Which.
+    run
+        Which, such as a world.
     begun
         To open the books one step back: (n, 3), the velocities that the last kick began with
         [m/s, rad/s].
@@ -62,17 +60,17 @@ class Ledger:
     Attributes
     ----------
     steps
-        How many of the world's are booked.
+        How many of the run's are booked.
     """
 
-    def __init__(self, world: "World", begun: Array | None = None) -> None:
-        scene, level = world.scene, world.level
-        self._world, self._scene = world, scene
+    def __init__(self, run: Recorded, begun: Array | None = None) -> None:
+        scene, level = run.scene, run.level
+        self._run, self._scene, self._step = run, scene, run.last
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
         self._mass = scene.inertia
         self._surfaces = surfaces(scene.bodies.values())
         # solved directly, friction takes from a rebound what it would give otherwise
-        self._elastic = _elastic(world) and not (scene.direct and level.effects.friction)
+        self._elastic = _elastic(run) and not (scene.direct and level.effects.friction)
         self._potential = dict.fromkeys(accounts.potentials(level), 0.0)
         self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
         self._losses = dict.fromkeys(accounts.losses(level), 0.0)
@@ -80,20 +78,19 @@ class Ledger:
         own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
         self._driven = any(accounts.drives(joint, level) for joint in own)
         self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
-        self._composed = world.composed
+        self._composed = self._step.composed
         if self._composed:
             begun = None
-            if world.trail is None:  # others may keep books, too
-                world.trail = []
+            run.keep_trail()
         self._back = begun is not None
-        self.steps = world.steps - self._back
+        self.steps = self._step.steps - self._back
         self._velocity = scene.batch.velocity() if begun is None else begun
         slack = scene.joints.pulls(len(self._mass)).tension <= 0
         self._slack = slack, slack  # in the last kick, and in that before it
         self._overlaps = 0.0
         start = self._middle(0.5 - self._back, self._velocity)
         if self._composed:
-            start = Instant.of(self._world.snapshot)
+            start = Instant.of(self._step.snapshot)
         self._start = self._store(start), self._momentum(start)
         self._end = start
 
@@ -105,13 +102,13 @@ class Ledger:
         ValueError
             If the world has taken more than one step since.
         """
-        world = self._world
-        if world.steps == self.steps:
+        self._step = step = self._run.last
+        if step.steps == self.steps:
             return
-        if world.steps != self.steps + 1:
-            raise ValueError(f"the ledger has seen step {self.steps}, the world {world.steps}")
-        self.steps = world.steps
-        if self._composed and world.composed:
+        if step.steps != self.steps + 1:
+            raise ValueError(f"the ledger has seen step {self.steps}, the world {step.steps}")
+        self.steps = step.steps
+        if self._composed and step.composed:
             self._follow()
             return
         if self._composed:
@@ -120,9 +117,9 @@ class Ledger:
         self._back = False
         self._part(before)
         after = self._scene.batch.velocity()
-        t = world.t if world.forces.seen is None else float(world.forces.seen.t)
-        seen = world.forces.seen or self._middle(0.0, before)
-        moment = Kick(t, world.dt, seen, world.snapshot.position, before, self._inertia(t))
+        t = step.t if step.seen is None else float(step.seen.t)
+        seen = step.seen or self._middle(0.0, before)
+        moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
         self._carry(t, before, after)
         pulls = self._scene.joints.pulls(len(self._mass))
         begun = before
@@ -137,10 +134,10 @@ class Ledger:
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses for forces."""
-        world, direct = self._world, self._scene.direct
+        dt, direct = self._step.dt, self._scene.direct
         if direct and direct.stages:
             return direct.stages
-        return (Stage(world.dt, after, tension * world.dt, self._kicked()),)
+        return (Stage(dt, after, tension * dt, self._kicked()),)
 
     def _book(self, kick: Kick, change: Array, pulls: Pulls, contacts: Contacts) -> None:
         """Book a kick that changes velocities so: (n, 3)."""
@@ -158,17 +155,17 @@ class Ledger:
 
         Of the kicks at its two ends half is its own.
         """
-        world, end = self._world, self._end
-        parts, begun = world.parts, float(end.t)
+        step, end = self._step, self._end
+        parts, begun = step.parts, float(end.t)
         half = parts[-1].kick / 2
         self._push(begun, half, end, self._velocity)
         velocity = self._velocity
-        for part, state in zip(parts, world.trail or (), strict=False):
-            t = begun + part.ahead * world.dt
+        for part, state in zip(parts, step.trail, strict=False):
+            t = begun + part.ahead * step.dt
             before = Instant.at(t, state, velocity)
             velocity = state[:, 3:]
             self._push(t, part.kick, before, velocity)
-        self._end = Instant.of(self._world.snapshot)
+        self._end = Instant.of(step.snapshot)
         before = self._end._replace(velocity=velocity[:, :2], angular_velocity=velocity[:, 2])
         self._push(float(self._end.t), half, before, _velocity(self._end))
         self._velocity = self._scene.batch.velocity()
@@ -176,8 +173,8 @@ class Ledger:
 
     def _change_over(self) -> None:
         """Take up the half kick with which the world has gone over to leapfrog, for a hand."""
-        self._velocity = self._world.begun
-        self._push(float(self._end.t), self._world.dt / 2, self._end, self._velocity)
+        self._velocity = self._step.begun
+        self._push(float(self._end.t), self._step.dt / 2, self._end, self._velocity)
         self._composed = False
 
     def _push(self, t: float, length: float, seen: Instant, after: Array) -> None:
@@ -207,9 +204,9 @@ class Ledger:
 
     def _middle(self, ahead: float, velocity: Array, t: float | None = None) -> Instant:
         """Return the motion so many steps after (or before) the last, all drifting like that."""
-        now, later = self._world.snapshot, ahead * self._world.dt
+        now, later = self._step.snapshot, ahead * self._step.dt
         return Instant(
-            np.asarray(self._world.t + later if t is None else t),
+            np.asarray(self._step.t + later if t is None else t),
             now.position + later * velocity[:, :2],
             now.angle + later * velocity[:, 2],
             velocity[:, :2],
@@ -248,17 +245,15 @@ class Ledger:
 
     def _drifted(self) -> Array:
         """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
-        located, stops = self._world.located, self._world.stops
-        if stops and stops.last:
-            return self._stop(stops.last)
-        if located and located.impacts:
-            return self._cut(located)
-        return self._velocity
+        step = self._step
+        if step.stop:
+            return self._stop(step.stop)
+        return self._cut(step.impacts) if step.impacts else self._velocity
 
-    def _cut(self, located: Located) -> Array:
+    def _cut(self, collided: Collided) -> Array:
         """Book the impacts that cut the last drift; return the velocities that it ended with."""
-        impacts = located.impacts
-        self._go_on(located.begun, located.lifted)
+        impacts = collided.impacts
+        self._go_on(collided.begun, collided.lifted)
         self._put_in(
             {"bodies": sum(i.told for i in impacts), "belt": sum(i.driven for i in impacts)}
         )
@@ -267,8 +262,8 @@ class Ledger:
             for impact in impacts:
                 self._lose("impacts", impact.pressed)
         if "supports" in self._impulses:
-            self._impulses["supports"] += sum((impact.given for impact in impacts), located.pulled)
-        return located.begun
+            self._impulses["supports"] += sum((impact.given for impact in impacts), collided.pulled)
+        return collided.begun
 
     def _stop(self, stop: Stop) -> Array:
         """Book slipping that ended in the last drift; return the velocities that it ended with."""
@@ -296,9 +291,9 @@ class Ledger:
 
     def _part(self, drifted: Array) -> None:
         """See what taking back overlaps gave: bodies are not where their drift ended, (n, 3)."""
-        if not len(self._world.contacts.bodies):
+        if not len(self._step.contacts.bodies):
             return
-        now, half = self._world.snapshot, self._world.dt / 2
+        now, half = self._step.snapshot, self._step.dt / 2
         ended = self._end._replace(
             position=self._end.position + half * drifted[:, :2],
             angle=self._end.angle + half * drifted[:, 2],
@@ -330,7 +325,7 @@ class Ledger:
         flows = self._scene.share
         if not isinstance(flows, MassFlows):
             return
-        earlier, now, later = (self._inertia(t + h * self._world.dt) for h in (-0.5, 0, 0.5))
+        earlier, now, later = (self._inertia(t + h * self._step.dt) for h in (-0.5, 0, 0.5))
         brought = (later - now) * after + (now - earlier) * before
         energy = np.sum((later - now) * after * after + (now - earlier) * before * before, axis=1)
         energy = (
@@ -341,7 +336,7 @@ class Ledger:
         for name, bodies in _carriers(flows).items():
             share = np.zeros_like(brought)
             share[bodies] = brought[bodies]
-            self._give(name, share, self._world.snapshot.position)
+            self._give(name, share, self._step.snapshot.position)
             self._works[name] += float(energy[bodies].sum())
 
     def _stored_with(self, motion: Instant, t: float) -> Array:
@@ -401,14 +396,14 @@ class Ledger:
 
     def _kicked(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
-        located = self._world.located
-        return self._world.contacts.after(len(located.impacts) if located else 0)
+        collided = self._step.impacts
+        return self._step.contacts.after(len(collided.impacts) if collided else 0)
 
     def _jump(self, kick: Kick) -> Array:
         """Return the impulses of impacts that come one after the other: (n, 3)."""
-        if self._world.jump is None:
+        if self._step.jump is None:
             return np.zeros_like(self._mass)
-        impulse = kick.inertia * self._world.jump
+        impulse = kick.inertia * self._step.jump
         self._give("supports", impulse, kick.place)
         return impulse
 
@@ -419,7 +414,7 @@ class Ledger:
     def _hand(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
         """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
         impulse = np.zeros_like(rest)
-        hold = self._world.hand.hold
+        hold = self._step.hold
         if hold is None:
             return impulse
         row, (x, y) = hold
@@ -470,10 +465,10 @@ def _carriers(flows: MassFlows) -> dict[str, list[int]]:
     return found
 
 
-def _elastic(world: "World") -> bool:
+def _elastic(run: Recorded) -> bool:
     """Whether all impacts have e = 1, so that none may take energy."""
-    effect, values = world.level.effects.restitution, world.values
+    effect, values = run.level.effects.restitution, run.values
     if effect is None:
         return False
-    own = [body.restitution for body in world.level.bodies.values() if body.restitution]
+    own = [body.restitution for body in run.level.bodies.values() if body.restitution]
     return all(e(values) == 1 for e in (*own, *(pair.coefficient for pair in effect.pairs)))

@@ -20,7 +20,7 @@ from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
 from sandbox.physics.batch import NO_CONTACTS, Booleans, Contacts
 from sandbox.physics.build import Scene
-from sandbox.physics.collision import Coefficients, Collision, Impact
+from sandbox.physics.collision import Coefficients, Collided, Collision, Impact
 from sandbox.physics.errors import EndlessImpacts
 from sandbox.physics.exact.grip import Grip
 from sandbox.physics.impacts import impacts
@@ -79,13 +79,6 @@ class Located:
         Those of the last drift.
     begun
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
-    lifted
-        How much more energy bodies have in the middle of their last drift for nothing but being
-        pulled less than before their impacts [J]: along a parabola there is m a² dt²/8 more of it
-        than in the middle of the chord.
-    pulled
-        The momentum, and the angular momentum, that what pulls them gave along their way, beyond
-        what the kicks before and after give: (3,) [kg m/s, kg m²/s].
     """
 
     def __init__(
@@ -114,7 +107,14 @@ class Located:
         self._first: Array | None = None
         self.begun = state[:, 3:]
         self.impacts: list[Impact] = []
-        self.lifted, self.pulled = 0.0, np.zeros(3)
+        self._lifted, self._pulled = 0.0, np.zeros(3)
+
+    @property
+    def last(self) -> Collided | None:
+        """What books must know of the impacts in the last drift; None if there were none."""
+        if not self.impacts:
+            return None
+        return Collided(self.impacts, self.begun, self._lifted, self._pulled)
 
     def begin(self, velocity: Array, acceleration: Array) -> None:
         """Take up a motion whose first kick had these velocities before it, and accelerations."""
@@ -152,7 +152,7 @@ class Located:
             self._without_impacts(pull, smooth, place, (begun, drifts))
         grip = Grip(self._joints, self._agility, place) if self._joints else None
         path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
-        self.pulled = np.zeros(3)
+        self._pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
         return self._hand_over(path, state, pull) if self.impacts else None
 
@@ -184,12 +184,12 @@ class Located:
         half, struck = self._dt / 2, path.struck[:, None]
         before, after = (np.where(struck, pull, 0.0) for pull in pulls)
         less = before * before - after * after
-        self.lifted = float(np.sum(self._inertia * less)) * half * half / 2
-        self.pulled += self._pulled(path, self._dt, path.struck)
+        self._lifted = float(np.sum(self._inertia * less)) * half * half / 2
+        self._pulled += self._given(path, self._dt, path.struck)
         for pull, place in zip((before, after), places, strict=True):
-            self.pulled -= momentum(self._inertia * pull * half, place)
+            self._pulled -= momentum(self._inertia * pull * half, place)
 
-    def _pulled(self, path: Path, t: float, bodies: Booleans) -> Array:
+    def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return what pulls gave some bodies since each one's last impact: see `momentum`."""
         lasted = np.where(bodies, t - path.since, 0.0)[:, None]
         mean = (path.pull + path.pull_at(t)) / 2
@@ -289,7 +289,7 @@ class Located:
         time, around = group[0].time, self._around(path, group) if tally.count(group) else []
         dead = bool(around) and tally.gentle(around)
         bounce = self._collision.bounce(path, around if dead else group, dead=dead)
-        self.pulled += self._pulled(path, time, bounce.struck)
+        self._pulled += self._given(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
         path.pull += bounce.held
         self.impacts += bounce.impacts

@@ -145,7 +145,7 @@ class Watchdog:
             self._look_for_sunk(now, contacts)
         self._gains.follow(now, contacts, None if cut else before)
         if self._audit and not disturbed:
-            self._refuse_if(now, self._audit.look(before, self._gains.lifted))
+            self._refuse_if(now, self._audit.look(now, before, self._gains.lifted))
         self._recent.append(now)
         if len(self._recent) > EVERY:
             self.good = self._recent[0]

@@ -42,6 +42,7 @@ from sandbox.physics.schemes import LEAPFROG, Composition, Substep, composition,
 from sandbox.physics.sequence import Sequence
 from sandbox.physics.settling import Settling
 from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.step_record import StepRecord
 from sandbox.physics.stiffness import MARGIN, check_springs
 from sandbox.physics.stops import Stops, stop
 from sandbox.physics.watchdog import Watchdog
@@ -122,11 +123,6 @@ class World:
         Finds where slipping ends, if that is located in time; None if not.
     parts
         What a step is made of.
-    trail
-        After each part of the last step but its end, places and velocities: (n, 6) each; only kept
-        while somebody keeps books, None else.
-    begun
-        (n, 3), the velocities that the last kick began with, when it was last observed.
     disturbed
         Whether a hand has touched the scene, so that no formula for it holds any more.
     """
@@ -137,7 +133,7 @@ class World:
         self.dt = 1 / stepping.rate
         self.steps = 0
         self.disturbed = False
-        self.trail: list[Array] | None = None
+        self._trail: list[Array] | None = None  # where books are kept
         self._ended: Exception | None = None
         self.scene: Scene = make_scene(level, values, stepping)
         self._space = self.scene.space
@@ -185,9 +181,28 @@ class World:
         return self.steps * self.dt
 
     @property
-    def jump(self) -> Array | None:
-        """What impacts in sequence changed in the last step [m/s, rad/s]: (n, 3); None without."""
-        return self._sequence.last.jump if self._sequence else None
+    def last(self) -> StepRecord:
+        """What books must know of the last step that was observed."""
+        return StepRecord(
+            self.steps,
+            self.dt,
+            self.snapshot,
+            self.contacts,
+            self._begun,
+            self.forces.seen,
+            self.forces.smooth,
+            self.parts,
+            self._trail or (),
+            self.located.last if self.located else None,
+            self.stops.last if self.stops else None,
+            self._sequence.last.jump if self._sequence else None,
+            self.hand.hold,
+        )
+
+    def keep_trail(self) -> None:
+        """Keep the states between the parts of a step from now on, for books."""
+        if self._trail is None:  # others may keep books, too
+            self._trail = []
 
     @property
     def impacts(self) -> list[tuple[Pair, float]]:
@@ -309,7 +324,7 @@ class World:
         """Take all substeps of a step but the last, unless that is done."""
         if self._led:
             return
-        trail = self.trail = None if self.trail is None else []
+        trail = self._trail = None if self._trail is None else []
         for substep in self._leading:
             self._turn_to(substep)
             self._step(substep.drift)
@@ -413,7 +428,7 @@ class World:
 
     def _start(self) -> Snapshot:
         """Observe the initial state; for leapfrog, also give the first half kick."""
-        self.begun = start = self._batch.velocity()
+        self._begun = start = self._batch.velocity()
         if self.scene.direct:
             self.scene.direct.forget()
         self._seen = -1, start
@@ -459,7 +474,7 @@ class World:
         self._seen = self.steps, state[:, 3:]
         if cutting := self.stops or self.located:
             before = cutting.begun
-        self.begun = before
+        self._begun = before
         contacts = self._read_contacts()
         rates = self._observer.rates(state, before, contacts, self.parts)
         if self.located:
