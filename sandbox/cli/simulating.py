@@ -14,7 +14,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
-from sandbox.physics import trace as traces
+from sandbox.physics import run as runs
 from sandbox.physics.advice import tried
 from sandbox.physics.checks import grade
 from sandbox.physics.comparison import Difference, costs, differences
@@ -77,7 +77,7 @@ def _run(
 ) -> Trace:
     """Run a level; if it has to stop, say what was found to help."""
     try:
-        return traces.simulate(level, values, duration, recorded, stepping, books=True)
+        return runs.simulate(level, values, duration, recorded, stepping, books=True)
     except SimulationError as error:
         raise tried(error, level, values, stepping, duration) from error
 

@@ -16,8 +16,9 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
 from sandbox.physics.errors import BreakdownError, SimulationError
+from sandbox.physics.run import build
 from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World, build
+from sandbox.physics.world import World
 
 SECONDS = 2.0
 """How long trying may take in all [s]; a step that is under way is not cut short."""

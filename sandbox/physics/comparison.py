@@ -1,17 +1,13 @@
-"""Two runs of a level held against each other: what an effect changes, and what it costs."""
+"""Two runs of a level held against each other: what an effect changes."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Check, Instant, Level, Stepping
+from sandbox.model.expressions import Array
+from sandbox.model.level import Check, Instant, Level
 from sandbox.physics.checks import ZERO, samples
-from sandbox.physics.timing import step_costs
 from sandbox.physics.trace import Trace, needed
-from sandbox.physics.world import build
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,16 +119,3 @@ def _difference(
 
 def _number(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
-
-
-def costs(
-    levels: Iterable[Level], values: Values, stepping: Stepping | None = None
-) -> tuple[float, ...]:
-    """Return what a step of each of some levels costs [s], measured in turn.
-
-    Raises
-    ------
-    SimulationError
-        If one of them has to stop.
-    """
-    return step_costs(*(partial(build, level, values, stepping) for level in levels))

@@ -13,10 +13,10 @@ from math import isfinite
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
-from sandbox.physics.accuracy import Setting, calibrate
+from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.climbing import Climber, climb
-from sandbox.physics.accuracy.estimation import extrapolated
 from sandbox.physics.accuracy.ladder import Ladder, foot, held_against, step_prices
+from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.runs import (
     Watched,
     by_check,
@@ -28,7 +28,7 @@ from sandbox.physics.checks import Result, grade
 from sandbox.physics.schemes import usable
 from sandbox.physics.timing import brief_costs
 from sandbox.physics.trace import Trace
-from sandbox.physics.world import build
+from sandbox.physics.world import make_world
 
 CLIMB = 2.0
 """s, for the runs of one scheme; the one that is under way is not cut short."""
@@ -148,7 +148,7 @@ def _own(level: Level, values: Values) -> Iterator[Finding]:
         errors.append(numerical)
         if result:
             yield _split(index, result, found.of[-2], numerical, rest)
-    [step] = brief_costs(partial(build, level, values, own))
+    [step] = brief_costs(partial(make_world, level, values, own))
     yield Here(own.scheme, own.rate, max(errors), step * own.rate)
 
 

@@ -6,7 +6,6 @@ from math import ceil
 
 import numpy as np
 
-from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import (
     ApexEvent,
@@ -18,12 +17,11 @@ from sandbox.model.level import (
 )
 from sandbox.model.quantities import quantity
 from sandbox.physics.batch import Integers
-from sandbox.physics.closing import Closer, Closing
-from sandbox.physics.errors import BreakdownError
+from sandbox.physics.closing import Closing
 from sandbox.physics.ledger import Ledger
 from sandbox.physics.measure import Meter
 from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.world import Pair, World, build
+from sandbox.physics.world import Pair, World
 
 MANY = 1000
 """How many snapshots are kept before they are measured."""
@@ -164,57 +162,6 @@ class Recorder:
             self._contacts,
             self._impacts,
         )
-
-
-def simulate(
-    level: Level,
-    values: Values | None = None,
-    duration: float | None = None,
-    record: Iterable[str] | None = None,
-    stepping: Stepping | None = None,
-    *,
-    books: bool = False,
-) -> Trace:
-    """Run a level and record it.
-
-    Parameters
-    ----------
-    level
-        What to simulate.
-    values
-        The parameters; the level's defaults if left out.
-    duration
-        How long [s]; as the level says if left out. The last step is the first not before it.
-    record
-        The quantities to record; those that the level's checks need if left out.
-    stepping
-        How time advances; as the level says if left out.
-    books
-        Whether to keep the books of its energy along, which costs about 0.1 ms a step.
-
-    Raises
-    ------
-    QuantityError
-        If the level has no such quantity.
-    SimulationError
-        If the run had to stop.
-    """
-    world = build(level, values, stepping)
-    try:
-        with np.errstate(all="ignore"):  # what is not finite is told by name
-            recorder = Recorder(world, needed(level) if record is None else record)
-            closer = Closer(world) if books else None
-            for _ in range(count_steps(world, duration)):
-                world.advance()
-                recorder.note()
-                if closer:
-                    closer.note()
-            trace = recorder.trace
-            return replace(trace, closing=closer.closing) if closer else trace
-    except SandboxError:
-        raise
-    except Exception as error:
-        raise BreakdownError(error, world.t) from error
 
 
 def count_steps(world: World, duration: float | None = None) -> int:

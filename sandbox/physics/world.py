@@ -53,33 +53,27 @@ if TYPE_CHECKING:
 Pair = frozenset[str]
 
 
-def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> "World":
-    """Make the world of a level.
+def make_world(level: Level, values: Values, stepping: Stepping) -> "World":
+    """Make the world of a level at a rate that is chosen.
 
     Parameters
     ----------
-    level
-        What to simulate.
-    values
-        The parameters; the level's defaults if left out.
+    level, values
+        What to simulate, and its parameters.
     stepping
-        How time advances; as the level says if left out. If it only says how accurate, the setting
-        is found out, or remembered.
+        How time advances; no accuracy, which `build` finds a setting for.
 
     Raises
     ------
-    AccuracyError
-        If an accuracy is asked for that cannot be had.
     SimulationError
         If the world cannot even start.
     SchemeError
         If the scheme is not for such a level.
+    ValueError
+        If an accuracy is asked for.
     """
-    values, stepping = level.defaults if values is None else values, stepping or level.stepping
     if stepping.accuracy is not None:
-        from sandbox.physics.accuracy import resolved  # it runs worlds itself
-
-        stepping = resolved(level, values, stepping)
+        raise ValueError("an accuracy is asked for, and no rate is chosen")
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             return World(level, values, stepping)
@@ -97,7 +91,7 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
 
 
 class World:
-    """The bodies of a level in motion; made by `build`.
+    """The bodies of a level in motion; made by `make_world`.
 
     Attributes
     ----------

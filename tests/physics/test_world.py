@@ -6,12 +6,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.physics.errors import BreakdownError, SimulationError
 from sandbox.physics.laws.attraction import Attraction
 from sandbox.physics.snapshot import Snapshot
 from sandbox.physics.trace import Recorder
-from sandbox.physics.world import build
+from sandbox.physics.world import build, make_world
 from tests.elsewhere import python
 from tests.physics.scenes import (
     GRAVITY,
@@ -297,3 +297,11 @@ def test_worlds_are_independent_of_each_other() -> None:
         other.place({"thing0": (0, 9)})
 
     assert digest(Snapshot.stack(interleaved)) == digest(alone)
+
+
+def test_a_world_has_a_rate_whatever_accuracy_its_level_asks_for() -> None:
+    """Only `build` looks for a setting; nothing runs at 60 Hz because nobody chose."""
+    scene = atwood(1, 2)
+
+    with pytest.raises(ValueError, match="no rate is chosen"):
+        make_world(scene, scene.defaults, Stepping(accuracy=1e-6))

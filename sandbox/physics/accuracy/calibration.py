@@ -21,7 +21,7 @@ from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
 from sandbox.physics.checks import applies
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.limits import needs
-from sandbox.physics.world import build
+from sandbox.physics.world import make_world
 
 BUDGET = 0.75
 """s, for all runs of a calibration; the one that is under way is not cut short."""
@@ -165,7 +165,7 @@ def _floor(level: Level, values: Values) -> float:
     there is no such step.
     """
     try:
-        world = build(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
+        world = make_world(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
         now = world.advance()
     except SimulationError:
         return 0.0

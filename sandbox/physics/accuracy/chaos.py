@@ -8,7 +8,7 @@ from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.accuracy.runs import BLOCK, Stop
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World, build
+from sandbox.physics.world import World, make_world
 
 NUDGE = 1e-9
 """m, by which one body is moved at the start."""
@@ -37,7 +37,7 @@ def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> floa
     if name is None:
         return 0.0
     try:
-        first, other = build(level, values, stepping), build(level, values, stepping)
+        first, other = make_world(level, values, stepping), make_world(level, values, stepping)
         x, y = other.snapshot.position[list(level.bodies).index(name)]
         other.place({name: (float(x) + NUDGE, float(y) + NUDGE)})
         ends = [_end(world, stop) for world in (first, other)]

@@ -1,24 +1,14 @@
-"""The numerical error of a run, by Richardson's extrapolation: the step is halved, twice."""
+"""The numerical error of a run: its step is halved, twice."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
-from math import inf, log2
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
-from sandbox.physics.accuracy.runs import Stop, Watched, apart, never, record, size, unit, watched
+from sandbox.physics.accuracy.memory import resolved
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.runs import Stop, Watched, never, record, watched
 from sandbox.physics.trace import Trace
-from sandbox.physics.world import build
-
-LEAST_ORDER = 0.5
-"""Differences that fall more slowly than by this power of the step show no order."""
-
-ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
-"""The orders of the schemes; no error is expected to fall faster."""
-
-ROUNDING = 1e-15
-"""Of the size of a quantity: differences below this say nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +71,7 @@ def estimate(
         If a run had to stop.
     """
     values = level.defaults if values is None else values
-    stepping = build(level, values, stepping).stepping
+    stepping = resolved(level, values, stepping or level.stepping)
     items = watched(level, values) if wanted is None else wanted
     finer = (stepping.model_copy(update={"rate": stepping.rate * times}) for times in (1, 2, 4))
     traces = [record(level, values, each, items, stop) for each in finer]
@@ -94,81 +84,3 @@ def _estimate(traces: Sequence[Trace], item: Watched) -> Estimate | None:
         return None
     unit = traces[0].units[item.quantity]
     return Estimate(item.quantity, item.at, unit, errors.relative[0], errors.of[0], errors.order)
-
-
-@dataclass(frozen=True, slots=True)
-class Errors:
-    """The errors of some runs in a quantity, each of half the step of the one before [unit].
-
-    Attributes
-    ----------
-    of
-        The errors.
-    order
-        By which power of the step they fall; None if none shows.
-    unit
-        What they are relative to; 1 where the value itself is zero.
-    rise
-        By which power of the rate they grow, where they are rounding; else 0.
-    """
-
-    of: tuple[float, ...]
-    order: float | None
-    unit: float
-    rise: float
-
-    @property
-    def relative(self) -> tuple[float, ...]:
-        """The errors as a check's."""
-        return tuple(error / self.unit for error in self.of)
-
-
-def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
-    """Return the errors of at least two runs in what is watched, by the differences between them.
-
-    e_n = (y_n − y_{n−1}) / (2^p − 1) is that of the last, with the order p by which the differences
-    fall, but not more than the scheme's; each other's is its difference from the last, and that.
-    Where no order shows, the error of the last counts as all of the difference.
-
-    None if an instant comes in none of the runs.
-    """
-    steps = [apart(a, b, item) for a, b in pairwise(traces)]
-    if all(step is None for step in steps):
-        return None
-    differences = [inf if step is None else step for step in steps]
-    floor = ROUNDING * size(traces[-1], item)
-    order, jump = _order(differences, floor, ORDERS[traces[-1].stepping.scheme])
-    last = jump / (2 ** (order or 1.0) - 1)
-    whole = (apart(trace, traces[-1], item) for trace in traces[:-1])
-    rise = 0.0 if order else _rise(differences)
-    errors = (*(inf if w is None else w + last for w in whole), last)
-    return Errors(errors, order, unit(traces, item, last), rise)
-
-
-def _rise(differences: Sequence[float]) -> float:
-    """Return by which power of the rate differences grow, if they do each time.
-
-    No more than 2, that of an acceleration: the rounding of places over the square of the step.
-    """
-    last = differences[-3:]
-    grows = len(last) > 1 and last[0] > 0 and all(a < b < inf for a, b in pairwise(last))
-    return min(log2(last[-1] / last[0]) / (len(last) - 1), 2.0) if grows else 0.0
-
-
-def _order(differences: Sequence[float], floor: float, most: int) -> tuple[float | None, float]:
-    """Return the order by which differences fall, and the last of them.
-
-    Impacts are found at steps, and how late each comes is a matter of chance: what falls now more
-    and now less is of first order at the best, and the larger of the last two counts.
-    """
-    last = differences[-1]
-    if len(differences) < 2 or not floor < last < inf:
-        return None, last
-    order = log2(differences[-2] / last) if 0 < differences[-2] < inf else 0.0
-    if order >= LEAST_ORDER:
-        return min(order, most), last
-    first, last = max(differences[:2]), max(differences[-2:])
-    if len(differences) < 4 or not 0 < last < first < inf:
-        return None, last
-    order = log2(first / last) / (len(differences) - 2)
-    return (min(order, 1.0) if order >= LEAST_ORDER else None), last

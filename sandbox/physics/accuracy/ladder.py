@@ -8,11 +8,11 @@ from math import ceil, floor, inf, log2, log10
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics.accuracy.estimation import ORDERS, extrapolated
+from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.accuracy.runs import Watched, apart, scale, size
 from sandbox.physics.timing import brief_costs
 from sandbox.physics.trace import Trace
-from sandbox.physics.world import build
+from sandbox.physics.world import make_world
 
 NEARLY = 0.75
 """The share of its order that a scheme shows where its steps are small enough for it."""
@@ -125,7 +125,7 @@ class Ladder:
 def step_prices(level: Level, values: Values, ladders: Iterable[Ladder]) -> tuple[float, ...]:
     """Return what a step of each ladder costs [s], at its highest rate."""
     steppings = (ladder.traces[-1].stepping for ladder in ladders)
-    return brief_costs(*(partial(build, level, values, stepping) for stepping in steppings))
+    return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 
 
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Ladder:

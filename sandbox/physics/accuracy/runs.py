@@ -12,7 +12,7 @@ from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.checks import ZERO, applies, least_scale, samples
 from sandbox.physics.trace import Recorder, Trace, count_steps, needed_at
-from sandbox.physics.world import build
+from sandbox.physics.world import make_world
 
 Stop = Callable[[], bool]
 """Tells whether somebody has lost patience."""
@@ -95,7 +95,7 @@ def record(
     SimulationError
         If the run had to stop.
     """
-    world = build(level, values, stepping)
+    world = make_world(level, values, stepping)
     names = dict.fromkeys(name for item in wanted for name in needed_at(item.quantity, item.at))
     recorder = Recorder(world, names)
     all_ = any(_needs_all(level, item) for item in wanted)

@@ -1,0 +1,111 @@
+"""A level that is run: built at the setting that it asks for, taken to its end, and timed.
+
+A level may ask for an accuracy instead of a rate. The search for a setting runs worlds itself, so
+what takes such a level stands above it.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy.memory import resolved
+from sandbox.physics.closing import Closer
+from sandbox.physics.errors import BreakdownError
+from sandbox.physics.timing import step_costs
+from sandbox.physics.trace import Recorder, Trace, count_steps, needed
+from sandbox.physics.world import World, make_world
+
+
+def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:
+    """Make the world of a level.
+
+    Parameters
+    ----------
+    level
+        What to simulate.
+    values
+        The parameters; the level's defaults if left out.
+    stepping
+        How time advances; as the level says if left out. If it only says how accurate, the setting
+        is found out, or remembered.
+
+    Raises
+    ------
+    AccuracyError
+        If an accuracy is asked for that cannot be had.
+    SimulationError
+        If the world cannot even start.
+    SchemeError
+        If the scheme is not for such a level.
+    """
+    values = level.defaults if values is None else values
+    return make_world(level, values, resolved(level, values, stepping or level.stepping))
+
+
+def simulate(
+    level: Level,
+    values: Values | None = None,
+    duration: float | None = None,
+    record: Iterable[str] | None = None,
+    stepping: Stepping | None = None,
+    *,
+    books: bool = False,
+) -> Trace:
+    """Run a level and record it.
+
+    Parameters
+    ----------
+    level
+        What to simulate.
+    values
+        The parameters; the level's defaults if left out.
+    duration
+        How long [s]; as the level says if left out. The last step is the first not before it.
+    record
+        The quantities to record; those that the level's checks need if left out.
+    stepping
+        How time advances; as the level says if left out.
+    books
+        Whether to keep the books of its energy along, which costs about 0.1 ms a step.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity.
+    SimulationError
+        If the run had to stop.
+    """
+    world = build(level, values, stepping)
+    try:
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            recorder = Recorder(world, needed(level) if record is None else record)
+            closer = Closer(world) if books else None
+            for _ in range(count_steps(world, duration)):
+                world.advance()
+                recorder.note()
+                if closer:
+                    closer.note()
+            trace = recorder.trace
+            return replace(trace, closing=closer.closing) if closer else trace
+    except SandboxError:
+        raise
+    except Exception as error:
+        raise BreakdownError(error, world.t) from error
+
+
+def costs(
+    levels: Iterable[Level], values: Values, stepping: Stepping | None = None
+) -> tuple[float, ...]:
+    """Return what a step of each of some levels costs [s], measured in turn.
+
+    Raises
+    ------
+    SimulationError
+        If one of them has to stop.
+    """
+    return step_costs(*(partial(build, level, values, stepping) for level in levels))
