@@ -6,7 +6,7 @@ five times as fast. All other exact joints are solved together. pymunk solves wh
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import NamedTuple, cast
 
 import numpy as np
 import pymunk
@@ -46,9 +46,6 @@ from sandbox.physics.laws.spring import SpringForce
 from sandbox.physics.motion import Motion
 from sandbox.physics.pulley import PulleyString
 from sandbox.physics.solids import Solids, Touches
-
-if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct import Direct
 
 Lengths = Rod | Rope | Pulley | Rail
 Turning = Pivot | Weld | Motor | Winding
@@ -260,7 +257,7 @@ class Joints:
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
 
     def solvers(
-        self, until: Callable[[], float], direct: "Direct | None"
+        self, until: Callable[[], float], solve: Callable[[float], None] | None
     ) -> list[Callable[[], None]]:
         """Return what must run after pymunk's solver.
 
@@ -268,14 +265,15 @@ class Joints:
         ----------
         until
             Tells the time at the end of the next drift [s].
-        direct
-            What solves contacts as well; None if nothing does.
+        solve
+            Solves the exact joints, and contacts as well, up to such a time [s]; None if the joints
+            are solved without contacts.
         """
         work: list[Callable[[], None]] = [string.solve for string in self.strings.values()]
         if self.touches:
             work.append(self._stick)
-        if exact := direct or self.together:
-            work.append(lambda: exact.solve(until()))
+        if exact := solve or (self.together.solve if self.together else None):
+            work.append(lambda: exact(until()))
         return work
 
     def time(self, kick: float, drift: float) -> None:

@@ -354,7 +354,8 @@ class World:
         if direct := self.scene.direct:
             before.append(partial(self._begin, direct))
         after = self._joints.solvers(
-            lambda: (self.steps + self._kicks_after + self._drifts_then) * self.dt, direct
+            lambda: (self.steps + self._kicks_after + self._drifts_then) * self.dt,
+            direct.solve if direct else None,
         )
         dynamic = next((b for b in self._bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is None or not (before or after):
