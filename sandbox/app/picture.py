@@ -8,7 +8,12 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import cards, graph, race, theme, whatif, wording
+from sandbox.app import graph, race, theme, whatif, wording
+from sandbox.app.cards.checks import checks
+from sandbox.app.cards.effects import compared
+from sandbox.app.cards.energy import energy
+from sandbox.app.cards.level import clock, header, settings
+from sandbox.app.cards.race import lanes
 from sandbox.app.companions import Changes
 from sandbox.app.session import Session
 from sandbox.app.stage import legend
@@ -128,14 +133,14 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
     when = f"t = {wording.seconds(session.t)} of {wording.seconds(session.duration)}"
-    parts = [cards.header(pen, width, level), cards.clock(pen, width, when)]
+    parts = [header(pen, width, level), clock(pen, width, when)]
     if level.parameters:
-        parts.append(cards.settings(pen, width, level, session.values))
+        parts.append(settings(pen, width, level, session.values))
     for part in parts:
         picture.blit(part, (left, y))
         y += part.height + 8
     drawn = graph.energies((width, GRAPH), session.books.history, session.duration)
-    foot = cards.energy(pen, width, session.books.start, session.books.energies, drawn)
+    foot = energy(pen, width, session.books.start, session.books.energies, drawn)
     end = picture.height - foot.height - MARGIN
     picture.blit(_judged(session, pen, width, end - y), (left, y))
     picture.fill(theme.PANEL, (left, end, width, picture.height - end))
@@ -145,18 +150,18 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
 def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
     """Draw how the run differs from the one beside it, how the race stands, or the checks."""
     if session.changes:
-        return cards.compared(pen, width, session.changes.told, whatif.compared(session))
+        return compared(pen, width, session.changes.told, whatif.compared(session))
     if race.racing(session):
-        return cards.lanes(pen, width, race.lanes(session), session.world.stepping.rate)
+        return lanes(pen, width, race.lanes(session), session.world.stepping.rate)
     return _checks(session, pen, width, room)
 
 
 def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
     """Draw as many checks as there is room for."""
     readings = session.readings()
-    drawn = cards.checks(pen, width, readings)
+    drawn = checks(pen, width, readings)
     for count in range(len(readings) - 1, 0, -1):
         if drawn.height <= room:
             break
-        drawn = cards.checks(pen, width, readings[:count], left_out=len(readings) - count)
+        drawn = checks(pen, width, readings[:count], left_out=len(readings) - count)
     return drawn

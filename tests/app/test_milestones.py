@@ -3,7 +3,8 @@
 import pygame
 import pytest
 
-from sandbox.app import cards, theme
+from sandbox.app import theme
+from sandbox.app.cards.checks import checks
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model import catalog
@@ -61,7 +62,7 @@ def test_what_depends_on_when_it_happens_is_not_known_before(pen: Pen) -> None:
 
     assert (at_time.measured, at_time.expected) == (0, 5)
     assert (at_event.measured, at_event.expected) == (0, None)
-    assert cards.checks(pen, 300, session.readings()).width == 300
+    assert checks(pen, 300, session.readings()).width == 300
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import cards
+from sandbox.app import picture
 from sandbox.app.picture import render, save_picture
 from sandbox.model import catalog
 from sandbox.model.loading import parse
@@ -43,7 +43,7 @@ def test_a_level_without_parameters_has_no_heading_for_them(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     level = textbook("hard/elastic-ball")
-    monkeypatch.setattr(cards, "settings", lambda *_: pytest.fail("there is nothing to list"))
+    monkeypatch.setattr(picture, "settings", lambda *_: pytest.fail("there is nothing to list"))
 
     render(level, level.defaults, at=0.0)
 

@@ -5,7 +5,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import cards, theme
+from sandbox.app import theme
+from sandbox.app.cards.energy import ledger
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model import catalog
@@ -118,7 +119,7 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
     heights = []
     for name in ("newton/incline", "newton/friction-brings-to-rest"):
         session = Session(load(catalog.find(name)))
-        heights.append(cards.ledger(Pen(), 300, session.books.balance).height)
+        heights.append(ledger(Pen(), 300, session.books.balance).height)
         person.window.open_level(name)
         person.wait()
     person.press(pygame.K_e, "e")

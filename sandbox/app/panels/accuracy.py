@@ -6,8 +6,9 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
-from sandbox.app import cards, diagram
-from sandbox.app.cards import accuracy
+from sandbox.app import diagram
+from sandbox.app.cards.accuracy import asked, ends, rest, status
+from sandbox.app.cards.card import Card
 from sandbox.app.load import Load
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
 from sandbox.app.session import Session
@@ -37,8 +38,7 @@ class AccuracyPage:
             container=sheet.container,
         )
         y += 18
-        ends = accuracy.ends(pen, width, "fast", "exact")
-        y = below(sheet.image(ends, y)) + 6
+        y = below(sheet.image(ends(pen, width, "fast", "exact"), y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
         place = pygame.Rect((width - BUTTON[0], y), BUTTON)
@@ -104,7 +104,7 @@ class AccuracyPage:
 
     def _drawn_dial(self) -> pygame.Surface:
         here = self._studying.here
-        return accuracy.asked(
+        return asked(
             self._sheet.pen,
             self._sheet.width,
             self._studying.target,
@@ -114,7 +114,7 @@ class AccuracyPage:
 
     def _drawn(self) -> pygame.Surface:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
-        card = cards.Card(pen, width)
+        card = Card(pen, width)
         card.text("largest numerical error", 12)
         chart = diagram.draw(pen, (width, DIAGRAM), studying.points, studying.here)
         card.put(chart, 0)
@@ -126,11 +126,11 @@ class AccuracyPage:
 
     def _drawn_status(self) -> pygame.Surface:
         width = self._sheet.width - BUTTON[0] - 8
-        return accuracy.status(
+        return status(
             self._sheet.pen, (width, BUTTON[1]), self._studying.progress, self._studying.failure
         )
 
     def _drawn_rest(self) -> pygame.Surface:
         pen, width, session = self._sheet.pen, self._sheet.width, self._session
         splits = self._studying.splits(session)
-        return accuracy.rest(pen, width, self._load.shares, session.level.checks, splits)
+        return rest(pen, width, self._load.shares, session.level.checks, splits)

@@ -7,7 +7,9 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import cards, whatif, wording
+from sandbox.app import whatif, wording
+from sandbox.app.cards.card import label
+from sandbox.app.cards.effects import compared, effects_intro, unchanged
 from sandbox.app.companions import NONE
 from sandbox.app.grading import Ration
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
@@ -37,10 +39,10 @@ class EffectsPage:
         level, pen, width = session.original, sheet.pen, sheet.width
         self._switches: dict[str, UIButton] = {}
         self._scales: dict[UIButton, tuple[str, float]] = {}
-        y = below(sheet.image(cards.effects_intro(pen, width), MARGIN // 2)) + 2
+        y = below(sheet.image(effects_intro(pen, width), MARGIN // 2)) + 2
         y = self._row_of(level.effects.declared, y)
         if added := whatif.addable(level):
-            y = below(sheet.image(cards.label(pen, width, "try with"), y + 2)) + 2
+            y = below(sheet.image(label(pen, width, "try with"), y + 2)) + 2
             y = self._row_of(added, y, adjustable=True)
         reset = pygame.Rect(0, y + 4, 150, SWITCH)
         self._reset = sheet.button(reset, "Reset the effects", "play the level as it is declared")
@@ -118,12 +120,12 @@ class EffectsPage:
     def _drawn(self) -> pygame.Surface:
         session, pen, width = self._session, self._sheet.pen, self._sheet.width
         if not session.changes:
-            return cards.unchanged(pen, width)
+            return unchanged(pen, width)
         if session.world is not self._world:
             self._world = session.world
             self._ration = Ration(lambda: whatif.compared(session), ())
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
-        return cards.compared(
+        return compared(
             pen, width, session.changes.told, found, cost, disturbed=session.world.disturbed
         )

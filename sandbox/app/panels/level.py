@@ -2,7 +2,9 @@
 
 import pygame
 
-from sandbox.app import cards
+from sandbox.app.cards.card import heading
+from sandbox.app.cards.checks import checks, unjudged
+from sandbox.app.cards.level import header
 from sandbox.app.panels.parameters import Parameters
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
 from sandbox.app.session import Session
@@ -15,9 +17,9 @@ class LevelPage:
     def __init__(self, sheet: Sheet, session: Session, studying: Studying) -> None:
         self._sheet, self._session, self._studying = sheet, session, studying
         pen, width, level = sheet.pen, sheet.width, session.original
-        y = below(sheet.image(cards.header(pen, width, level), MARGIN // 2)) + 8
+        y = below(sheet.image(header(pen, width, level), MARGIN // 2)) + 8
         if level.parameters:
-            y = below(sheet.image(cards.heading(pen, width, "Parameters"), y))
+            y = below(sheet.image(heading(pen, width, "Parameters"), y))
         area = pygame.Rect(MARGIN, y, width, 0)
         self.parameters = Parameters(
             sheet.manager, pen, sheet.container, area, level.parameters, session.values
@@ -38,8 +40,8 @@ class LevelPage:
     def _drawn(self) -> pygame.Surface:
         session, sheet = self._session, self._sheet
         if session.changes:
-            return cards.unjudged(sheet.pen, sheet.width)
-        return cards.checks(
+            return unjudged(sheet.pen, sheet.width)
+        return checks(
             sheet.pen,
             sheet.width,
             session.readings(),

@@ -4,7 +4,8 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import cards, race
+from sandbox.app import race
+from sandbox.app.cards.race import lanes, race_intro
 from sandbox.app.panels.sheet import MARGIN, Sheet, below
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
@@ -15,7 +16,7 @@ class RacePage:
 
     def __init__(self, sheet: Sheet, session: Session) -> None:
         self._sheet, self._session = sheet, session
-        y = below(sheet.image(cards.race_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
+        y = below(sheet.image(race_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
         self._button = sheet.button(pygame.Rect(0, y, 150, 30), "", "every scheme at once (S)")
         self._table = sheet.image(self._drawn(), y + 42)
         self.update()
@@ -45,6 +46,6 @@ class RacePage:
 
     def _drawn(self) -> pygame.Surface:
         session = self._session
-        lanes = race.lanes(session) if race.racing(session) else []
+        found = race.lanes(session) if race.racing(session) else []
         rate = session.world.stepping.rate
-        return cards.lanes(self._sheet.pen, self._sheet.width, lanes, rate)
+        return lanes(self._sheet.pen, self._sheet.width, found, rate)

@@ -4,7 +4,8 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.elements import UIButton, UIImage
 
-from sandbox.app import cards, graph
+from sandbox.app import graph
+from sandbox.app.cards.energy import energy, ledger
 from sandbox.app.keys import BINDINGS, Command
 from sandbox.app.load import Load
 from sandbox.app.panels.accuracy import AccuracyPage
@@ -59,10 +60,10 @@ class SidePanel:
         """Put the energy at the foot, and return what is left above it."""
         self._width = rect.width - 2 * MARGIN - 10
         self._graph_size = self._width, min(max(rect.height // 5 - CAPTION, GRAPH[0]), GRAPH[1])
-        energy = self._draw_energy()
-        upper = pygame.Rect(rect.topleft, (rect.width, max(rect.height - energy.height - FOOT, 1)))
-        place = energy.get_rect(topleft=(rect.x + MARGIN, upper.bottom))
-        self._energy = UIImage(place, energy, self._manager)
+        drawn = self._draw_energy()
+        upper = pygame.Rect(rect.topleft, (rect.width, max(rect.height - drawn.height - FOOT, 1)))
+        place = drawn.get_rect(topleft=(rect.x + MARGIN, upper.bottom))
+        self._energy = UIImage(place, drawn, self._manager)
         self._switch = UIButton(
             pygame.Rect((place.right - SWITCH[0], upper.bottom + 4), SWITCH),
             "Bars" if self._graph else "Graph", self._manager,
@@ -153,7 +154,7 @@ class SidePanel:
         session = self._session
         if not self._graph:
             ahead = not session.world.composed
-            return cards.ledger(self._pen, self._width, session.books.balance, ahead=ahead)
+            return ledger(self._pen, self._width, session.books.balance, ahead=ahead)
         drawn = graph.energies(self._graph_size, session.books.history, session.duration)
         now = session.books.energies
-        return cards.energy(self._pen, self._width, session.books.start, now, drawn)
+        return energy(self._pen, self._width, session.books.start, now, drawn)
