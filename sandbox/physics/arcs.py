@@ -10,12 +10,10 @@ Points of the plane are complex numbers here.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import sqrt
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
+from sandbox.physics.course import Side
 from sandbox.physics.outline import dot
-
-if TYPE_CHECKING:
-    from sandbox.physics.curves import Side
 
 Placed = tuple[complex, complex]
 """Where a body is, and how it is turned: x + iy [m], cos + i sin."""
@@ -99,7 +97,7 @@ class Piece:
     away: complex = 0j
     goes_on: complex = 0j
     corner: complex | None = None
-    curve: "Side | None" = None
+    curve: Side | None = None
 
 
 class Touch(NamedTuple):

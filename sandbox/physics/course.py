@@ -3,6 +3,7 @@
 Everything is along the axes of its body, and a place on it is counted in the pieces of `Quintics`.
 """
 
+from dataclasses import dataclass
 from itertools import pairwise
 from math import sqrt
 from typing import NamedTuple
@@ -196,6 +197,26 @@ class Course:
         )
         reach = float(np.abs(knots - center).max() + np.abs(np.diff(knots)).max())
         return Stretch(first, last, int(np.sign(bends.sum())), center, reach)
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """A stretch of a curve, with both of its sides.
+
+    Attributes
+    ----------
+    body
+        The body's index.
+    course, stretch
+        Of which course it is which part.
+    half
+        How far its two sides are from the course [m].
+    """
+
+    body: int
+    course: Course
+    stretch: Stretch
+    half: float
 
 
 def _cuts(bends: np.ndarray, turns: np.ndarray) -> list[int]:

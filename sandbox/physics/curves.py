@@ -7,7 +7,6 @@ Points of the plane are complex numbers here.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from sandbox.model.shapes import Curve
 from sandbox.model.wires import along
 from sandbox.physics import arcs
 from sandbox.physics.arcs import THIN, Arc, Piece, Placed, Touch, Verdict, put
-from sandbox.physics.course import Course, Foot, Stretch
+from sandbox.physics.course import Course, Foot, Side
 from sandbox.physics.outline import dot
 
 CENTRED = 1e-3
@@ -25,26 +24,6 @@ stays clear of the centre of curvature, and is followed."""
 
 DEEP = 0.5
 """The share of its width by which a side may be too deep in a curve, and still touch it."""
-
-
-@dataclass(frozen=True, slots=True)
-class Side:
-    """A stretch of a curve, with both of its sides.
-
-    Attributes
-    ----------
-    body
-        The body's index.
-    course, stretch
-        Of which course it is which part.
-    half
-        How far its two sides are from the course [m].
-    """
-
-    body: int
-    course: Course
-    stretch: Stretch
-    half: float
 
 
 def course_of(curve: Curve, values: Values) -> Course:

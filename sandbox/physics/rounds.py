@@ -15,8 +15,8 @@ from sandbox.model.shapes import Curve as CurveShape
 from sandbox.physics.arcs import Arc, Piece
 from sandbox.physics.bodies import center_of, local_points
 from sandbox.physics.convex import convex_parts
-from sandbox.physics.course import Course
-from sandbox.physics.curves import Side, course_of
+from sandbox.physics.course import Course, Side
+from sandbox.physics.curves import course_of
 from sandbox.physics.ends import make_ends
 from sandbox.physics.errors import SimulationError
 from sandbox.physics.feelers import FELT, HOLLOW, ORDINARY, Made, half_of, make_feeler
