@@ -16,11 +16,11 @@ from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.model.parts import names_in
 from sandbox.model.quantities import quantity
-from sandbox.physics.checks import relative_error, samples
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.timing import step_costs
-from sandbox.physics.trace import Trace, needed_at, simulate
-from sandbox.physics.world import build
+from sandbox.physics.measuring.grading import relative_error, samples
+from sandbox.physics.measuring.recording import Trace, needed_at
+from sandbox.physics.measuring.step_timing import step_costs
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import SimulationError
 
 Expected = Callable[[Values, Array], ArrayLike]
 """A closed form, of all parameters and the times that count [s]."""

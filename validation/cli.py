@@ -9,7 +9,7 @@ import typer
 
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.files import check_writable
-from sandbox.physics.errors import SimulationError
+from sandbox.physics.state.errors import SimulationError
 from validation import output, suite
 from validation.cases import all_cases
 from validation.extras import needed_for

@@ -2,9 +2,9 @@
 
 from sandbox.app.background import Background
 from sandbox.app.session import Session
-from sandbox.physics import advice
-from sandbox.physics.advice import Advice
-from sandbox.physics.errors import BreakdownError, SimulationError
+from sandbox.physics.advising import remedies
+from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.state.errors import BreakdownError, SimulationError
 
 
 class Advising:
@@ -31,7 +31,7 @@ class Advising:
                 session.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration
-                self._work.start(advice.findings, failure, *scene)
+                self._work.start(remedies.findings, failure, *scene)
         if not session.trying:
             return
         found = Advice("")

@@ -2,12 +2,13 @@
 
 import pygame
 
-from sandbox.app import theme, whatif, wording
+from sandbox.app import theme, wording
+from sandbox.app.pages.effects import whatif
 from sandbox.app.panels import messages
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.physics.errors import SimulationError
+from sandbox.physics.state.errors import SimulationError
 
 NOTE = 5.0  # s, how long a passing note is shown
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from sandbox.app.trail import Trail
 from sandbox.model.expressions import Array
-from sandbox.physics.balance import Balance
-from sandbox.physics.ledger import Ledger
-from sandbox.physics.measure import Meter
-from sandbox.physics.world import World
+from sandbox.physics.energy.balance import Balance
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.stepping.world import World
 
 INSTANTS = 500
 """At about how many instants of a level's duration the energies are kept."""

@@ -14,8 +14,8 @@ from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
-from sandbox.physics.trace import Recorder, Trace, count_steps, needed
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.run import build
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,8 +10,8 @@ import numpy as np
 from sandbox.app.milestones import Milestone, milestones
 from sandbox.model.expressions import Expression, ExpressionError, Values
 from sandbox.model.level import Check
-from sandbox.physics.checks import Result, grade
-from sandbox.physics.trace import Recorder, Trace
+from sandbox.physics.measuring.grading import Result, grade
+from sandbox.physics.measuring.recording import Recorder, Trace
 
 T = TypeVar("T")
 

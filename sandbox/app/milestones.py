@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from sandbox.app import wording
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, Instant, LandingEvent, Level
 from sandbox.model.shapes import XY
-from sandbox.physics.checks import Result
-from sandbox.physics.interpolation import value_at
-from sandbox.physics.trace import Trace
+from sandbox.physics.measuring.event_interpolation import value_at
+from sandbox.physics.measuring.grading import Result
+from sandbox.physics.measuring.recording import Trace
 
 MOST = 3
 """How many quantities are written beside an event."""

@@ -8,13 +8,15 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import graph, race, theme, whatif, wording
+from sandbox.app import graph, theme, wording
 from sandbox.app.cards.checks import checks
-from sandbox.app.cards.effects import compared
 from sandbox.app.cards.energy import energy
-from sandbox.app.cards.level import clock, header, settings
-from sandbox.app.cards.race import lanes
 from sandbox.app.companions import Changes
+from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects.card import compared
+from sandbox.app.pages.level.card import clock, header, settings
+from sandbox.app.pages.race import race
+from sandbox.app.pages.race.card import lanes
 from sandbox.app.session import Session
 from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage

@@ -20,11 +20,13 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
-from sandbox.physics.accuracy import Setting, calibrated, keep, recalled
-from sandbox.physics.advice import Advice
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Recorder, Trace, count_steps, needed
-from sandbox.physics.world import World, build
+from sandbox.physics.accuracy.cache import calibrated, keep, recalled
+from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.run import build
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.world import World
 
 BUDGET = 0.009  # s, of a frame for steps
 

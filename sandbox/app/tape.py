@@ -5,9 +5,8 @@ from math import atan2, degrees, hypot
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
 from sandbox.model.shapes import XY

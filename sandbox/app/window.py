@@ -7,26 +7,28 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import race, theme, whatif, wording
+from sandbox.app import theme, wording
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING, Command, command
 from sandbox.app.load import Load
+from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.race import race
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
-from sandbox.app.panels.parameters import Change
 from sandbox.app.session import Session
 from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
-from sandbox.app.studying import Studying
 from sandbox.app.text import Pen, legible
+from sandbox.app.widgets.parameters import Change
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import choose, load
-from sandbox.physics.errors import SimulationError
+from sandbox.physics.state.errors import SimulationError
 
 TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px

@@ -4,8 +4,9 @@ from collections.abc import Iterator, Sequence
 from math import ceil, degrees, floor, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
-from sandbox.physics.accuracy import Offer, Setting
-from sandbox.physics.comparison import Difference
+from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.accuracy.candidates import Offer
+from sandbox.physics.measuring.comparison import Difference
 
 MINUS = "−"
 NO_DIFFERENCE = "no difference"

@@ -70,7 +70,7 @@ def find_out(level: Level, values: Values) -> Stepping:
     """
     if level.stepping.accuracy is None:
         return level.stepping
-    from sandbox.physics.accuracy import calibrated  # few need it
+    from sandbox.physics.accuracy.cache import calibrated  # few need it
 
     with Console(stderr=True).status("Finding the cheapest setting ..."):
         setting = calibrated(

@@ -110,7 +110,7 @@ def start(context: typer.Context) -> None:
     Exit status: 0 if all is well, 1 if a check or a level failed, 2 for wrong usage.
     """
     if context.invoked_subcommand is None:
-        from sandbox.cli.playing import open_sandbox
+        from sandbox.cli.play import open_sandbox
 
         raise typer.Exit(open_sandbox())
 
@@ -123,7 +123,7 @@ def play(
     race: RaceOption = False,
 ) -> None:
     """Open a level in the window."""
-    from sandbox.cli.playing import play
+    from sandbox.cli.play import play
 
     play(level, set_ or [], accuracy, racing=race)
 
@@ -134,7 +134,7 @@ def list_() -> None:
 
     Into a file or another program, each level is one line with tabs between the four.
     """
-    from sandbox.cli.listing import show_levels
+    from sandbox.cli.list import show_levels
 
     show_levels()
 
@@ -154,7 +154,7 @@ def check(
     it breaks, and where possible what was probably meant; springs and drags that are too strong
     for the level's rate among them. Nothing is run.
     """
-    from sandbox.cli.checking import check
+    from sandbox.cli.check import check
 
     raise typer.Exit(check(levels))
 
@@ -185,7 +185,7 @@ def simulate(
     the level as it is, in the quantities of its checks and in time.
     """
     from sandbox.cli.accuracy import Choice
-    from sandbox.cli.simulating import simulate
+    from sandbox.cli.simulate import simulate
 
     raise typer.Exit(
         simulate(
@@ -209,7 +209,7 @@ def effects(level: LevelArgument, set_: SetOption = None) -> None:
     Shown is the quantity, of the level's checks and of where its bodies are, that the effect
     changes most, and what the effect costs a step. An effect that changes nothing is named.
     """
-    from sandbox.cli.weighing import weigh
+    from sandbox.cli.effects import weigh
 
     weigh(level, set_ or [])
 
@@ -235,7 +235,7 @@ def render(
 
     With --without or --with the changed run is drawn, over the level as it is: dashed.
     """
-    from sandbox.cli.rendering import render
+    from sandbox.cli.render import render
 
     render(level, output, set_ or [], at, without or [], with_ or [], accuracy, racing=race)
 
@@ -255,7 +255,7 @@ def generate(
     ] = 1000,
 ) -> None:
     """Write a level of many bodies, to watch or to measure."""
-    from sandbox.cli.generating import generate
+    from sandbox.cli.generate import generate
 
     generate(kind, bodies, output)
 
@@ -272,6 +272,6 @@ def tour(
     The folder receives a picture of each level, and an index.html that shows them all with what
     their checks found. The exit status is 1 if any level or check failed.
     """
-    from sandbox.cli.touring import tour
+    from sandbox.cli.tour import tour
 
     raise typer.Exit(tour(output))

@@ -10,8 +10,8 @@ from sandbox.cli.usage import UsageError
 from sandbox.model import variants
 from sandbox.model.errors import brief
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.comparison import Difference
-from sandbox.physics.export import Change
+from sandbox.physics.measuring.comparison import Difference
+from sandbox.physics.measuring.csv_export import Change
 
 _HEADER = ("quantity", "as declared", "changed", "difference")
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from sandbox.cli.columns import aligned
 from sandbox.model.expressions import Expression
-from sandbox.physics.checks import Result
+from sandbox.physics.measuring.grading import Result
 
 _HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
 

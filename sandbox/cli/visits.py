@@ -10,11 +10,12 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import load
-from sandbox.physics.advice import tried
-from sandbox.physics.checks import Result, grade
-from sandbox.physics.closing import Closing
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Trace, simulate
+from sandbox.physics.advising.remedies import tried
+from sandbox.physics.energy.closure import Closing
+from sandbox.physics.measuring.grading import Result, grade
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.run import simulate
+from sandbox.physics.state.errors import SimulationError
 
 
 @dataclass(slots=True)

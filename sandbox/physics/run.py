@@ -13,12 +13,12 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy.memory import resolved
-from sandbox.physics.closing import Closer
-from sandbox.physics.errors import BreakdownError
-from sandbox.physics.timing import step_costs
-from sandbox.physics.trace import Recorder, Trace, count_steps, needed
-from sandbox.physics.world import World, make_world
+from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.energy.closure import Closer
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.measuring.step_timing import step_costs
+from sandbox.physics.state.errors import BreakdownError
+from sandbox.physics.stepping.world import World, make_world
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:

@@ -10,8 +10,8 @@ from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.model.shapes import XY
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
 from tests.app import scenes
 from tests.app.person import Person
 from validation.case import textbook

@@ -27,7 +27,8 @@ def test_without_a_display_nothing_is_printed() -> None:
 
 def test_the_rest_of_the_sandbox_does_not_need_pygame() -> None:
     code = (
-        "import sys, sandbox, sandbox.app, sandbox.physics.trace, sandbox.model.catalog;"
+        "import sys, sandbox, sandbox.app, sandbox.model.catalog;"
+        "import sandbox.physics.measuring.recording;"
         "raise SystemExit('pygame' in sys.modules)"
     )
 

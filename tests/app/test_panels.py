@@ -8,9 +8,9 @@ from pygame_gui.elements import UIScrollingContainer
 from sandbox.app import theme
 from sandbox.app.cards.card import COLUMNS, INDENT, Card
 from sandbox.app.panels.layout import divide
-from sandbox.app.panels.parameters import Parameters
-from sandbox.app.panels.sheet import BAR, MARGIN
 from sandbox.app.text import Pen
+from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.sheet import BAR, MARGIN
 from sandbox.model import catalog
 from sandbox.model.loading import load
 

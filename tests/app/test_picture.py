@@ -10,7 +10,7 @@ from sandbox.app import picture
 from sandbox.app.picture import render, save_picture
 from sandbox.model import catalog
 from sandbox.model.loading import parse
-from sandbox.physics.errors import SimulationError
+from sandbox.physics.state.errors import SimulationError
 from tests.app import scenes
 from validation.case import textbook
 

@@ -7,8 +7,8 @@ from sandbox.app.pace import SPEEDS, Pace
 from sandbox.app.session import Session
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.loading import parse
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
 from tests.app import scenes
 from tests.app.scenes import play
 from tests.physics.scenes import disc, level

@@ -4,9 +4,9 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.session import Session
-from sandbox.app.stage import joints, lines, strings
+from sandbox.app.stage import joints, strings
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen

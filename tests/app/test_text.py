@@ -7,9 +7,9 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app.panels.field import LONGEST
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.text import Pen, legible, typed
+from sandbox.app.widgets.field import LONGEST
 from tests.app.person import Person
 from tests.model.levels import bare
 
@@ -36,7 +36,7 @@ def enter(player: Person, text: str) -> None:
 
 
 def paste(player: Person, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sandbox.app.panels.field.clipboard_paste", lambda: text)
+    monkeypatch.setattr("sandbox.app.widgets.field.clipboard_paste", lambda: text)
     player.press(pygame.K_v, mod=pygame.KMOD_CTRL)
 
 

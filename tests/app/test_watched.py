@@ -11,7 +11,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.physics.advice import Advice
+from sandbox.physics.advising.remedies import Advice
 from tests.app.person import Person
 from tests.physics.scenes import GRAVITY, box, disc, floor, level, orbit
 

@@ -12,8 +12,8 @@ from sandbox.app.panels import messages
 from sandbox.app.panels.layout import divide
 from sandbox.app.text import Pen
 from sandbox.model import catalog
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
 from tests.app import scenes
 from tests.app.person import Person
 

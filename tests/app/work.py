@@ -8,7 +8,7 @@ from threading import Timer
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics import study
+from sandbox.physics.accuracy import study
 
 
 def count(many: int) -> Iterator[int]:

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from sandbox.cli import listing
+from sandbox.cli import list as listing
 from sandbox.cli.usage import open_level
 from sandbox.model import catalog
 from tests.cli.helpers import Run, Write

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.cli import touring
+from sandbox.cli import tour
 from sandbox.cli.visits import visit
 from sandbox.model.errors import SandboxError
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
@@ -121,7 +121,7 @@ def test_a_full_disk_does_not_lose_what_a_tour_has_found(
     def full(path: Path, _: object) -> None:
         raise SandboxError(f"cannot write {path}: No space left on device")
 
-    monkeypatch.setattr(touring, "write_atomically", full)
+    monkeypatch.setattr(tour, "write_atomically", full)
 
     outcome = run("tour", "--output", tmp_path)
 

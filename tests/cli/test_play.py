@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.app import main as window
-from sandbox.cli import touring
+from sandbox.cli import tour as touring
 from tests.cli.helpers import Run, Write
 
 Opened = list[tuple[object, ...]]

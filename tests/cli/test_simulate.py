@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.cli.simulating import chosen
+from sandbox.cli.simulate import chosen
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
-from sandbox.physics.trace import simulate
+from sandbox.physics.run import simulate
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
 
 

@@ -5,9 +5,10 @@ from math import inf
 from typing import NamedTuple
 
 from sandbox.model.level import Level
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.trace import Recorder, Trace, count_steps, needed
-from sandbox.physics.world import World, build
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.run import build
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
 
 LONG = 500
 """Steps after which a run that is not the same in another process has shown it."""

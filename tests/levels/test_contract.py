@@ -13,10 +13,10 @@ from sandbox.model.accounts import damps
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Joint, Spring
 from sandbox.model.level import Level
-from sandbox.physics.checks import grade
-from sandbox.physics.measure import Meter
-from sandbox.physics.trace import needed, simulate
-from sandbox.physics.world import build
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.measuring.recording import needed
+from sandbox.physics.run import build, simulate
 from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play
 from tests.levels.sweep import marked, steps, swept

@@ -10,9 +10,9 @@ import pytest
 from sandbox.model import catalog
 from sandbox.model.joints import Joint, Motor, Rod, Rope, Spring
 from sandbox.model.level import Level
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Recorder, Trace, count_steps, simulate
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import SimulationError
 from tests.levels.sweep import marked, steps
 from validation.case import textbook
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sandbox.physics.trace import simulate
+from sandbox.physics.run import simulate
 from validation.case import textbook
 
 DEEPEST = 5 / 480  # m, how deep something at 5 m/s can be in the stairs before it is found there

@@ -8,8 +8,8 @@ from sandbox.model.crowds import CROWDS, CrowdError, crowd
 from sandbox.model.level import MAX_BODIES
 from sandbox.model.loading import MAX_BYTES, parse
 from sandbox.model.writing import text
-from sandbox.physics.checks import grade
-from sandbox.physics.trace import simulate
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
 
 
 @pytest.mark.parametrize("kind", CROWDS)

@@ -10,9 +10,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.physics.measure import Meter
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.world import World
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
 
 G = 9.81  # m/s²
 GRAVITY: Mapping[str, Any] = {"gravity": {"acceleration": [0, -G]}}

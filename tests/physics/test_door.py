@@ -9,13 +9,13 @@ import pytest
 from sandbox.model import rules
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import parse
-from sandbox.physics import refusal as refusing
-from sandbox.physics import trace, world
-from sandbox.physics.errors import BreakdownError, SimulationError
-from sandbox.physics.forces import Forces
-from sandbox.physics.observer import Observer
-from sandbox.physics.trace import simulate
-from sandbox.physics.world import build
+from sandbox.physics.advising import preflight as refusing
+from sandbox.physics.measuring import recording
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.stepping import world
+from sandbox.physics.stepping.applied_forces import Forces
+from sandbox.physics.stepping.observer import Observer
 from tests.model.levels import bare, changed
 from tests.physics.scenes import GRAVITY, box, disc, level
 
@@ -91,7 +91,7 @@ def test_what_breaks_down_in_a_step_is_told_and_ends_the_run(
 def test_what_breaks_down_while_a_run_is_measured_is_told(
     fail: Fail, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(trace.Recorder, "_measure", fail)
+    monkeypatch.setattr(recording.Recorder, "_measure", fail)
 
     with pytest.raises(BreakdownError):
         simulate(level({"ball": disc()}, GRAVITY, duration=0.1))

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 
 from sandbox.model.expressions import Array
 from sandbox.model.loading import load
-from sandbox.physics.world import build
+from sandbox.physics.run import build
 from validation import cli
 from validation.compose import judges, outcome
 from validation.compose.course import Course, Refused, led, run, start

@@ -12,7 +12,8 @@ from typer.testing import CliRunner
 from sandbox.model import catalog
 from sandbox.model.level import Scheme, Stepping
 from sandbox.model.loading import load
-from sandbox.physics.trace import needed, simulate
+from sandbox.physics.measuring.recording import needed
+from sandbox.physics.run import simulate
 from tests.physics.scenes import small_swings
 from validation.cli import app
 from validation.cost import command

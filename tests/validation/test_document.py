@@ -5,8 +5,9 @@ import pytest
 
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.physics.checks import grade
-from sandbox.physics.trace import Trace, simulate
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.run import simulate
 from validation.formulas import document, kinematics
 
 THETA, OMEGA, ENERGY = "needle.angle", "needle.angular_velocity", "system.energy"

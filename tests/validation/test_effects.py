@@ -9,7 +9,7 @@ from typer.testing import CliRunner
 from sandbox.model import catalog
 from sandbox.model.effects import Effects
 from sandbox.model.loading import load
-from sandbox.physics.world import build
+from sandbox.physics.run import build
 from validation.case import textbook
 from validation.cli import app
 from validation.effects import costs, growth

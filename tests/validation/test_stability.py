@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 
 from sandbox.model import catalog
 from sandbox.model.writing import text
-from sandbox.physics.world import build
+from sandbox.physics.run import build
 from validation import cli
 from validation.stability import command, history, run
 from validation.stability.case import Frontier, HardCase, make, watch

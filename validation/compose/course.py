@@ -10,13 +10,14 @@ import numpy as np
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.ledger import Ledger
-from sandbox.physics.limits import needs
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.stiffness import MARGIN
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World, build
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
+from sandbox.physics.scene.stability_limits import MARGIN
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
 from validation.compose.scenes import Scene
 
 MOST_STEPS = 720

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from sandbox.physics.stiffness import MARGIN
+from sandbox.physics.scene.stability_limits import MARGIN
 from validation.compose.shapes import is_dynamic, thinnest
 from validation.stability.scene import Document, G, Place, level, rounded
 

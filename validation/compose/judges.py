@@ -13,7 +13,7 @@ import numpy as np
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
-from sandbox.physics.snapshot import Snapshot
+from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.course import Course, positions
 from validation.compose.energies import Energies, is_passive
 from validation.compose.keeping import Keeping, Places

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.optimize import linprog
 
 from sandbox.model.expressions import Array
-from sandbox.physics.batch import Integers
+from sandbox.physics.engine.batch import Integers
 from validation.compose.keeping import Keeping, Places
 from validation.compose.separation import body_of, gap, placed, solids
 from validation.compose.shapes import extent, is_dynamic, outline

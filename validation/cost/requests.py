@@ -7,10 +7,10 @@ from math import inf, nan
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.accuracy import calibrate
-from sandbox.physics.timing import brief_costs
-from sandbox.physics.trace import needed, simulate
-from sandbox.physics.world import build
+from sandbox.physics.accuracy.calibration import calibrate
+from sandbox.physics.measuring.recording import needed
+from sandbox.physics.measuring.step_timing import brief_costs
+from sandbox.physics.run import build, simulate
 from validation.cost.yardstick import Yardstick
 
 DEAR = 3.0

@@ -10,10 +10,10 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import BUDGET
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.schemes import usable
-from sandbox.physics.trace import Trace, count_steps
-from sandbox.physics.world import build
+from sandbox.physics.measuring.recording import Trace, count_steps
+from sandbox.physics.run import build
+from sandbox.physics.scene.integrators import usable
+from sandbox.physics.state.errors import SimulationError
 from validation.cost.requests import Request, ask, prices
 from validation.cost.yardstick import Yardstick, run, yardstick
 

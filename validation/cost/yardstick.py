@@ -14,9 +14,9 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.runs import SEEN, by_check, record
-from sandbox.physics.checks import grade, least_scale, relative_error, samples
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import Trace
+from sandbox.physics.measuring.grading import grade, least_scale, relative_error, samples
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.state.errors import SimulationError
 
 ROUNDING = 1e-9
 """An error below this, at a small step, is no approximation's."""

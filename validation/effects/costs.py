@@ -12,9 +12,10 @@ from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
 from sandbox.model.shapes import Arc, Curve
 from sandbox.model.writing import text
-from sandbox.physics.timing import STEPS, Step, step_seconds
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World, build
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.measuring.step_timing import STEPS, Step, step_seconds
+from sandbox.physics.run import build
+from sandbox.physics.stepping.world import World
 
 COUNTS = (1, 10, 100, 1000, 10_000)
 """Over how many bodies an effect's cost is measured."""

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from sandbox.model.crowds import crowd
 from sandbox.model.loading import parse
 from sandbox.model.writing import text
-from sandbox.physics.timing import step_seconds
-from sandbox.physics.world import build
+from sandbox.physics.measuring.step_timing import step_seconds
+from sandbox.physics.run import build
 from validation.case import naive
 
 COUNTS: Mapping[str, Sequence[int]] = {"gas": (100, 1000, 10_000), "pile": (100, 1000, 5000)}

@@ -12,8 +12,8 @@ from multiprocessing.context import SpawnProcess
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import parse
-from sandbox.physics.errors import BreakdownError
-from sandbox.physics.world import build
+from sandbox.physics.run import build
+from sandbox.physics.state.errors import BreakdownError
 
 SECONDS = 2.0
 """Of computing, that an answer may take."""

@@ -10,10 +10,10 @@ import numpy as np
 
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
 from validation.stability.figures import Run
 from validation.stability.scene import Document
 

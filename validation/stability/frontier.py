@@ -13,9 +13,10 @@ from time import process_time
 import numpy as np
 
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.snapshot import Snapshot
-from sandbox.physics.world import World, build
+from sandbox.physics.run import build
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
 from validation.stability.case import Frontier, figure_of, make, watch
 from validation.stability.figures import Run
 from validation.stability.naive import naive

@@ -7,7 +7,8 @@ from sandbox.model.expressions import Values
 from sandbox.model.joints import End, Held, Joint, Pivot, Rail, Rod, Rope, Spring, points
 from sandbox.model.level import Level, Stepping, span
 from sandbox.model.shapes import evaluate
-from sandbox.physics.world import World, build
+from sandbox.physics.run import build
+from sandbox.physics.stepping.world import World
 
 LONG = 1e3
 """m, of a rail to either side: pymunk's has ends."""

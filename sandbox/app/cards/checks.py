@@ -10,7 +10,7 @@ from sandbox.app.grading import Reading
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check
-from sandbox.physics.study import Split
+from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
 TOUCHED = "A hand has touched this run: the formulas no longer describe it."

@@ -9,7 +9,7 @@ from sandbox.app.books import Energies
 from sandbox.app.cards.card import Card
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.physics.balance import Balance
+from sandbox.physics.energy.balance import Balance
 
 LABEL = 108  # px, left of a bar
 NUMBER = 92  # px, right of it

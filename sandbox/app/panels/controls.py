@@ -7,10 +7,10 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app import theme, wording
 from sandbox.app.keys import BINDINGS, Command
-from sandbox.app.panels.widgets import press
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Shown
 from sandbox.app.text import Pen
+from sandbox.app.widgets.gui import press
 
 HEIGHT = 34  # px, of a button
 GAP = 6  # px

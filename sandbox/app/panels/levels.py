@@ -16,9 +16,9 @@ from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
-from sandbox.app.panels.field import LONGEST, Field
-from sandbox.app.panels.widgets import press, scroll, scrolled
 from sandbox.app.text import Pen, legible
+from sandbox.app.widgets.field import LONGEST, Field
+from sandbox.app.widgets.gui import press, scroll, scrolled
 from sandbox.model import catalog
 
 ROW = 28  # px

@@ -11,13 +11,13 @@ from pygame_gui.core import UIContainer
 from sandbox.app import theme
 from sandbox.app.keys import Command
 from sandbox.app.load import Load
+from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import Entry, LevelList
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
-from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
 
 if TYPE_CHECKING:

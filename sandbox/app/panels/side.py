@@ -8,16 +8,16 @@ from sandbox.app import graph
 from sandbox.app.cards.energy import energy, ledger
 from sandbox.app.keys import BINDINGS, Command
 from sandbox.app.load import Load
-from sandbox.app.panels.accuracy import AccuracyPage
-from sandbox.app.panels.effects import EffectsPage
-from sandbox.app.panels.level import LevelPage
-from sandbox.app.panels.parameters import Parameters
-from sandbox.app.panels.race import RacePage
-from sandbox.app.panels.sheet import MARGIN, Page, Sheet
-from sandbox.app.panels.widgets import press, scroll, scrolled
+from sandbox.app.pages.accuracy.panel import AccuracyPage
+from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.effects.panel import EffectsPage
+from sandbox.app.pages.level.panel import LevelPage
+from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.session import Session
-from sandbox.app.studying import Studying
 from sandbox.app.text import Pen
+from sandbox.app.widgets.gui import press, scroll, scrolled
+from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.sheet import MARGIN, Page, Sheet
 
 TAB = 28  # px, the height of a tab
 TABS: tuple[tuple[Command, str], ...] = (

@@ -5,9 +5,8 @@ from math import ceil, cos, dist, sin
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines
 from sandbox.app.stage.outline import RIM, Outline
 from sandbox.app.theme import Color
 from sandbox.model.shapes import XY

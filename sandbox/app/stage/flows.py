@@ -6,13 +6,12 @@ from math import ceil, cos, floor, hypot, sin
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines
 from sandbox.app.stage.outline import Outline
 from sandbox.app.wording import nice
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.world import World
+from sandbox.physics.stepping.world import World
 
 SPACING = 60.0  # px, about the distance of a belt's marks
 MARK = 7.0  # px, how far a mark reaches into the belt

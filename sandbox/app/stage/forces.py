@@ -8,9 +8,8 @@ from math import copysign, hypot
 import numpy as np
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines
 from sandbox.app.stage.labels import Labels
 from sandbox.app.text import Pen
 from sandbox.app.wording import MINUS, number
@@ -20,7 +19,7 @@ from sandbox.model.level import Level
 from sandbox.model.parts import names_in
 from sandbox.model.rules import corners
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.world import World
+from sandbox.physics.stepping.world import World
 
 LONGEST = 0.18
 """The longest arrow with the parameters' defaults, as a part of the stage's width."""

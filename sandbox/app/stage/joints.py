@@ -5,9 +5,9 @@ from math import acos, atan2, cos, hypot, pi, sin, tau
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines, strings
+from sandbox.app.stage import strings
 from sandbox.model.joints import (
     Joint,
     Motor,

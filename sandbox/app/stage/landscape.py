@@ -6,16 +6,15 @@ from math import ceil, floor
 import numpy as np
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
-from sandbox.app.stage import lines
 from sandbox.app.text import Pen
 from sandbox.app.wording import nice, number, quantity
 from sandbox.model.expressions import Array
 from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.measure import Meter
-from sandbox.physics.world import World
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.stepping.world import World
 
 TICKS = 3
 """About how many energies are written at the axis."""

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import race, theme, wording
+from sandbox.app import lines, theme, wording
+from sandbox.app.pages.race import race
 from sandbox.app.session import Session
-from sandbox.app.stage import lines
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 

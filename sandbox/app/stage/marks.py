@@ -6,10 +6,9 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
-from sandbox.app.stage import lines
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
 from sandbox.app.text import Pen
@@ -17,7 +16,7 @@ from sandbox.app.theme import Color
 from sandbox.app.wording import nice, number
 from sandbox.model.expressions import Array, ExpressionError, Formula, Values
 from sandbox.model.shapes import XY
-from sandbox.physics.world import World
+from sandbox.physics.stepping.world import World
 
 LONGEST = 0.14
 """The longest arrow, as a part of the stage's width."""

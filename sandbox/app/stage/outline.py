@@ -9,7 +9,7 @@ from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
-from sandbox.physics.bodies import local_points
+from sandbox.physics.engine.bodies import local_points
 
 CORNERS_OF_A_CIRCLE = 48
 

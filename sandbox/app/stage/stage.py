@@ -6,11 +6,11 @@ from dataclasses import dataclass
 import numpy as np
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
-from sandbox.app.stage import bodies, flows, grid, joints, lines, marks
+from sandbox.app.stage import bodies, flows, grid, joints, marks
 from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
@@ -19,9 +19,9 @@ from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
 from sandbox.model.joints import Rail, Winding, body_of
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.anchor import Plane
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.state.anchor import Plane
+from sandbox.physics.stepping.world import World
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""

@@ -12,16 +12,16 @@ from functools import partial
 from sandbox.model.expressions import Values
 from sandbox.model.level import FINEST, HIGHEST_RATE, Level, Stepping
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.accuracy.candidates import CAUTION, REAL_TIME, Offer, Offers
 from sandbox.physics.accuracy.chaos import WILD, growth
-from sandbox.physics.accuracy.climbing import FEWEST, Climber, Progress, climb
 from sandbox.physics.accuracy.errors import AccuracyError
-from sandbox.physics.accuracy.ladder import foot, held_against, step_prices
-from sandbox.physics.accuracy.offers import CAUTION, REAL_TIME, Offer, Offers
+from sandbox.physics.accuracy.refinement import foot, held_against, step_prices
 from sandbox.physics.accuracy.runs import Stop, Watched, never, watched
-from sandbox.physics.checks import applies
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.limits import needs
-from sandbox.physics.world import make_world
+from sandbox.physics.accuracy.search import FEWEST, Climber, Progress, climb
+from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.measuring.grading import applies
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.world import make_world
 
 BUDGET = 0.75
 """s, for all runs of a calibration; the one that is under way is not cut short."""

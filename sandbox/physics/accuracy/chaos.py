@@ -6,9 +6,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.accuracy.runs import BLOCK, Stop
-from sandbox.physics.errors import SimulationError
-from sandbox.physics.trace import count_steps
-from sandbox.physics.world import World, make_world
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.world import World, make_world
 
 NUDGE = 1e-9
 """m, by which one body is moved at the start."""

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
-from sandbox.physics.accuracy.memory import resolved
+from sandbox.physics.accuracy.cache import resolved
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.runs import Stop, Watched, never, record, watched
-from sandbox.physics.trace import Trace
+from sandbox.physics.measuring.recording import Trace
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from itertools import pairwise
 from math import inf, log2
 
 from sandbox.physics.accuracy.runs import Watched, apart, size, unit
-from sandbox.physics.trace import Trace
+from sandbox.physics.measuring.recording import Trace
 
 LEAST_ORDER = 0.5
 """Differences that fall more slowly than by this power of the step show no order."""

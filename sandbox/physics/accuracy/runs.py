@@ -10,9 +10,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.checks import ZERO, applies, least_scale, samples
-from sandbox.physics.trace import Recorder, Trace, count_steps, needed_at
-from sandbox.physics.world import make_world
+from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
+from sandbox.physics.stepping.world import make_world
 
 Stop = Callable[[], bool]
 """Tells whether somebody has lost patience."""

@@ -1,1 +1,1 @@
-"""Contacts solved directly, together with the exact joints of what touches."""
+"""What touches: shapes, coefficients, friction and impacts."""

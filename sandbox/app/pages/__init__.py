@@ -1,0 +1,1 @@
+"""The pages of the side panel, a folder each: what it computes, its card, its panel."""

@@ -1,0 +1,114 @@
+"""What is told of a run's accuracy and of the time that it takes."""
+
+from collections.abc import Mapping, Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, Card
+from sandbox.app.pages.race import race
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.level import Check, Stepping
+from sandbox.physics.accuracy.study import Here, Progress, Split
+
+LOADS: Mapping[str, Color] = {
+    "physics": theme.ACCENT, "hooks": theme.KINETIC, "drawing": theme.LANES[2],
+}  # fmt: skip
+PARTS = ("model", "numerical", "remaining")
+
+
+def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
+    """Draw what the two ends of a dial stand for."""
+    card = Card(pen, width)
+    card.put(pen.write(left, 12, theme.DIM), 0)
+    text = pen.write(right, 12, theme.DIM)
+    card.put(text, width - text.width)
+    card.y += text.height
+    return card.drawn()
+
+
+def asked(
+    pen: Pen, width: int, target: float | None, stepping: Stepping, here: Here | None
+) -> pygame.Surface:
+    """Draw what accuracy is asked for, and how the level is stepped."""
+    card = Card(pen, width)
+    card.heading("Accuracy and its price")
+    wanted = "Ask for an accuracy:" if target is None else f"Asked for: {wording.error(target)}"
+    card.text(wanted, 14, bold=target is not None)
+    told = f"now {race.title(stepping.scheme)} at {stepping.rate:g} Hz"
+    if here is not None:
+        told += f", error {wording.error(here.error)}"
+    card.text(told, 13, theme.DIM)
+    card.y += GAP
+    return card.drawn()
+
+
+def status(
+    pen: Pen, size: tuple[int, int], progress: Progress | None, failure: str
+) -> pygame.Surface:
+    """Draw how far the work is, or why there is no more."""
+    surface = pygame.Surface(size)
+    surface.fill(theme.PANEL)
+    if failure:
+        for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
+            surface.blit(line, (0, i * 13 - 1))
+    elif progress:
+        surface.blit(pen.write(pen.shorten(progress.told, size[0], 12), 12, theme.DIM), (0, 0))
+        surface.fill(theme.RAISED, (0, 19, size[0], 5))
+        surface.fill(theme.ACCENT, (0, 19, round(size[0] * progress.share), 5))
+    return surface
+
+
+def rest(
+    pen: Pen, width: int, shares: Mapping[str, float], checks: Sequence[Check],
+    splits: Mapping[int, Split],
+) -> pygame.Surface:  # fmt: skip
+    """Draw where a frame's time goes, and what the checks' errors are made of."""
+    card = Card(pen, width)
+    _frame(card, shares)
+    if splits:
+        card.y += 8
+        card.heading("What the errors are made of")
+        for index, split in sorted(splits.items()):
+            _split(card, checks[index], split)
+    return card.drawn()
+
+
+def _frame(card: Card, shares: Mapping[str, float]) -> None:
+    """Add a bar of a frame's 16.7 ms, and what each part of it takes."""
+    card.heading("A frame of 16.7 ms")
+    bar = pygame.Surface((card.width, 10))
+    bar.fill(theme.RAISED)
+    x = 0.0
+    for name, share in shares.items():
+        bar.fill(LOADS[name], (round(x), 0, round(share * card.width), 10))
+        x += share * card.width
+    card.put(bar, 0)
+    card.y += 14
+    column = card.width // len(shares)
+    for i, (name, share) in enumerate(shares.items()):
+        text = f"{name} {100 * share:.0f} %"
+        card.put(card.pen.write(text, 12, LOADS[name]), i * column)
+    card.y += card.pen.height(12)
+
+
+def _split(card: Card, check: Check, split: Split) -> None:
+    """Add the three parts of a check's error, side by side."""
+    card.y += GAP
+    card.text(check.label or check.quantity, 13, bold=True)
+    if split.total is None:
+        source = check.valid_if.source if check.valid_if else ""
+        told = f"model out of range: it needs {source}" if source else "its moment never comes"
+        card.text(told, 12, theme.NOTICE)
+        card.text(f"numerical {wording.error(split.numerical)}", 12, theme.DIM)
+        return
+    column = card.width // len(PARTS)
+    values = (split.model, split.numerical, split.remaining)
+    largest = max(value or 0.0 for value in values)
+    for i, (name, value) in enumerate(zip(PARTS, values, strict=True)):
+        color = theme.TEXT if value and value == largest else theme.DIM
+        card.put(card.pen.write(name, 11, theme.DIM), i * column)
+        told = "none seen" if not value else wording.error(value)
+        card.put(card.pen.write(told, 13, color), i * column, card.pen.height(11) - 1)
+    card.y += card.pen.height(11) + card.pen.height(13)

@@ -1,0 +1,124 @@
+"""Error against cost: what the next digit of a scene costs."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from math import ceil, floor, log10
+from typing import NamedTuple
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.pages.race import race
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.shapes import XY
+from sandbox.physics.accuracy.study import Here, Point
+
+LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
+LEAST = 1e-16
+"""Of an error: what is less is drawn there."""
+
+COLORS: Mapping[str, Color] = {
+    "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
+    "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
+}  # fmt: skip
+
+
+class Axis(NamedTuple):
+    """A logarithmic axis over whole powers of ten, and the pixels of its two ends."""
+
+    low: int
+    high: int
+    start: float
+    end: float
+
+    def pixel(self, value: float) -> float:
+        """Return where a value is [px]."""
+        share = (log10(max(value, LEAST)) - self.low) / (self.high - self.low)
+        return self.start + share * (self.end - self.start)
+
+    def powers(self, most: int) -> Iterator[int]:
+        """Yield exponents to be written, at most so many."""
+        every = max(ceil((self.high - self.low + 1) / most), 1)
+        return iter(range(self.low, self.high + 1, every))
+
+
+def axis(values: Sequence[float], start: float, end: float) -> Axis:
+    """Return the axis for some values, at least a power of ten long."""
+    logs = [log10(max(value, LEAST)) for value in values]
+    low, high = floor(min(logs)), ceil(max(logs))
+    return Axis(low, max(high, low + 1), start, end)
+
+
+def draw(
+    pen: Pen, size: tuple[int, int], points: Sequence[Point], here: Here | None
+) -> pygame.Surface:
+    """Draw a line a scheme, and a ring around the present setting.
+
+    Across: ms of computing for a second of the scene. Up: the largest numerical error.
+    """
+    surface = pygame.Surface(size)
+    surface.fill(theme.STAGE)
+    everything = [*points, *([here] if here else [])]
+    if not everything:
+        text = pen.write("not measured yet", 12, theme.DIM)
+        surface.blit(text, text.get_rect(center=surface.get_rect().center))
+        return surface
+    across = axis([1e3 * p.price for p in everything], LEFT, size[0] - RIGHT)
+    up = axis([p.error for p in everything], size[1] - BELOW, ABOVE)
+    _draw_axes(surface, pen, across, up)
+    for scheme, color in COLORS.items():
+        line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
+        lines.path(surface, theme.mix(theme.STAGE, color, 0.6), line, 1)
+        for pixel in line:
+            _mark(surface, scheme, color, pixel)
+    if here:
+        pygame.draw.aacircle(surface, theme.TEXT, _pixel(here, across, up), 8, 2)
+    return surface
+
+
+def _pixel(point: Point, across: Axis, up: Axis) -> XY:
+    return across.pixel(1e3 * point.price), up.pixel(point.error)
+
+
+def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> None:
+    bottom, left = round(up.start), round(across.start)
+    for power in up.powers(7):
+        y = round(up.pixel(10.0**power))
+        pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (across.end, y))
+        text = pen.write(f"1e{power}", 11, theme.DIM)
+        surface.blit(text, text.get_rect(midright=(left - 4, y)))
+    for power in across.powers(5):
+        x = round(across.pixel(10.0**power))
+        pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
+        text = pen.write(f"{10.0**power:g}", 11, theme.DIM)
+        surface.blit(text, text.get_rect(midtop=(x, bottom + 4)))
+    title = pen.write("ms of computing for 1 s", 11, theme.DIM)
+    place = title.get_rect(midbottom=((across.start + across.end) / 2, surface.height))
+    surface.blit(title, place)
+
+
+def _mark(surface: pygame.Surface, scheme: str, color: Color, pixel: XY) -> None:
+    """Draw a point, of a form of its own for each scheme."""
+    x, y = pixel
+    match scheme:
+        case "leapfrog":
+            pygame.draw.aacircle(surface, color, pixel, 4)
+        case "fourth-order":
+            lines.fill(surface, color, [(x, y - 5), (x + 5, y), (x, y + 5), (x - 5, y)])
+        case "symplectic-euler":
+            surface.fill(color, (round(x) - 3, round(y) - 3, 7, 7))
+        case _:
+            lines.fill(surface, color, [(x - 5, y + 4), (x + 5, y + 4), (x, y - 5)])
+
+
+def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
+    """Draw which mark is which scheme, two a row."""
+    schemes = list(dict.fromkeys(point.scheme for point in points))
+    height = pen.height(12) + 1
+    surface = pygame.Surface((width, max((len(schemes) + 1) // 2, 1) * height))
+    surface.fill(theme.PANEL)
+    for i, scheme in enumerate(schemes):
+        x, y = (i % 2) * width // 2, (i // 2) * height
+        _mark(surface, scheme, COLORS[scheme], (x + 6, y + height // 2))
+        surface.blit(pen.write(race.title(scheme), 12, theme.DIM), (x + 16, y))
+    return surface

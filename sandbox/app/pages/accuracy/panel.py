@@ -1,0 +1,136 @@
+"""The page of the accuracy: what a digit costs here, and what the error is made of."""
+
+from math import log10
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
+from pygame_gui.elements import UIButton, UIHorizontalSlider
+
+from sandbox.app.cards.card import Card
+from sandbox.app.load import Load
+from sandbox.app.pages.accuracy import diagram
+from sandbox.app.pages.accuracy.card import asked, ends, rest, status
+from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.session import Session
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+
+DIAGRAM = 158  # px, its height
+BUTTON = 84, 26  # px
+DIAL = 2, 10
+"""The digits that can be asked for, from fast to exact."""
+UNASKED = 6
+"""Where the dial stands while none are asked for."""
+
+
+class AccuracyPage:
+    """The dial, the diagram, where a frame's time goes, and the errors of the checks."""
+
+    def __init__(self, sheet: Sheet, session: Session, studying: Studying, load: Load) -> None:
+        self._sheet, self._session, self._studying, self._load = sheet, session, studying, load
+        pen, width = sheet.pen, sheet.width
+        self._asked = sheet.image(self._drawn_dial(), MARGIN // 2)
+        y = below(self._asked)
+        self._dial = UIHorizontalSlider(
+            pygame.Rect(MARGIN, y, width, 14),
+            UNASKED,
+            DIAL,
+            sheet.manager,
+            container=sheet.container,
+        )
+        y += 18
+        y = below(sheet.image(ends(pen, width, "fast", "exact"), y)) + 6
+        self._diagram = sheet.image(self._drawn(), y)
+        y = below(self._diagram) + 4
+        place = pygame.Rect((width - BUTTON[0], y), BUTTON)
+        self._button = sheet.button(place, "Measure", "measure error and cost, or stop that")
+        self._status = sheet.image(self._drawn_status(), y)
+        self._below = y + BUTTON[1] + 6
+        self._rest = sheet.image(self._drawn_rest(), self._below)
+        self._world: object = None
+        self.update()
+
+    @property
+    def _digits(self) -> int:
+        """The digits that were asked for; 0 if none were."""
+        target = self._studying.target
+        return 0 if target is None else round(-log10(target))
+
+    @property
+    def button(self) -> UIButton:
+        """The button that begins the work, or ends it."""
+        return self._button
+
+    @property
+    def dial(self) -> UIHorizontalSlider:
+        """The dial."""
+        return self._dial
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Begin or end the work, or look for what the dial asks."""
+        if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is self._dial:
+            digits = round(event.value)
+            if digits != self._digits:
+                self._studying.seek(self._session, 10.0**-digits)
+            return ""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+            return None
+        if self._studying.running:
+            self._studying.cancel()
+        else:
+            self._studying.measure(self._session)
+        return ""
+
+    def update(self) -> None:
+        """Show what is known by now."""
+        if self._session.world is not self._world:
+            self._world = self._session.world
+            self._session.world.time_hooks()
+        text = "Cancel" if self._studying.running else "Measure"
+        if self._button.text != text:
+            self._button.set_text(text)
+        self._turn_dial()
+        replace = self._sheet.replace
+        replace(self._asked, self._drawn_dial())
+        replace(self._diagram, self._drawn())
+        replace(self._status, self._drawn_status())
+        replace(self._rest, self._drawn_rest())
+        self._sheet.end(below(self._rest) + 2)
+
+    def _turn_dial(self) -> None:
+        """Let the dial stand at what is asked for, unless a hand is on it."""
+        knob = self._dial.sliding_button
+        if knob is None or not knob.held:
+            self._dial.set_current_value(self._digits or UNASKED, warn=False)
+
+    def _drawn_dial(self) -> pygame.Surface:
+        here = self._studying.here
+        return asked(
+            self._sheet.pen,
+            self._sheet.width,
+            self._studying.target,
+            self._session.world.stepping,
+            here,
+        )
+
+    def _drawn(self) -> pygame.Surface:
+        studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
+        card = Card(pen, width)
+        card.text("largest numerical error", 12)
+        chart = diagram.draw(pen, (width, DIAGRAM), studying.points, studying.here)
+        card.put(chart, 0)
+        card.y += chart.height + 3
+        legend = diagram.legend(pen, width, studying.points)
+        card.put(legend, 0)
+        card.y += 2 * (pen.height(12) + 1)
+        return card.drawn()
+
+    def _drawn_status(self) -> pygame.Surface:
+        width = self._sheet.width - BUTTON[0] - 8
+        return status(
+            self._sheet.pen, (width, BUTTON[1]), self._studying.progress, self._studying.failure
+        )
+
+    def _drawn_rest(self) -> pygame.Surface:
+        pen, width, session = self._sheet.pen, self._sheet.width, self._session
+        splits = self._studying.splits(session)
+        return rest(pen, width, self._load.shares, session.level.checks, splits)

@@ -1,0 +1,162 @@
+"""What is known of the accuracy of the run that is shown, and the work to learn it."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from sandbox.app.background import Background, Work
+from sandbox.app.session import Session
+from sandbox.model.level import Level
+from sandbox.physics.accuracy import study
+from sandbox.physics.accuracy.calibration import BUDGET, Setting
+from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
+
+if TYPE_CHECKING:
+    from sandbox.physics.accuracy.candidates import Offer
+
+PATIENCE = 0.5  # s without a change, before the work begins
+
+
+class Studying:
+    """Studies a session in the background.
+
+    Attributes
+    ----------
+    points
+        What other settings err and cost.
+    here
+        The same of the present one; None while it is not known.
+    target
+        The accuracy that was asked for; None if none was.
+    progress
+        How far the work is; None if there is none.
+    failure
+        Why it found no more; empty if it did.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    def __init__(self) -> None:
+        self._work = Background()
+        self._scene: tuple[object, ...] = ()
+        self._level: object = None
+        self.target: float | None = None
+        self._sought: object = None  # the world for which a setting was looked for
+        self._offer: Offer | None = None
+        self._forget()
+
+    def _forget(self) -> None:
+        self.points: list[Point] = []
+        self.failure = ""
+        self._forget_run()
+
+    def _forget_run(self) -> None:
+        self._waited, self._measured = 0.0, False
+        self.here: Here | None = None
+        self._splits: dict[int, Split] = {}
+        self.progress: Progress | None = None
+        self.news = object()
+
+    @property
+    def running(self) -> bool:
+        """Whether something is being worked on."""
+        return self._work.running
+
+    @property
+    def pid(self) -> int | None:
+        """The process that works; None if none does."""
+        return self._work.pid
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
+        """Forget what is not of this session; while watched, find it out when that stays so."""
+        if self._scene_of(session) != self._scene:
+            self._work.cancel()
+            self._scene, self._level = self._scene_of(session), session.level
+            self.target = session.level.stepping.accuracy
+            self._forget()
+        elif session.level is not self._level:
+            self._work.cancel()
+            self._level = session.level
+            self._forget_run()
+            offer, stepping = self._offer, session.world.stepping
+            if offer and offer.stepping == stepping:
+                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.price)
+        self._waited += seconds
+        if self._waited < PATIENCE or self.running:
+            return
+        if session.waiting and not session.failure:
+            self._settle(session)
+        elif watched and not (session.waiting or self._measured):
+            self.measure(session)
+
+    def _settle(self, session: Session) -> None:
+        """Find out the setting that a session waits for; once, if it cannot be found."""
+        if self._sought is session.world:
+            session.give_up(self.failure or "the search for a setting has been cancelled")
+        else:
+            self._sought = session.world
+            self.seek(session, session.level.stepping.accuracy or 0.0, BUDGET)
+
+    @staticmethod
+    def _scene_of(session: Session) -> tuple[object, ...]:
+        return session.original, session.changes, tuple(session.values.items())
+
+    def measure(self, session: Session) -> None:
+        """Begin to find out what is not known."""
+        self._measured = True
+        work = study.split if self.points else study.study
+        self._start(work, _resolved(session), session.values)
+
+    def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
+        """Begin to look for the cheapest setting that reaches an accuracy, for that long [s]."""
+        self.target = target
+        self._start(study.seek, _resolved(session), session.values, target, seconds)
+
+    def _start(self, work: Work, *arguments: object) -> None:
+        self.failure, self.progress = "", Progress(0.0, "starting")
+        self.news = object()
+        self._work.start(work, *arguments)
+
+    def cancel(self) -> None:
+        """End the work; it begins again when it is asked for, or when the session changes."""
+        self._work.cancel()
+        self._measured = True
+        self.progress, self.news = None, object()
+
+    def look(self) -> Setting | None:
+        """Take in what was found since; return a setting that was looked for."""
+        was_running, found = self._work.running, None
+        for finding in self._work.found():
+            self.news = object()
+            if isinstance(finding, Setting):
+                found = finding
+                self._offer = finding.playable
+            else:
+                self._take(finding)
+        if was_running and not self._work.running:
+            self.progress, self.news = None, object()
+            if not (found or self.here or self.failure):
+                self.failure = "that took too long"
+        return found
+
+    def _take(self, finding: object) -> None:
+        match finding:
+            case Progress():
+                self.progress = finding
+            case Here():
+                self.here = finding
+            case Point():
+                self.points.append(finding)
+            case Split():
+                self._splits[finding.check] = finding
+            case Failed(told=told):
+                self.failure = told
+
+    def splits(self, session: Session) -> Mapping[int, Split]:
+        """Return what is known of the checks of the present run, by their index."""
+        known = session.level is self._level and self._scene_of(session) == self._scene
+        return self._splits if known else {}
+
+
+def _resolved(session: Session) -> Level:
+    """Return the level with the setting that its run has, also where an accuracy is asked for."""
+    return session.level.model_copy(update={"stepping": session.world.stepping})

@@ -1,0 +1,59 @@
+"""What effects that are switched off and on change."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.text import Pen
+from sandbox.physics.measuring.comparison import Difference
+
+TOUCHED_ONE = "A hand has touched this run, and not the other: they are two different things now."
+
+
+def compared(
+    pen: Pen, width: int, told: str, differences: Sequence[Difference],
+    cost: float | None = None, *, disturbed: bool = False,
+) -> pygame.Surface:  # fmt: skip
+    """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
+    card = Card(pen, width)
+    card.heading(told[0].upper() + told[1:])
+    card.text("dashed: as the level declares it", 12, theme.GHOST)
+    if disturbed:
+        card.text(TOUCHED_ONE, 14, theme.NOTICE)
+        return card.drawn()
+    if cost is not None:
+        card.text(f"time: {wording.step_cost(cost)}".replace("-", wording.MINUS), 13)
+    if all(found.before is found.after is None for found in differences):
+        card.text("Play to see what it changes.", 13, theme.DIM)
+        return card.drawn()
+    card.y += GAP
+    card.columns([(name, theme.DIM) for name in ("as declared", "changed", "change")], 12)
+    for difference in differences:
+        if difference.before is difference.after is None:
+            continue  # not yet
+        card.y += GAP
+        card.text(difference.label or difference.quantity, 14, bold=True, indent=INDENT)
+        numbers = (difference.before, difference.after)
+        values = ["–" if n is None else wording.quantity(n, difference.unit) for n in numbers]
+        part = difference.relative
+        values.append("" if part is None else f"{100 * part:+.3g} %")
+        card.columns([(value, theme.TEXT) for value in values], 13)
+    return card.drawn()
+
+
+def effects_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the switches of the effects are for."""
+    card = Card(pen, width)
+    card.heading("What if …")
+    card.text("Switch an effect off or on, then play: both runs are drawn.", 13, theme.DIM)
+    return card.drawn()
+
+
+def unchanged(pen: Pen, width: int) -> pygame.Surface:
+    """Draw that the level runs as it is declared."""
+    card = Card(pen, width)
+    card.heading("What it changes")
+    card.text("All effects are as the level declares them.", 14, theme.DIM)
+    return card.drawn()

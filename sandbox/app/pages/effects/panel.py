@@ -1,0 +1,132 @@
+"""The page of the effects: each a switch, and below what a change of them makes of the run."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app import wording
+from sandbox.app.cards.card import label
+from sandbox.app.companions import NONE
+from sandbox.app.grading import Ration
+from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
+from sandbox.app.session import Session
+from sandbox.app.widgets.gui import allow, press
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.errors import SandboxError
+from sandbox.model.variants import DEFAULTS
+
+if TYPE_CHECKING:
+    from sandbox.physics.measuring.comparison import Difference
+
+SWITCH = 28  # px, the height of a switch
+GAP = 6  # px
+SCALE = 24  # px, the width of a button beside a switch
+SCALES: Mapping[str, tuple[float, str]] = {
+    wording.MINUS: (0.5, "half as strong"),
+    "+": (2.0, "twice as strong"),
+}
+LEFT = "The level's scheme, fourth order, is not for this: both runs go by leapfrog."
+
+
+class EffectsPage:
+    """A switch an effect, and how the changed run differs from the level as it is."""
+
+    def __init__(self, sheet: Sheet, session: Session) -> None:
+        self._sheet, self._session = sheet, session
+        level, pen, width = session.original, sheet.pen, sheet.width
+        self._switches: dict[str, UIButton] = {}
+        self._scales: dict[UIButton, tuple[str, float]] = {}
+        y = below(sheet.image(effects_intro(pen, width), MARGIN // 2)) + 2
+        y = self._row_of(level.effects.declared, y)
+        if added := whatif.addable(level):
+            y = below(sheet.image(label(pen, width, "try with"), y + 2)) + 2
+            y = self._row_of(added, y, adjustable=True)
+        reset = pygame.Rect(0, y + 4, 150, SWITCH)
+        self._reset = sheet.button(reset, "Reset the effects", "play the level as it is declared")
+        self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
+        self._world = session.world
+        self._told = sheet.image(self._drawn(), y + SWITCH + 14)
+        self.update()
+
+    def _row_of(self, effects: Sequence[str], y: int, *, adjustable: bool = False) -> int:
+        """Put switches beside each other, as many as fit, and return where they end."""
+        x = 0
+        for name in effects:
+            width = self._sheet.pen.write(name, 14).width + 26
+            scales = SCALES if adjustable and DEFAULTS[name] else {}
+            whole = width + len(scales) * SCALE
+            if x and x + whole > self._sheet.width:
+                x, y = 0, y + SWITCH + GAP
+            rect = pygame.Rect(x, y, width, SWITCH)
+            self._switches[name] = self._sheet.button(rect, name, self._tip(name))
+            for i, (sign, (times, tip)) in enumerate(scales.items()):
+                place = pygame.Rect(x + width + i * SCALE, y, SCALE, SWITCH)
+                self._scales[self._sheet.button(place, sign, tip)] = name, times
+            x += whole + GAP
+        return y + SWITCH + GAP
+
+    def _tip(self, effect: str) -> str:
+        if effect in self._session.original.effects.declared:
+            return f"switch {effect} off or on for this run"
+        said = ", ".join(f"{name} {value}" for name, value in DEFAULTS[effect].items())
+        return f"add {effect} to this run" + (f": {said}" if said else "")
+
+    def switch(self, effect: str) -> UIButton:
+        """Return the switch of an effect."""
+        return self._switches[effect]
+
+    def scale(self, effect: str, times: float) -> UIButton:
+        """Return the button that makes an effect so many times as strong."""
+        return next(b for b, said in self._scales.items() if said == (effect, times))
+
+    @property
+    def reset(self) -> UIButton:
+        """The button that takes all changes back."""
+        return self._reset
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Switch or scale an effect, or take all back; return what is to be told of that."""
+        if event.type != UI_BUTTON_PRESSED:
+            return None
+        name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
+        scale = self._scales.get(event.ui_element)
+        if name is None and scale is None and event.ui_element is not self._reset:
+            return None
+        try:
+            if name is not None:
+                whatif.toggle(self._session, name)
+            elif scale is not None:
+                whatif.strengthen(self._session, *scale)
+            else:
+                whatif.change(self._session, NONE)
+        except SandboxError as error:
+            return str(error)
+        return LEFT if self._session.changes.left else ""
+
+    def update(self) -> None:
+        """Let the switches say what acts, and the table what that changes."""
+        acting = self._session.level.effects.declared
+        for name, button in self._switches.items():
+            press(button, name in acting)
+        for button, (name, _) in self._scales.items():
+            allow(button, name in self._session.changes.on)
+        allow(self._reset, bool(self._session.changes))
+        self._sheet.replace(self._told, self._drawn())
+        self._sheet.end(below(self._told) + 2)
+
+    def _drawn(self) -> pygame.Surface:
+        session, pen, width = self._session, self._sheet.pen, self._sheet.width
+        if not session.changes:
+            return unchanged(pen, width)
+        if session.world is not self._world:
+            self._world = session.world
+            self._ration = Ration(lambda: whatif.compared(session), ())
+        found = self._ration(session.world.steps + 1, hurried=session.playing)
+        cost = whatif.cost(session)
+        return compared(
+            pen, width, session.changes.told, found, cost, disturbed=session.world.disturbed
+        )

@@ -1,0 +1,142 @@
+"""What if an effect did not act, or another did: the changed level runs over the original."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sandbox.app import theme, wording
+from sandbox.app.companions import Changes, Variant
+from sandbox.app.session import Session
+from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.schemes import unsmooth
+from sandbox.model.variants import DEFAULTS, Settings, vary
+from sandbox.physics.measuring.comparison import Difference, differences
+
+DECLARED = "as the level declares it"
+
+
+def toggle(session: Session, effect: str) -> None:
+    """Switch an effect off or on, and start anew.
+
+    Raises
+    ------
+    SandboxError
+        If the level makes no sense so, or cannot be run; then all stays as it was.
+    """
+    changes = session.changes
+    if effect in session.original.effects.declared:
+        changes = replace(changes, off=_without(changes.off, effect))
+    else:
+        changes = replace(changes, on=_without(changes.on, effect))
+    change(session, changes)
+
+
+def strengthen(session: Session, effect: str, times: float) -> None:
+    """Make an effect that was switched on so many times as strong, and start anew; see `toggle`."""
+    before = session.changes.strength
+    strength = {**before, effect: before.get(effect, 1.0) * times}
+    change(session, replace(session.changes, strength=strength))
+
+
+def _without(names: tuple[str, ...], name: str) -> tuple[str, ...]:
+    return tuple(n for n in names if n != name) if name in names else (*names, name)
+
+
+def change(session: Session, changes: Changes) -> None:
+    """Play the level with some effects off and others on; see `toggle`.
+
+    Both runs have one scheme, so that nothing but the effects makes them differ: the level's, or
+    leapfrog where the changed level cannot have that.
+    """
+    original = at_its_pace(session)
+    if not (changes.off or changes.on):
+        session.play_as(original)
+        return
+    wanted = original.stepping.scheme
+    level, told = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
+    left = wanted if wanted == "fourth-order" and unsmooth(level) else None
+    scheme = "leapfrog" if left else wanted
+    changes = replace(changes, effects=told, left=left)
+    play_over(session, stepped(original, scheme), stepped(level, scheme), changes)
+
+
+def stepped(level: Level, scheme: Scheme) -> Level:
+    """Return a level with another scheme."""
+    stepping = level.stepping.model_copy(update={"scheme": scheme})
+    return level.model_copy(update={"stepping": stepping})
+
+
+def play_over(session: Session, original: Level, level: Level, changes: Changes) -> None:
+    """Play a changed level over the original, whose formulas do not describe it."""
+    unjudged = level.model_copy(update={"checks": (), "ghosts": {}})
+    session.play_as(unjudged, [Variant(DECLARED, original, theme.GHOST)], changes)
+
+
+def repace(session: Session, stepping: Stepping) -> None:
+    """Play with another stepping, and what runs beside it too; a race ends.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be run so; then all stays as it was.
+    """
+    pace = {"stepping": stepping}
+    variants = (companion.variant for companion in session.companions if session.changes)
+    beside = [replace(each, level=each.level.model_copy(update=pace)) for each in variants]
+    changes = replace(session.changes, left=None)
+    session.play_as(session.level.model_copy(update=pace), beside, changes)
+
+
+def at_its_pace(session: Session) -> Level:
+    """Return the level as its file declares it, with the stepping of the present run.
+
+    A scheme that was left for the sake of an effect is taken up again.
+    """
+    stepping = session.world.stepping
+    level = session.original.model_copy(update={"stepping": stepping})
+    return stepped(level, session.changes.left or stepping.scheme)
+
+
+def _settings(changes: Changes) -> dict[str, Settings]:
+    return {
+        name: {
+            said: _times(value, changes.strength.get(name, 1.0))
+            for said, value in DEFAULTS[name].items()
+        }
+        for name in changes.on
+    }
+
+
+def _times(value: object, factor: float) -> object:
+    """Return a number, or a list of some, times a factor, in as many digits as people read."""
+    if isinstance(value, list):
+        return [_times(part, factor) for part in value]
+    if not isinstance(value, int | float):
+        return value
+    scaled = float(f"{value * factor:.4g}")
+    return int(scaled) if scaled.is_integer() else scaled
+
+
+def addable(level: Level) -> list[str]:
+    """Return the effects that a level does not declare, and that can be tried without settings."""
+    return [name for name in DEFAULTS if name not in level.effects.declared]
+
+
+def compared(session: Session) -> tuple[Difference, ...]:
+    """Return how the run differs from the original so far."""
+    return differences(session.companions[0].trace, session.trace)
+
+
+def cost(session: Session) -> float | None:
+    """Return what the change costs a step [s], less than zero if it saves; None if not known."""
+    here, there = session.clock.step, session.companions[0].clock.step
+    return None if here is None or there is None else here - there
+
+
+def told(session: Session, found: Sequence[Difference]) -> str:
+    """Say in one sentence what the change makes of the level, and what it costs."""
+    said = list(wording.summary(found))
+    price = cost(session)
+    if price is not None:
+        said.append(wording.step_cost(price))
+    text = f"{session.changes.told}: {', '.join(said) or wording.NO_DIFFERENCE}"
+    return text.replace(" -", f" {wording.MINUS}")

@@ -1,0 +1,57 @@
+"""How the schemes stand that race."""
+
+from collections.abc import Mapping, Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.pages.race import race
+from sandbox.app.pages.race.race import Lane
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.level import Scheme
+
+_REMARKS: Mapping[Scheme, str] = {
+    "symplectic-euler": "pymunk as it comes",
+    "explicit-euler": "deliberately bad",
+}
+
+
+def race_intro(pen: Pen, width: int) -> pygame.Surface:
+    """Draw what the race is."""
+    card = Card(pen, width)
+    card.heading("Race of the schemes")
+    text = "The same scene, stepped in up to four ways at once, at the same rate."
+    card.text(text, 13, theme.DIM)
+    return card.drawn()
+
+
+def lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
+    """Draw how a race stands: for every scheme its error so far, and its clock."""
+    card = Card(pen, width)
+    if not found:
+        return card.drawn()
+    card.heading(f"At {rate:g} steps a second")
+    card.columns([("error so far", theme.DIM), ("computing 1 s", theme.DIM), ("", theme.DIM)], 12)
+    for lane in found:
+        card.y += GAP + 2
+        card.put(_swatch(lane.color), 0, 8)
+        card.text(race.title(lane.scheme), 14, bold=True, indent=INDENT)
+        if remark := _REMARKS.get(lane.scheme):
+            card.text(remark, 12, theme.DIM, indent=INDENT)
+        if lane.failure:
+            card.text(lane.failure, 12, theme.FAILED, indent=INDENT)
+        error = "–" if lane.error is None else wording.error(lane.error)
+        cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
+        card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)
+    return card.drawn()
+
+
+def _swatch(color: Color | None) -> pygame.Surface:
+    """Draw a piece of the line that a run is drawn with."""
+    line = pygame.Surface((18, 4))
+    line.fill(theme.PANEL)
+    for x in (0, 7, 14) if color else (0, 4, 8, 12, 16):
+        line.fill(color or theme.ACCENT, (x, 0, 4, 3))
+    return line

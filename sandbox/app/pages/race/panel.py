@@ -1,0 +1,51 @@
+"""The page of the steppers' race."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app.pages.race import race
+from sandbox.app.pages.race.card import lanes, race_intro
+from sandbox.app.session import Session
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.errors import SandboxError
+
+
+class RacePage:
+    """Starts and ends the race, and tells how it stands."""
+
+    def __init__(self, sheet: Sheet, session: Session) -> None:
+        self._sheet, self._session = sheet, session
+        y = below(sheet.image(race_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
+        self._button = sheet.button(pygame.Rect(0, y, 150, 30), "", "every scheme at once (S)")
+        self._table = sheet.image(self._drawn(), y + 42)
+        self.update()
+
+    @property
+    def button(self) -> UIButton:
+        """The button that starts the race and ends it."""
+        return self._button
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Start or end the race; return why it cannot be, or an empty text."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+            return None
+        try:
+            race.toggle(self._session)
+        except SandboxError as error:
+            return str(error)
+        return ""
+
+    def update(self) -> None:
+        """Show how the race stands."""
+        text = "End the race" if race.racing(self._session) else "Race"
+        if self._button.text != text:
+            self._button.set_text(text)
+        self._sheet.replace(self._table, self._drawn())
+        self._sheet.end(below(self._table) + 2)
+
+    def _drawn(self) -> pygame.Surface:
+        session = self._session
+        found = race.lanes(session) if race.racing(session) else []
+        rate = session.world.stepping.rate
+        return lanes(self._sheet.pen, self._sheet.width, found, rate)

@@ -1,0 +1,102 @@
+"""The steppers' race: the same scene by every scheme that it can use, each with its own world."""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from itertools import islice
+from typing import NamedTuple
+
+from sandbox.app import theme
+from sandbox.app.clock import Clock
+from sandbox.app.companions import Variant, worst
+from sandbox.app.pages.effects import whatif
+from sandbox.app.session import Session
+from sandbox.app.theme import Color
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Scheme
+from sandbox.physics.run import build
+from sandbox.physics.scene.integrators import usable
+
+MOST = 4
+"""How many schemes race."""
+
+
+_TITLES = {
+    "symplectic-euler": "symplectic Euler",
+    "explicit-euler": "explicit Euler",
+    "fourth-order": "fourth order",
+}
+
+
+class Lane(NamedTuple):
+    """How one scheme does."""
+
+    scheme: Scheme
+    color: Color | None
+    """of its outlines; None for the run that is played"""
+    error: float | None
+    """the largest of its checks so far"""
+    cost: float | None
+    """s of computing a second of simulated time"""
+    failure: str
+    """why it had to stop; empty if it did not"""
+
+
+def racing(session: Session) -> bool:
+    """Whether other schemes run beside the one that is played."""
+    return bool(session.companions) and not session.changes
+
+
+def toggle(session: Session) -> None:
+    """Start the race anew with every scheme that the level can use, or end it.
+
+    Raises
+    ------
+    SandboxError
+        If one of them cannot be run; then all stays as it was.
+    """
+    original = whatif.at_its_pace(session)
+    session.play_as(original, [] if racing(session) else rivals(original, session.values))
+
+
+def rivals(level: Level, values: Values) -> list[Variant]:
+    """Return the other schemes that a level can use."""
+    forms = islice(_forms(level, values), MOST - 1)
+    return [
+        Variant(title(form.stepping.scheme), form, color)
+        for form, color in zip(forms, theme.LANES, strict=False)
+    ]
+
+
+def _forms(level: Level, values: Values) -> Iterator[Level]:
+    for scheme in usable(level):
+        if scheme == level.stepping.scheme:
+            continue
+        form = whatif.stepped(level, scheme)
+        with suppress(SandboxError):  # its steps may be too long
+            build(form, values)
+            yield form
+
+
+def title(scheme: str) -> str:
+    """Write the name of a scheme."""
+    return _TITLES.get(scheme, scheme)
+
+
+def lanes(session: Session) -> list[Lane]:
+    """Return how every scheme does, that of the played run first."""
+    rate, scheme = session.world.stepping.rate, session.world.stepping.scheme
+    own = worst(session.readings())
+    failure = str(session.failure or "")
+    first = Lane(scheme, None, own, _cost(session.clock, rate), failure)
+    return [first, *(
+        Lane(
+            other.world.stepping.scheme, other.variant.color, other.worst,
+            _cost(other.clock, rate), str(other.failure or ""),
+        )
+        for other in session.companions
+    )]  # fmt: skip
+
+
+def _cost(clock: Clock, rate: float) -> float | None:
+    return None if clock.step is None else clock.step * rate

@@ -1,0 +1,1 @@
+"""What several panels and pages are made of."""

@@ -1,0 +1,179 @@
+"""Sliders and number fields for a level's parameters."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import isfinite
+
+import pygame
+from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIManager
+from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer
+
+from sandbox.app import theme, wording
+from sandbox.app.rounding import rounded, step
+from sandbox.app.text import Pen
+from sandbox.app.widgets.field import Field
+from sandbox.model.expressions import Values
+from sandbox.model.level import Parameter
+
+ROW = 46  # px
+FIELD = 68  # px
+UNIT = 42  # px
+LINE = 13  # px, between two lines of a label
+
+
+@dataclass(slots=True)
+class Row:
+    """A parameter with its widgets; they belong together."""
+
+    parameter: Parameter
+    slider: UIHorizontalSlider
+    field: Field
+    shown: str
+    """What the field says when nobody types."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What a person wants a parameter to be; no value if it was not a number."""
+
+    name: str
+    typed: str
+    value: float | None
+
+
+class Parameters:
+    """A row a parameter, in a container, from a height on."""
+
+    def __init__(
+        self, manager: UIManager, pen: Pen, container: UIScrollingContainer,
+        area: pygame.Rect, parameters: Mapping[str, Parameter], values: Values,
+    ) -> None:  # fmt: skip
+        self._manager = manager
+        self._rows: dict[str, Row] = {}
+        for i, (name, parameter) in enumerate(parameters.items()):
+            row = pygame.Rect(area.x, area.y + i * ROW, area.width, ROW)
+            self._rows[name] = self._row(pen, container, row, name, parameter, values[name])
+        self.height = len(self._rows) * ROW
+
+    def _row(
+        self, pen: Pen, container: UIScrollingContainer, rect: pygame.Rect,
+        name: str, parameter: Parameter, value: float,
+    ) -> Row:  # fmt: skip
+        manager = self._manager
+        room = rect.width - FIELD - UNIT - 8
+        unit = "°" if parameter.unit == "deg" else parameter.unit
+        box = pygame.Rect(rect.right - UNIT - FIELD, rect.y, FIELD, 26)
+        symbol = pen.write(name if parameter.label else "", 13, theme.DIM)
+        title = _title(pen, parameter.label or name, room - symbol.width - 8)
+        texts = [(title, rect.x), (pen.write(unit, 14, theme.DIM), box.right + 6)]
+        if symbol.width and name != parameter.label:
+            texts.append((symbol, rect.x + title.width + 8))
+        for image, x in texts:
+            place = image.get_rect(midleft=(x, rect.y + 13))
+            UIImage(place, image, manager, container=container)
+        field = Field(box, manager, container=container)
+        field.set_allowed_characters(list("0123456789.,-+eE"))
+        field.set_text_length_limit(16)
+        slider = UIHorizontalSlider(
+            pygame.Rect(rect.x, rect.y + 29, rect.width, 13), value,
+            (parameter.min, parameter.max), manager, container=container,
+        )  # fmt: skip
+        text = wording.setting(value)
+        field.set_text(text)
+        return Row(parameter, slider, field, text)
+
+    def show(self, values: Values) -> None:
+        """Show other values."""
+        for name, row in self._rows.items():
+            text = wording.setting(values[name])
+            if text != row.shown or not row.field.is_focused:
+                if row.field.get_text() != text:
+                    row.field.set_text(text)
+                row.shown = text
+            if not row.slider.sliding_button or not row.slider.sliding_button.held:
+                row.slider.set_current_value(values[name])
+
+    def process(self, event: pygame.event.Event) -> Change | None:
+        """Return the change that a person has asked for, if one was."""
+        for name, row in self._rows.items():
+            if event.type == UI_HORIZONTAL_SLIDER_MOVED and event.ui_element is row.slider:
+                return self._slid(name, row)
+            if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is row.field:
+                return self._typed(name, row)
+            if event.type == pygame.KEYDOWN and row.field.is_focused:
+                return self._nudged(name, row, event)
+        return None
+
+    def left(self) -> Change | None:
+        """Return what was typed into a field that the keyboard has left since."""
+        for name, row in self._rows.items():
+            if not row.field.is_focused and row.field.get_text() != row.shown:
+                return self._typed(name, row)
+        return None
+
+    def focus(self, direction: int) -> Field | None:
+        """Go on to the next field, or back to the one before, and return it if there is any."""
+        fields = [row.field for row in self._rows.values()]
+        if not fields:
+            return None
+        here = [i for i, field in enumerate(fields) if field.is_focused]
+        start = here[0] if here else (-1 if direction > 0 else 0)
+        field = fields[(start + direction) % len(fields)]
+        self._manager.set_focus_set(field.get_focus_set())
+        field.select_range = [0, len(field.get_text())]
+        return field
+
+    @property
+    def focused(self) -> bool:
+        """Whether a number is being typed."""
+        return any(row.field.is_focused for row in self._rows.values())
+
+    def revert(self) -> None:
+        """Let the fields say again what is the case, ready to be typed over."""
+        for row in self._rows.values():
+            row.field.set_text(row.shown)
+            if row.field.is_focused:
+                row.field.select_range = [0, len(row.shown)]
+
+    def row(self, name: str) -> Row:
+        """Return the widgets of a parameter."""
+        return self._rows[name]
+
+    def _slid(self, name: str, row: Row) -> Change:
+        """Round what the slider says to a number that a person would choose."""
+        value = rounded(row.parameter, row.slider.get_current_value())
+        return Change(name, wording.setting(value), value)
+
+    def _typed(self, name: str, row: Row) -> Change:
+        text = row.field.get_text().strip().replace(",", ".")
+        try:
+            value = float(text)
+        except ValueError:
+            return Change(name, text, None)
+        return Change(name, text, value if isfinite(value) else None)
+
+    def _nudged(self, name: str, row: Row, event: pygame.event.Event) -> Change | None:
+        """Change a value by a small step; by ten with Shift."""
+        directions = {pygame.K_UP: 1, pygame.K_DOWN: -1}
+        if event.key not in directions:
+            return None
+        base = self._typed(name, row).value
+        if base is None:
+            return None
+        many = 10 if event.mod & pygame.KMOD_SHIFT else 1
+        value = base + directions[event.key] * many * step(row.parameter)
+        value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
+        return Change(name, wording.setting(value), value)
+
+
+def _title(pen: Pen, text: str, width: int) -> pygame.Surface:
+    """Draw a label on one line, or smaller on two; cut it if there is no room for that either."""
+    if pen.shorten(text, width) == text:
+        return pen.write(text, 14)
+    first, *others = pen.wrap(text, width, 12)
+    second = [pen.shorten(" ".join(others), width, 12)] if others else []
+    rows = [pen.write(line, 12) for line in (first, *second)]
+    size = max(row.width for row in rows), rows[0].height + LINE * len(second)
+    title = pygame.Surface(size, pygame.SRCALPHA)
+    title.blits([(row, (0, i * LINE)) for i, row in enumerate(rows)])
+    return title

@@ -1,0 +1,91 @@
+"""`effects`: what each effect of a level changes, and what it costs."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import typer
+from rich.console import Console
+
+from sandbox.app import wording
+from sandbox.cli import usage, varying
+from sandbox.cli.columns import aligned
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.loading import choose
+from sandbox.model.variants import without
+from sandbox.physics.measuring.comparison import Difference, differences, watched
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.run import costs, simulate
+
+_HEADER = ("effect", "changes most", "with it", "without it", "difference", "costs")
+
+
+class Weight(NamedTuple):
+    """What an effect does in a level."""
+
+    effect: str
+    gone: tuple[str, ...] = ()
+    """the effects that cannot be without it"""
+    worst: Difference | None = None
+    """what it changes most; None if the level cannot be run without it"""
+    cost: float = 0.0
+    """s a step"""
+    error: str = ""
+    """why the level cannot be run without it"""
+
+    @property
+    def share(self) -> float:
+        """How much it changes."""
+        return float("inf") if self.worst is None else self.worst.share
+
+
+def weigh(argument: str, pairs: Sequence[str]) -> None:
+    """Switch each effect off in turn, and say what that changes: the largest change first."""
+    source, level = usage.open_level(argument)
+    values = choose(level, usage.settings(pairs))
+    declared = level.effects.declared
+    if not declared:
+        typer.echo(f"{source} declares no effect")
+        return
+    with Console(stderr=True).status(f"Weighing the effects of {source} ..."):
+        trace = simulate(level, values, record=watched(level))
+        found = [_weight(level, values, trace, effect) for effect in declared]
+    ranked = sorted(found, key=lambda weight: -weight.share)
+    for line in aligned([_HEADER, *map(_row, ranked)]):
+        typer.echo(line)
+    for line in _remarks(ranked):
+        typer.echo(line)
+
+
+def _weight(level: Level, values: Values, trace: Trace, effect: str) -> Weight:
+    gone: tuple[str, ...] = ()
+    try:
+        less, gone = without(level, effect)
+        other = simulate(less, values, record=trace.columns)
+        full, bare = costs((level, less), values)
+    except SandboxError as error:
+        return Weight(effect, gone, error=str(error))
+    worst = max(differences(trace, other, places=True), key=lambda found: found.share)
+    return Weight(effect, gone, worst, full - bare)
+
+
+def _row(weight: Weight) -> tuple[str, ...]:
+    worst = weight.worst
+    if worst is None:
+        return weight.effect, "the level cannot run without it", "", "", "", ""
+    cost = wording.step_cost(weight.cost)
+    if not worst.share:
+        return weight.effect, "nothing", "", "", wording.NO_DIFFERENCE, cost
+    return (weight.effect, *varying.row(worst), cost)
+
+
+def _remarks(weights: Sequence[Weight]) -> Iterator[str]:
+    """Say what the table has no room for."""
+    for weight in weights:
+        if weight.error:
+            yield f"without {weight.effect}: {weight.error}"
+        if weight.gone:
+            yield f"without {weight.effect} there is no {', no '.join(weight.gone)} either"
+        if weight.share == 0:
+            yield f"'{weight.effect}' is declared but changes nothing here"

@@ -1,0 +1,58 @@
+"""The window: on a level, or on all of them."""
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from sandbox.cli import usage
+from sandbox.cli.accuracy import asking, find_out
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import choose
+
+TOUR = Path("out", "tour")
+"""Where the tour goes if there is no display."""
+
+
+class DisplayError(SandboxError):
+    """There is nowhere to open a window."""
+
+
+def open_sandbox() -> int:
+    """Open the window on the choice of levels, or take the tour if there is no display."""
+    _quiet()
+    from sandbox.app.main import has_display, run
+
+    if has_display():
+        run()
+        return 0
+    typer.echo(f"There is no display to open a window on. The tour goes to {TOUR} instead.")
+    from sandbox.cli.tour import tour
+
+    return tour(TOUR)
+
+
+def play(
+    argument: str, pairs: Sequence[str], accuracy: float | None = None, *, racing: bool = False
+) -> None:
+    """Open the window on a level."""
+    settings = usage.settings(pairs)
+    _, level = usage.open_level(argument)
+    values = choose(level, settings)  # a mistake is better told here than in a window
+    find_out(asking(level, accuracy), values)
+    _quiet()
+    from sandbox.app.main import has_display, run
+
+    if not has_display():
+        raise DisplayError(
+            "there is no display to open a window on; 'render' draws a level without one,"
+            " 'simulate' runs it"
+        )
+    run(argument, settings, accuracy, racing=racing)
+
+
+def _quiet() -> None:
+    """Nothing here makes a sound, so none is set up; and pygame need not greet anybody."""
+    os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
+    os.environ["PYGAME_HIDE_SUPPORT_PROMPT"] = "1"

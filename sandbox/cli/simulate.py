@@ -1,0 +1,147 @@
+"""`simulate`: a run as a CSV file."""
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import typer
+from rich.console import Console
+
+from sandbox.app import wording as telling
+from sandbox.cli import usage, varying, verdicts
+from sandbox.cli.accuracy import Choice, asking, settled
+from sandbox.cli.varying import Varied, vary
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import choose
+from sandbox.model.quantities import quantities, quantity
+from sandbox.physics import run as runs
+from sandbox.physics.advising.remedies import tried
+from sandbox.physics.measuring.comparison import Difference, differences
+from sandbox.physics.measuring.csv_export import write_csv
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.measuring.recording import Trace, needed
+from sandbox.physics.run import costs
+from sandbox.physics.state.errors import SimulationError
+
+
+def simulate(
+    argument: str,
+    output: Path,
+    pairs: Sequence[str],
+    duration: float | None,
+    choice: Choice,
+    record: Sequence[str],
+    off: Sequence[str] = (),
+    on: Sequence[str] = (),
+    accuracy: float | None = None,
+) -> int:
+    """Run a level, write it, say what its checks found, and return the exit status.
+
+    With effects switched off or on, that run is written, and held against the level as it is.
+    """
+    settings = usage.settings(pairs)
+    usage.output_file(output)
+    if duration is not None:
+        usage.positive(duration, "--duration")
+    source, level = usage.open_level(argument)
+    values = choose(level, settings)
+    names = chosen(level, record)
+    stepping = settled(asking(level, accuracy, choice), values, choice)
+    varied = vary(level, off, on, stepping)
+    if duration is not None:
+        usage.payable(duration, stepping, "--duration")
+    with Console(stderr=True).status(f"Simulating {source} ..."):
+        recorded = dict.fromkeys([*names, *needed(level)])
+        trace = _run(level, values, duration, recorded, stepping)
+        if varied:
+            changed = _run(varied.level, values, duration, recorded, stepping)
+            cost = costs((level, varied.level), values, stepping)
+    if not varied:
+        write_csv(output, trace, source, names)
+        _say(output, source, trace, names)
+        status = report(trace)
+        _close(trace)
+        return status
+    write_csv(output, changed, source, names, change=varied.change)
+    _say(output, f"{source} {varied.change.told}", changed, names)
+    _compare(varied, differences(trace, changed), cost[1] - cost[0])
+    _close(changed)
+    return 0
+
+
+def _run(
+    level: Level,
+    values: Values,
+    duration: float | None,
+    recorded: Iterable[str],
+    stepping: Stepping,
+) -> Trace:
+    """Run a level; if it has to stop, say what was found to help."""
+    try:
+        return runs.simulate(level, values, duration, recorded, stepping, books=True)
+    except SimulationError as error:
+        raise tried(error, level, values, stepping, duration) from error
+
+
+def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
+    steps = f"{len(trace.t) - 1} steps at {trace.stepping.rate:g} Hz to t = {trace.t[-1]:.6g} s"
+    typer.echo(f"{output}: {source}, {steps}, {len(names) + 1} columns")
+
+
+def _close(trace: Trace) -> None:
+    """Say how the books of the run's energy closed."""
+    if trace.closing:
+        typer.echo(f"energy: {trace.closing.told}")
+
+
+def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
+    """Say what a change of the effects makes of the quantities that the checks name."""
+    if found:
+        for line in varying.differences(found):
+            typer.echo(line)
+    said = [*telling.summary(found), telling.step_cost(cost)]
+    typer.echo(f"{varied.change.told}: {'; '.join(said)}")
+
+
+def chosen(level: Level, record: Sequence[str]) -> list[str]:
+    """Return the names of the quantities to write.
+
+    Raises
+    ------
+    QuantityError
+        If the level has no such quantity.
+    """
+    if record:
+        each = [quantity(name, level).name for name in record if name != "all"]
+        names = [found.name for found in quantities(level)] if "all" in record else each
+    else:
+        names = [*needed(level), *_motion(level)]
+    return [name for name in dict.fromkeys(names) if name != "t"]
+
+
+def _motion(level: Level) -> list[str]:
+    """Return where the dynamic bodies are and how they move."""
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    vectors = [f"{name}.{vector}" for name in dynamic for vector in ("position", "velocity")]
+    return [f"{vector}.{component}" for vector in vectors for component in ("x", "y")]
+
+
+def report(trace: Trace) -> int:
+    """Say what the checks found in a run, and return the exit status.
+
+    The checks are made for the level's own duration: what goes beyond it is not graded, and a run
+    that ends before is graded as far as it goes.
+    """
+    if not trace.level.checks:
+        typer.echo("the level states no checks")
+        return 0
+    duration = trace.level.duration(trace.values)
+    complete = bool(trace.t[-1] >= duration * (1 - 1e-12))
+    results = grade(trace.until(duration))
+    for line in verdicts.lines(results, complete=complete):
+        typer.echo(line)
+    if not complete:
+        typer.echo(
+            f"the run is shorter than the level's {duration:.6g} s: graded as far as it goes"
+        )
+    return int(any(verdicts.failed(result, complete=complete) for result in results))

@@ -1,0 +1,84 @@
+"""`tour`: every level run, checked and drawn."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+from rich.console import Console
+from rich.progress import Progress
+from rich.table import Table
+from rich.text import Text
+
+from sandbox.cli import usage, verdicts
+from sandbox.cli.render import go_headless
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+
+if TYPE_CHECKING:
+    from sandbox.cli.visits import Visit
+
+INDEX = "index.html"
+
+
+def tour(folder: Path) -> int:
+    """Visit every level, leave pictures and a page in a folder, and return the exit status."""
+    usage.output_folder(folder)
+    go_headless()
+    from sandbox.cli.gallery import page
+    from sandbox.cli.visits import visit
+
+    progress = Console(stderr=True)
+    with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
+        visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
+    Console(highlight=False).print(_table(visits))
+    for visited in visits:
+        _explain(visited)
+    bad = sum(not visited.passed for visited in visits)
+    told = f"{usage.levels(len(visits))}, {bad or 'none'} failed"
+    try:
+        write_atomically(folder / INDEX, page(visits))
+    except SandboxError as error:  # of a full disk, say: what was found is told all the same
+        typer.echo(told)
+        typer.echo(error, err=True)
+        return 1
+    typer.echo(f"{told}; see {folder / INDEX}")
+    return int(bad > 0)
+
+
+def _table(visits: "list[Visit]") -> Table:
+    table = Table(box=None, padding=(0, 2, 0, 0))
+    table.add_column("level", no_wrap=True)
+    for title in ("checks", "error / bound", "energy", "seconds"):
+        table.add_column(title, justify="right", no_wrap=True)
+    table.add_column("verdict")
+    for visited in visits:
+        worst = verdicts.worst(visited.results)
+        table.add_row(
+            visited.name,
+            str(len(visited.results)),
+            "-" if worst is None else f"{worst:.2g}",
+            _energy(visited),
+            f"{visited.seconds:.2f}",
+            Text("passed", "green") if visited.passed else Text("failed", "bold red"),
+        )
+    return table
+
+
+def _energy(visited: "Visit") -> Text:
+    """Return the share of the energy that is unexplained, in colour if the books do not close."""
+    if visited.closing is None:
+        return Text("-")
+    return Text(f"{visited.closing.share:.1g}", "" if visited.closing.closes else "yellow")
+
+
+def _explain(visited: "Visit") -> None:
+    """Say in what way a level failed, and whether its books do not close."""
+    if visited.closing and not visited.closing.closes:
+        typer.echo(f"{visited.name}: energy: {visited.closing.told}")
+    if visited.error:
+        typer.echo(f"{visited.name}: {visited.error}", err=True)
+    if visited.failures:
+        typer.echo(f"{visited.name}:", err=True)
+        for line in verdicts.lines(visited.failures, complete=True):
+            typer.echo(f"  {line}", err=True)

@@ -1,0 +1,174 @@
+"""Settings that were found before, kept in the user's cache folder.
+
+What is kept is found again by a hash of all that it depends on: the level, its parameters, the
+accuracy, the sandbox's code and the versions of what it stands on. So nothing stale is ever used.
+"""
+
+import platform
+from collections.abc import Callable, Iterator
+from functools import cache
+from hashlib import sha256
+from json import dumps
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+import platformdirs
+import pymunk
+from pydantic import TypeAdapter, ValidationError
+
+import sandbox
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import digest
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.runs import Stop, never
+from sandbox.physics.accuracy.search import Progress
+from sandbox.physics.scene.integrators import require
+from sandbox.physics.state.errors import SchemeError
+
+_SETTING = TypeAdapter(Setting)
+_ENTRY = TypeAdapter(tuple[str, str, Setting])
+"""A key, what was found for it, and before that a hash of both: an entry that a hand has changed is
+not what was found."""
+
+_unkept: dict[str, Setting] = {}
+"""What could not be written, for as long as this process lives."""
+
+LARGEST = 10_000
+"""Bytes of a file: what is larger was not written here."""
+
+
+def calibrated(
+    level: Level,
+    values: Values | None = None,
+    target: float = 1e-6,
+    progress: Progress | None = None,
+    stop: Stop = never,
+    tell: Callable[[str], None] | None = None,
+) -> Setting:
+    """Return the cheapest setting that reaches an accuracy, from memory if it is there.
+
+    Parameters
+    ----------
+    level, values, target, progress, stop
+        As for `calibrate`.
+    tell
+        Is told why a setting that was found cannot be kept.
+
+    Raises
+    ------
+    AccuracyError
+        If the accuracy cannot be had, or there is nothing whose accuracy it could be.
+    Cancelled
+        If `stop` said so; then nothing is kept.
+    SimulationError
+        If the level does not run at all.
+    """
+    values = level.defaults if values is None else values
+    if found := recalled(level, values, target):
+        return found
+    setting = calibrate(level, values, target, progress=progress, stop=stop)
+    keep(level, values, setting, tell)
+    return setting
+
+
+def recalled(level: Level, values: Values, target: float) -> Setting | None:
+    """Return the setting that was found for an accuracy before; None if none was."""
+    key = _key(level, values, target)
+    return _unkept.get(key) or _read(_path(key), key, level)
+
+
+def keep(
+    level: Level, values: Values, setting: Setting, tell: Callable[[str], None] | None = None
+) -> None:
+    """Keep a setting that was found, for the next time or, if that cannot be, for this process.
+
+    Parameters
+    ----------
+    level, values, setting
+        What was found, and for what.
+    tell
+        Is told why it is not kept longer.
+    """
+    key = _key(level, values, setting.target)
+    path = _path(key)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if link := _link(path.parent):
+            raise SandboxError(f"{link} is a link, which may lead anywhere")
+        entry = _ENTRY.dump_json((key, _hash(key, setting), setting))
+        write_atomically(path, entry, follow=False)
+    except (OSError, SandboxError) as error:
+        _unkept[key] = setting
+        if tell:
+            tell(f"the setting is not kept for the next time: {error}")
+
+
+def resolved(level: Level, values: Values, stepping: Stepping) -> Stepping:
+    """Return a setting that is chosen, found out if only an accuracy is asked for."""
+    if stepping.accuracy is None:
+        return stepping
+    return calibrated(level, values, stepping.accuracy).chosen.stepping
+
+
+def folder() -> Path:
+    """Return the folder in which settings are kept; it need not be there."""
+    return platformdirs.user_cache_path("mechanics-sandbox") / "accuracy"
+
+
+def _path(key: str) -> Path:
+    return folder() / f"{key}.json"
+
+
+def _read(path: Path, key: str, level: Level) -> Setting | None:
+    """Return what a file holds; None if it is not what was written there."""
+    try:
+        if _link(path.parent) or (content := read_ordinary(path, LARGEST)) is None:
+            return None
+        held, checked, setting = _ENTRY.validate_json(content)
+        require(level, setting.chosen.stepping.scheme)
+    except (OSError, ValidationError, SchemeError):
+        return None
+    chosen = setting.chosen
+    sound = isfinite(chosen.price) and 0 <= chosen.error <= setting.target
+    return setting if sound and held == key and checked == _hash(key, setting) else None
+
+
+def _link(entries: Path) -> Path | None:
+    """Return which of the sandbox's own folders is a link; None if none is."""
+    own = entries, entries.parent
+    return next((path for path in own if path.is_symlink()), None)
+
+
+def _hash(key: str, setting: Setting) -> str:
+    return sha256(key.encode() + _SETTING.dump_json(setting)).hexdigest()
+
+
+def _key(level: Level, values: Values, target: float) -> str:
+    told = (digest(level), sorted(values.items()), target, _code())
+    return sha256(dumps(told).encode()).hexdigest()[:32]
+
+
+@cache
+def _code() -> str:
+    """Return a hash of everything that decides how a level runs, and of the machine."""
+    found = sha256()
+    root = Path(sandbox.__file__).parent
+    for part in (*_versions(), *_sources(root)):
+        found.update(part)
+    return found.hexdigest()
+
+
+def _versions() -> Iterator[bytes]:
+    for name in (platform.python_version(), np.__version__, pymunk.version, platform.node()):
+        yield name.encode()
+
+
+def _sources(root: Path) -> Iterator[bytes]:
+    for package in ("model", "physics"):
+        for path in sorted((root / package).rglob("*.py")):
+            yield str(path.relative_to(root)).encode()
+            yield path.read_bytes()

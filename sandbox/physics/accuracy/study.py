@@ -1,0 +1,204 @@
+"""What the accuracy of a level is, what it is made of, and what more of it would cost.
+
+A study is a row of findings, each told as soon as it is known, for somebody who looks on.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+from itertools import zip_longest
+from math import isfinite
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.refinement import Ladder, foot, held_against, step_prices
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.runs import Watched, by_check, never, record, watched
+from sandbox.physics.accuracy.search import Climber, climb
+from sandbox.physics.measuring.grading import Result, grade
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.measuring.step_timing import brief_costs
+from sandbox.physics.scene.integrators import usable
+from sandbox.physics.stepping.world import make_world
+
+CLIMB = 2.0
+"""s, for the runs of one scheme; the one that is under way is not cut short."""
+
+SEARCH = 4.0
+"""s, for the runs that look for a setting of which nothing hangs."""
+
+FINEST = 1e-10
+"""No scheme climbs further: what is left is rounding."""
+
+EXACT = 1e-10
+"""What a formula is off by less than that at a small step is rounding, and no approximation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Progress:
+    """Which share is done, and what comes next."""
+
+    share: float
+    told: str
+
+
+@dataclass(frozen=True, slots=True)
+class Point:
+    """A setting, its largest numerical error, and what a second of the scene costs [s]."""
+
+    scheme: Scheme
+    rate: float
+    error: float
+    price: float
+
+
+@dataclass(frozen=True, slots=True)
+class Here(Point):
+    """The setting of the present run."""
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """What the error of a check is made of; relative as a check's error is.
+
+    Attributes
+    ----------
+    check
+        Its index in the level.
+    off
+        By how much the measured number may be off for the step [its unit].
+    total
+        The check's error; None where its formula does not hold, or its instant never comes.
+    model
+        What stays of it as the step goes to zero: the formula's own approximation. 0 if none is
+        seen, None where the formula does not hold.
+    numerical
+        What halving the step says of it.
+    remaining
+        What neither explains, such as rounding.
+    """
+
+    check: int
+    off: float
+    total: float | None
+    model: float | None
+    numerical: float
+    remaining: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """Why there is no more to be found."""
+
+    told: str
+
+
+Finding = Progress | Point | Here | Split | Setting | Failed
+
+
+def study(level: Level, values: Values) -> Iterator[Finding]:
+    """Yield what other settings err and cost, then what the error of the run is made of."""
+    try:
+        yield from _others(level, values)
+        yield from _own(level, values)
+    except SandboxError as error:
+        yield Failed(str(error))
+
+
+def split(level: Level, values: Values) -> Iterator[Finding]:
+    """Yield what the error of the run is made of."""
+    try:
+        yield from _own(level, values)
+    except SandboxError as error:
+        yield Failed(str(error))
+
+
+def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -> Iterator[Finding]:
+    """Yield the cheapest setting that reaches an accuracy, looked for that long [s]."""
+    try:
+        yield Progress(0.1, "looking for the cheapest setting")
+        yield calibrate(level, values, target, seconds)
+    except SandboxError as error:
+        yield Failed(str(error))
+
+
+def _own(level: Level, values: Values) -> Iterator[Finding]:
+    """Run at half the level's own rate, at that, and at twice that."""
+    yield Progress(0.9, "halving the step")
+    items = [by_check(check, values) for check in level.checks]
+    items = items or list(watched(level, values))
+    own = level.stepping
+    traces = list(_halved(level, values, items))
+    errors = [0.0]
+    results = zip(grade(traces[-2]), grade(traces[-1]), strict=True)
+    for index, (item, result) in enumerate(zip_longest(items, results)):
+        found = extrapolated(traces, item)
+        if found is None:
+            continue
+        *_, numerical, rest = found.relative
+        errors.append(numerical)
+        if result:
+            yield _split(index, result, found.of[-2], numerical, rest)
+    [step] = brief_costs(partial(make_world, level, values, own))
+    yield Here(own.scheme, own.rate, max(errors), step * own.rate)
+
+
+def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
+    """Yield a run with twice the step, if that can be, with the level's own, and with half of it.
+
+    The first only shows by which power of the step the error falls.
+    """
+    rate = level.stepping.rate
+    with suppress(SandboxError):
+        twice = level.stepping.model_copy(update={"rate": rate / 2})
+        yield record(level, values, twice, items)
+    yield record(level, values, level.stepping, items)
+    yield record(level, values, level.stepping.model_copy(update={"rate": 2 * rate}), items)
+
+
+def _split(
+    index: int, results: tuple[Result, Result], off: float, numerical: float, rest: float
+) -> Split:
+    """Split a check's error, from how it came out at the step and at half of it."""
+    coarse, fine = results
+    if coarse.error is None or fine.error is None:
+        return Split(index, off, None, None, numerical, None)
+    model = fine.error if fine.error > 2 * rest + EXACT else 0.0
+    remaining = max(coarse.error - numerical - model, 0.0)
+    return Split(index, off, coarse.error, model, numerical, remaining)
+
+
+def _others(level: Level, values: Values) -> Iterator[Finding]:
+    """Climb with each scheme, and hold all against the best."""
+    starts = list(_starts(level))
+    wanted = watched(level, values)
+    ladders: list[Ladder] = []
+    for index, start in enumerate(starts):
+        yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
+        climber = Climber(level, values, start, wanted, FINEST)
+        climb([climber], CLIMB, never)
+        ladders += [climber.ladder] if climber.ladder else []
+    if not ladders:
+        return
+    best = min(ladders, key=lambda ladder: ladder.errors[-1])
+    for ladder, step in zip(ladders, step_prices(level, values, ladders), strict=True):
+        told = ladder if ladder is best else held_against(ladder, best, wanted)
+        yield from _points(told, step)
+
+
+def _points(ladder: Ladder, step: float) -> Iterator[Point]:
+    trace: Trace
+    for trace, error in zip(ladder.traces, ladder.errors, strict=True):
+        rate = trace.stepping.rate
+        if isfinite(error):
+            yield Point(trace.stepping.scheme, rate, error, step * rate)
+
+
+def _starts(level: Level) -> Iterator[Stepping]:
+    """Yield every scheme that the level can use, at a low rate."""
+    for scheme in usable(level):
+        update = {"scheme": scheme, "rate": foot(level.stepping.rate)}
+        yield level.stepping.model_copy(update=update)

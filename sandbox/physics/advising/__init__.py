@@ -1,0 +1,1 @@
+"""What helps: found before a run, and tried after one that had to stop."""

@@ -1,0 +1,71 @@
+"""What is known against a level before it runs: steps too long for it, bodies that overlap."""
+
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level
+from sandbox.model.rules import FEWEST, MAX_CORNERS, corners
+from sandbox.physics.advising.remedies import tried
+from sandbox.physics.scene.scene import make_scene
+from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
+
+MOST_PARTS = 20_000
+"""How many bodies and joints are made at the most to see whether a rate is too low: about 2 s."""
+
+
+def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
+    """Return why a level cannot run at its rate, with the defaults or at the ends of its ranges.
+
+    None if it can; of several reasons the one that asks for the highest rate, or that no rate
+    mends. Asked is what springs and drags need, and whether bodies overlap at the start. What only
+    the first step shows, such as joints that contradict each other, is not known yet. A level that
+    asks for an accuracy has no rate: it may have any.
+
+    Where a higher rate should help, and somebody wants to be advised, that is tried.
+    """
+    parts = len(level.bodies) + len(level.joints)
+    most = min(max(MOST_PARTS // parts, FEWEST), MAX_CORNERS)
+    asked = ((values, _refused(level, values)) for values in corners(level, most=most))
+    found = [(values, error) for values, error in asked if error]
+    if not found:
+        return None
+    values, error = _told(level, *max(found, key=lambda one: _needed(one[1])))
+    if advised and error.rate is not None:
+        error = tried(error, level, values, level.stepping)
+    return error
+
+
+def _refused(level: Level, values: Values) -> SimulationError | None:
+    stepping = level.stepping
+    if stepping.accuracy is not None:
+        stepping = stepping.at(HIGHEST_RATE)
+    try:
+        with np.errstate(all="ignore"):  # what is not finite is told by name
+            make_scene(level, values, stepping)
+    except SimulationError as error:
+        return error
+    except JointFailure as error:
+        return SimulationError(error.joint, 0.0, str(error))
+    except Exception as error:  # noqa: BLE001 (whatever it is, whoever checks gets an answer)
+        return BreakdownError(error, 0.0)
+    return None
+
+
+def _needed(error: SimulationError) -> float:
+    return error.rate or inf
+
+
+def _told(level: Level, values: Values, error: SimulationError) -> tuple[Values, SimulationError]:
+    """Return the parameters that an error takes, and the error with these and its place."""
+    for name, default in level.defaults.items():
+        tamer = {**values, name: default}
+        same = _refused(level, tamer)
+        if same and _needed(same) >= _needed(error):
+            values, error = tamer, same
+    changed = {name: value for name, value in values.items() if value != level.defaults[name]}
+    if changed:
+        error = error.when(", ".join(f"{name} = {value:g}" for name, value in changed.items()))
+    error.refuse(level)
+    return values, error

@@ -1,0 +1,205 @@
+"""What helps a run that had to stop: tried before it is told.
+
+Whoever shows why a run stopped asks for it; the run itself only says what it suspects. Each remedy
+is tried in a world of its own, from the start, by far enough that the stop would have come, and all
+of them together within a bounded time and number of steps.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import partial
+from time import perf_counter
+from typing import NamedTuple
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.joints import Own, is_exact
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping, is_direct
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
+from sandbox.physics.state.errors import BreakdownError, SimulationError
+from sandbox.physics.stepping.world import World
+
+SECONDS = 2.0
+"""How long trying may take in all [s]; a step that is under way is not cut short."""
+
+STEPS = 50_000
+"""How many steps a trial may take."""
+
+FINER = 4
+"""How many times the rate is tried where none is known."""
+
+PAST = 1.5
+"""How many times as far as the run came a trial must come, to tell anything."""
+
+
+class Advice(NamedTuple):
+    """What was found.
+
+    Attributes
+    ----------
+    text
+        In words; empty if nothing is known.
+    rate
+        The one that holds, if one was found [Hz].
+    """
+
+    text: str
+    rate: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Trial:
+    """How a remedy did."""
+
+    told: str
+    rate: float | None
+    t: float
+    whole: bool
+    stopped: bool
+
+    @property
+    def outcome(self) -> str:
+        if self.stopped:
+            return f"{self.told} it stops at t = {self.t:.4g} s"
+        end = "to its end, " if self.whole else "until "
+        return f"{self.told} it holds {end}t = {self.t:.4g} s"
+
+
+def tried(
+    error: SimulationError,
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+    duration: float | None = None,
+) -> SimulationError:
+    """Return the same error with what was found to help, for somebody to be told.
+
+    Parameters
+    ----------
+    error
+        Why the run stopped.
+    level, values, stepping
+        What was run.
+    duration
+        How long it should have been [s]; as the level says if left out.
+    """
+    if isinstance(error, BreakdownError):
+        return error
+    found = advise(error, level, values, stepping, duration)
+    if not found.text:
+        return error
+    return error.advised(found.text, found.rate)
+
+
+def advise(
+    error: SimulationError,
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+    duration: float | None = None,
+    seconds: float = SECONDS,
+) -> Advice:
+    """Try what may help, for so long [s], and return what does; for the others, see `tried`."""
+    if stepping.accuracy is not None:
+        return Advice("")
+    end = level.duration(values) if duration is None else duration
+    attempt = partial(_attempt, values=values, before=error.time, end=end)
+    deadline, failed = perf_counter() + seconds, list[_Trial]()
+    rates = list(_finer(error, stepping))
+    others = list(_others(level, stepping))
+    for i, (told, changed, with_, rate) in enumerate((*rates, *others)):
+        left = len(rates) + len(others) - i
+        share = (deadline - perf_counter()) / left * 2  # what stops early leaves more to the others
+        until = min(deadline, perf_counter() + share)
+        trial = attempt(told, changed or level, with_, rate, until=until)
+        if trial is None:
+            continue
+        if not trial.stopped:
+            return Advice(f"tried: {_dismissed(failed)}{trial.outcome}", trial.rate)
+        failed.append(trial)
+    if not failed:
+        return Advice(f"what would help is not known: nothing came as far within {seconds:g} s")
+    return Advice(f"nothing that was tried helps: {'; '.join(t.outcome for t in failed)}")
+
+
+def findings(
+    error: SimulationError, level: Level, values: Values, stepping: Stepping, duration: float
+) -> Iterator[Advice]:
+    """Yield the advice, as work for another process; for the parameters, see `tried`."""
+    yield advise(error, level, values, stepping, duration)
+
+
+def _dismissed(failed: list[_Trial]) -> str:
+    """Say that higher rates did not help, if some were tried."""
+    rates = [f"{trial.rate:,.0f}" for trial in failed if trial.rate]
+    return f"a higher rate does not help ({' and '.join(rates)} Hz), but " if rates else ""
+
+
+Remedy = tuple[str, Level | None, Stepping, float | None]
+
+
+def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
+    if stepping.as_it_comes:
+        return
+    first = error.rate or FINER * stepping.rate
+    for rate in (float(first), 2.0 * first):
+        if stepping.rate < rate <= HIGHEST_RATE:
+            yield f"at {rate:,.0f} Hz", None, stepping.at(rate), rate
+
+
+def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
+    """Yield what else may help, in the words of a level."""
+    if stepping.as_it_comes:
+        other = stepping.model_copy(update={"scheme": "leapfrog"})
+        yield "with the scheme 'leapfrog'", None, other, None
+    contact = level.effects.contact
+    held = {name: joint for name, joint in level.joints.items() if is_exact(joint)}
+    own = any(isinstance(joint, Own) and not joint.exact for joint in level.joints.values())
+    if contact and not is_direct(level) and not own:
+        direct = contact.model_copy(update={"solver": "direct"})
+        effects = level.effects.model_copy(update={"contact": direct})
+        changed = level.model_copy(update={"effects": effects})
+        yield 'with "contact": {"solver": "direct"}', changed, stepping, None
+    if contact and held and all(isinstance(joint, Own) for joint in held.values()):
+        loose = {n: joint.model_copy(update={"exact": False}) for n, joint in held.items()}
+        swept = contact.model_copy(update={"solver": "iterative"})
+        effects = level.effects.model_copy(update={"contact": swept})
+        joints = {**level.joints, **loose}
+        changed = level.model_copy(update={"joints": joints, "effects": effects})
+        yield 'with "exact": false for its joints', changed, stepping, None
+
+
+def _attempt(
+    told: str,
+    level: Level,
+    stepping: Stepping,
+    rate: float | None,
+    *,
+    values: Values,
+    before: float,
+    end: float,
+    until: float,
+) -> _Trial | None:
+    """Run a remedy to the end, or as far as it comes; None if that tells nothing."""
+    try:
+        world = build(level, values, stepping)
+    except SandboxError:
+        return _Trial(told, rate, 0.0, whole=False, stopped=True)
+    steps = count_steps(world, end)
+    try:
+        whole = _run(world, min(steps, STEPS), until) and steps <= STEPS
+    except SandboxError:
+        return _Trial(told, rate, world.t, whole=False, stopped=True)
+    if not whole and world.t < PAST * before:
+        return None
+    return _Trial(told, rate, world.t, whole=whole, stopped=False)
+
+
+def _run(world: World, steps: int, until: float) -> bool:
+    """Observe so many steps, if time is left; return whether it was."""
+    for _ in range(steps):
+        world.advance()
+        if perf_counter() > until:
+            return False
+    return True

@@ -1,0 +1,1 @@
+"""Contacts solved directly, together with the exact joints of what touches."""

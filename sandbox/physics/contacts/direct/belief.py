@@ -1,0 +1,55 @@
+"""Which of pymunk's contacts there are."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import QUADRATIC
+
+FURTHER = 1.5
+"""How many times as far as it moves in a step a body may be found in another at first."""
+
+
+class Belief:
+    """Takes away contacts that there are not.
+
+    Of shapes that lie parallel, far from each other, pymunk now and then finds that they touch,
+    without a direction or deep in each other. What has not touched in the step before can be no
+    deeper in each other than the bodies have moved.
+    """
+
+    def __init__(self) -> None:
+        self._pairs: set[tuple[int, int]] | None = None  # that touched in the last step, if known
+
+    def forget(self) -> None:
+        """Believe everything once: bodies were put elsewhere."""
+        self._pairs = None
+
+    def sound(self, contacts: Contacts, place: Array, way: Array) -> Contacts:
+        """Return the contacts that there are.
+
+        Parameters
+        ----------
+        place
+            (n, 2), where the bodies are [m].
+        way
+            (n, 3), how far they moved in the last step, whichever way [m, rad].
+        """
+        if not len(contacts.bodies):
+            self._pairs = set()
+            return contacts
+        pairs = [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
+        good: Booleans = np.asarray(contacts.direction.any(axis=1))
+        known = self._pairs
+        if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
+            good &= ~new | (contacts.depth <= _reach(contacts, place, way))
+        self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}
+        return contacts if good.all() else Contacts._make(field[good] for field in contacts)
+
+
+def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
+    """Return how far bodies can have come into each other in a step: (k,) [m]."""
+    arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
+    motion = way[contacts.bodies]
+    ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]
+    return np.asarray(FURTHER * ways.sum(axis=1) + QUADRATIC)

@@ -1,0 +1,336 @@
+"""Which contacts push, which stick and which slip: a mixed complementarity problem.
+
+Impulses x change the rates r of the rows, r = A x + w, where A = J M⁻¹ Jᵀ is the effective inverse
+mass (the Delassus operator). Three kinds of rows ask for
+
+    joints      r = 0
+    contacts    x >= 0,  r >= 0,  x r = 0                        (and ropes, which only pull)
+    friction    |x| <= b, with r = 0 where it is less than b, and against the slip where it is b
+
+with b = mu (x of its contact) + a constant. Once it is known which rows are active this is a linear
+system, solved exactly; which they are is guessed from the step before and mended until every
+condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact
+problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
+
+Rows may repeat each other, as the two feet of a welded table do: the forces are then not unique,
+only what they add up to. The least that contacts can give are taken.
+"""
+
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.lemke import lemke
+from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, null, solved
+from sandbox.physics.contacts.direct.problem import Active, Problem
+from sandbox.physics.engine.batch import Integers
+
+FAINT = 1e-12
+"""The share of a row's own inverse mass that is nothing."""
+
+TOLERANCE = 1e-11
+"""The share of the largest impulse, or rate, by which a condition may be missed."""
+
+GUESSES = 15
+"""How often the active rows are mended before something else has to help."""
+
+GIVES = (1e-9, 1e-7, 1e-5)
+"""What is added to each row's own inverse mass to find out which rows hold, where many could: the
+problem then has one answer, which goes over into the least impulses that hold."""
+
+MISSED = 1e-7
+"""The share of the largest rate by which impulses of Lemke's method may miss what they
+ask for, for it goes a long way; Newton's method goes on from there."""
+
+
+CONTRADICTS = 1e-3
+"""The share of the largest rate by which rows that repeat each other may contradict each other, as
+they do while Newton's method is on its way."""
+
+SOFT = (1e-11, 1e-9, 1e-7)
+"""What is added to each row's own inverse mass for Lemke's method: what gives way by nothing but
+rounding is no way out for it. The next is tried where one leads nowhere."""
+
+
+class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
+    """No impulses were found; `row` is the one that is furthest off."""
+
+    def __init__(self, row: int) -> None:
+        self.row = row
+        super().__init__(f"row {row}")
+
+
+def solve(
+    problem: Problem,
+    matrix: Array,
+    rate: Array,
+    guess: Active,
+    blur: float = 0.0,
+    lets: float = inf,
+) -> tuple[Array, Active]:
+    """Return the impulses, (m,) [N s or N m s], and which rows hold with them.
+
+    Parameters
+    ----------
+    matrix
+        (m, m), A above [1/kg or 1/(kg m²)].
+    rate
+        (m,), w above: the rates without impulses [m/s or rad/s].
+    guess
+        Which rows may hold.
+    blur
+        How well rates are known [m/s, rad/s].
+    lets
+        By how much rows that repeat each other may contradict each other at the most, whatever
+        `CONTRADICTS` says [m/s, rad/s].
+
+    Raises
+    ------
+    Unsolvable
+        If no impulses are found.
+    """
+    size = _sizes(matrix, problem.alike)
+    scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size, lets)
+    impulse, active = scaled.solve(guess)
+    return impulse / size, active
+
+
+def _sizes(matrix: Array, alike: Integers | None) -> Array:
+    """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
+    own = np.maximum(matrix.diagonal(), 0.0)
+    if alike is not None:
+        own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
+    return np.where(own > 0, np.sqrt(own), 1.0)
+
+
+class _Scaled:
+    """The problem with all rows' own inverse masses near one; each may `give` way a little."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        matrix: Array,
+        rate: Array,
+        size: Array,
+        blur: Array,
+        lets: float,
+        give: float = 0.0,
+    ) -> None:
+        self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
+        self._lets = lets
+        self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
+        row, contact, sticks, slips, least = problem.friction
+        share = np.where(contact >= 0, size[row, None] / size[contact], 0.0)
+        self._row, self._contact, self._least = row, contact, least * size[row]
+        self._sticks, self._slips = share * sticks[:, None], share * slips[:, None]
+        self._some = bool(len(row))
+        asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
+        self._asked = float(np.abs(asked).max(initial=0.0))
+
+    def solve(self, active: Active) -> tuple[Array, Active]:
+        """Return the impulses, and which rows hold."""
+        impulse, found = self.mend(active)
+        for give in GIVES if found is None else ():
+            _, soft = self._softer(give).mend(active)
+            if soft is not None:
+                impulse, found = self.mend(soft)
+                if found is not None:
+                    break
+        return (impulse, found) if found is not None else self._by_corners()
+
+    def _softer(self, give: float) -> "_Scaled":
+        """Return the same with rows that give way."""
+        problem, size, blur = self._problem, self._size, self._blur
+        return _Scaled(problem, self._matrix, self._rate, size, blur, self._lets, give)
+
+    def _by_corners(self) -> tuple[Array, Active]:
+        """Return the same by Lemke's method."""
+        least = MISSED * self._asked + self._blur.max()
+        missed = self._missed(np.zeros_like(self._rate))
+        for soft in SOFT:
+            rough = self._lemke(soft)
+            if rough is None:
+                continue
+            guess = self._guess(rough)
+            impulse, found = self.mend(guess)
+            if found is not None:
+                return impulse, found
+            for tried in (self._with(guess)[0], rough):
+                missed = self._missed(tried)
+                most = float(np.abs(tried).max())
+                sound = most <= REPEATS * self._asked
+                if sound and missed.max() <= least + FAINT * most:
+                    return tried, guess
+        raise Unsolvable(int(np.argmax(missed)))
+
+    def mend(self, active: Active) -> tuple[Array, Active | None]:
+        """Solve and mend the guess until it holds; None if that goes in circles."""
+        seen = set()
+        impulse = np.zeros_like(self._rate)
+        for _ in range(GUESSES):
+            impulse, repeats = self._with(active)
+            rate = self._rate + self._matrix @ impulse
+            better = self._judge(impulse, rate, active)
+            if better is not None and repeats:
+                impulse = self._shared(impulse, active)
+                rate = self._rate + self._matrix @ impulse
+                better = self._judge(impulse, rate, active)
+            if better is None:
+                return impulse, active if self._holds(rate, active) else None
+            if better.key in seen:
+                break
+            seen.add(better.key)
+            active = better
+        return impulse, None
+
+    def _with(self, active: Active) -> tuple[Array, bool]:
+        """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
+        rows = np.flatnonzero(active.on)
+        impulse = np.zeros_like(self._rate)
+        if not len(rows):
+            return impulse, False
+        if not active.slip.any():
+            matrix = self._matrix[np.ix_(rows, rows)]
+            impulse[rows], repeats = solved(matrix, -self._rate[rows])
+            return impulse, repeats
+        gives, constant = self._gives(active.slip), self._constant(active.slip)
+        matrix = self._matrix[rows]
+        wanted = -self._rate[rows] - matrix @ constant
+        found, repeats = solved(matrix @ gives[:, rows], wanted)
+        return gives[:, rows] @ found + constant, repeats
+
+    def _shared(self, impulse: Array, active: Active) -> Array:
+        """Return the least of all impulses that do the same, and that contacts can give: (m,).
+
+        The same, if there are none: a least distance problem (Lawson and Hanson 1974, chapter 23).
+        """
+        rows = np.flatnonzero(active.on)
+        gives = self._gives(active.slip)[:, rows]
+        free = null(self._matrix[rows] @ gives)
+        ways, own = gives @ free, impulse
+        pushes = np.flatnonzero(self._problem.pushes & active.on)
+        held = np.flatnonzero(active.on[self._row])
+        bounds = np.zeros((len(held), len(own)))
+        for side in (0, 1):
+            some = np.flatnonzero(self._contact[held, side] >= 0)
+            which = held[some]
+            bounds[some, self._contact[which, side]] += self._sticks[which, side]
+        along = np.zeros_like(bounds)
+        along[np.arange(len(held)), self._row[held]] = 1.0
+        limits = np.concatenate((np.eye(len(own))[pushes], bounds - along, bounds + along))
+        least = np.concatenate((np.zeros(len(pushes)), -self._least[held], -self._least[held]))
+        way = least_distance(limits @ ways, least - limits @ own)
+        return own if way is None else own + ways @ way
+
+    def _constant(self, slip: Integers) -> Array:
+        """Return the impulses of what slips that do not depend on others: (m,)."""
+        constant = np.zeros_like(self._rate)
+        constant[self._row] = slip * self._least
+        return constant
+
+    def _gives(self, slip: Integers) -> Array:
+        """Return what impulses follow from those of rows that hold: (m, m)."""
+        gives, slipping = np.eye(len(self._rate)), np.flatnonzero(slip)
+        for side in (0, 1):
+            bound = self._contact[slipping, side] >= 0
+            some = slipping[bound]
+            gives[self._row[some], self._contact[some, side]] = slip[some] * self._slips[some, side]
+        return gives
+
+    def _bounds(self, impulse: Array, coefficients: Array) -> Array:
+        """Return how large the impulses of friction may be: (f,)."""
+        pushes = np.maximum(impulse, 0.0)[self._contact]
+        return np.asarray((coefficients * pushes).sum(axis=1) + self._least)
+
+    def _holds(self, rate: Array, active: Active) -> bool:
+        """Return whether rows that are to hold do, and do not contradict each other."""
+        allowed = np.minimum(CONTRADICTS * self._asked, self._lets / self._size)
+        return bool((np.abs(rate) <= allowed + self._blur.max())[active.on].all())
+
+    def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
+        """Return which rows rather hold at such rates; None if those do."""
+        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
+        largest = max(np.abs(self._rate).max(initial=0.0), np.abs(rate).max(initial=0.0))
+        still = TOLERANCE * largest + self._blur
+        on, pushes = active.on, self._problem.pushes
+        pulls = pushes & on & (impulse < -close)
+        meets = pushes & ~on & (rate < -still)
+        on = (on & ~pulls) | meets
+        if not self._some:
+            return Active(on, active.slip) if pulls.any() or meets.any() else None
+        row, slip = self._row, active.slip.copy()
+        held = active.on[row]
+        presses = (on[self._contact] & (self._contact >= 0)).any(axis=1) | (self._least > 0)
+        beyond = held & (np.abs(impulse[row]) > self._bounds(impulse, self._sticks) + close)
+        stops = (slip != 0) & (slip * rate[row] > still[row])
+        slip[beyond] = np.sign(impulse[row[beyond]])
+        slip[stops] = 0
+        slip[~presses] = 0
+        on[row] = presses & (slip == 0)
+        better = Active(on, slip)
+        return None if better.key == active.key else better
+
+    def _guess(self, impulse: Array) -> Active:
+        """Return which rows hold if impulses are about these."""
+        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
+        on = self._problem.free | (self._problem.pushes & (impulse > close))
+        slip = np.zeros(len(self._row), dtype=np.intp)
+        if self._some:
+            bound, own = self._bounds(impulse, self._slips), impulse[self._row]
+            at_bound = (np.abs(own) >= bound * (1 - 1e-9)) & (bound > close)
+            slip[at_bound] = np.sign(own[at_bound])
+            on[self._row] = (bound > close) & ~at_bound
+        return Active(on, slip)
+
+    def _lemke(self, soft: float) -> Array | None:
+        """Return impulses by Lemke's method, with joints obeyed by all; None if it finds none.
+
+        Friction is a push one way less a push the other way; a last condition bounds their sum.
+        """
+        free, pushes = np.flatnonzero(self._problem.free), np.flatnonzero(self._problem.pushes)
+        matrix: Array = self._matrix
+        rate: Array = self._rate
+        through: Array = np.zeros((len(free), len(rate) + 1))
+        if len(free):
+            within = matrix[np.ix_(free, free)] + FAINT * np.eye(len(free))
+            wanted = np.column_stack((matrix[free], rate[free]))
+            through = np.asarray(np.linalg.solve(within, wanted), dtype=float)
+            across: Array = np.asarray(matrix[:, free] @ through)
+            matrix, rate = matrix - across[:, :-1], rate - across[:, -1]
+        rows = np.concatenate((pushes, self._row))
+        count, rubs = len(pushes), len(self._row)
+        both, one = matrix[np.ix_(rows, rows)] + soft * np.eye(len(rows)), rate[rows]
+        bounds = np.zeros((rubs, len(self._rate)))
+        for side in (0, 1):
+            some = np.flatnonzero(self._contact[:, side] >= 0)
+            bounds[some, self._contact[some, side]] += self._slips[some, side]
+        way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
+        whole = np.zeros((count + 3 * rubs, count + 3 * rubs))
+        signed = count + 2 * rubs
+        whole[:signed, :signed] = way.T @ both @ way
+        whole[count:signed, signed:] = np.concatenate((np.eye(rubs), np.eye(rubs)))
+        whole[signed:, :count] = bounds[:, pushes]
+        whole[signed:, count:signed] = -np.concatenate((np.eye(rubs), np.eye(rubs)), axis=1)
+        found = lemke(whole, np.concatenate((way.T @ one, self._least)))
+        if found is None:
+            return None
+        impulse = np.zeros_like(self._rate)
+        impulse[rows] = way @ found[:signed]
+        impulse[free] = -(through[:, :-1] @ impulse + through[:, -1])
+        return impulse
+
+    def _missed(self, impulse: Array) -> Array:
+        """Return by how much each row misses what it asks for: (m,).
+
+        Of contacts that is min(x, r), and of friction by how much x changes if r is taken from it
+        and its bound is kept: both are 0 where the conditions hold, and nowhere else.
+        """
+        rate = self._rate + self._matrix @ impulse
+        missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))
+        missed[~(self._problem.free | self._problem.pushes)] = 0.0
+        own, slip = impulse[self._row], rate[self._row]
+        bounds = (self._bounds(impulse, share) for share in (self._sticks, self._slips))
+        off = [np.abs(own - np.clip(own - slip, -bound, bound)) for bound in bounds]
+        missed[self._row] = np.minimum(*off)
+        return np.where(np.isfinite(missed), missed, np.inf)

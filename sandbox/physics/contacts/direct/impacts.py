@@ -1,0 +1,111 @@
+"""Impacts of a step, all at once: of what is held as well."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.newton import solve_rows
+from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, planes
+from sandbox.physics.joints.exact.shake import TAUT
+
+ROUNDING = 1e-9
+"""An approach slower than this share of the speeds that it is the difference of is none, nor is one
+of this share of what acts in a step."""
+
+EXACT = 1e-12
+"""The share of the work of impacts that may be rounding."""
+
+HALVINGS = 50
+"""How often the share of a rebound that gives no energy is halved in on."""
+
+
+def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
+    """Return which gaps close faster than what acts in a step makes them: (k,).
+
+    Parameters
+    ----------
+    came
+        (3 N,), the velocities at the step [m/s, rad/s].
+    acts, change
+        (3 N,), what acts in a step, and what changed in the last one [m/s, rad/s].
+    """
+    gradient = kick.here.gradient[kick.layout.gaps]
+    gives = np.abs(gradient @ np.stack((acts, change), axis=1))
+    swift = np.abs(came) + np.abs(acts)
+    around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
+    speeds = np.abs(gradient) @ np.concatenate((around, angles(swift)))
+    allowed = gives.max(axis=1) + ROUNDING * speeds + kick.blur
+    return np.asarray(gradient @ came < -allowed)
+
+
+def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
+    """Return the velocities at the step before its impacts, and the impulses until there.
+
+    Parameters
+    ----------
+    motion
+        (3 N,), the velocities without impulses [m/s, rad/s].
+    strikes
+        (k,), which gaps close.
+    """
+    out = np.zeros(len(kick.reply), dtype=bool)
+    out[kick.layout.joints] = kick.joints.added
+    out[kick.layout.gaps] = strikes
+    impulse = _impulses(kick, motion, np.zeros(len(kick.reply)), out)
+    return motion + impulse @ kick.reply, impulse
+
+
+def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
+    """Return the velocities after the impacts of a step, and their impulses.
+
+    Newton's law of restitution does not look at friction, and can give energy with it (Kane and
+    Levinson 1985). Then as much of the rebound is taken as gives none.
+
+    Parameters
+    ----------
+    came
+        (3 N,), the velocities before them [m/s, rad/s].
+    strikes
+        (k,), which gaps close.
+    """
+    layout, gradient = kick.layout, kick.here.gradient
+    rates = gradient @ came
+    leaves = np.zeros(len(kick.reply))
+    leaves[layout.gaps] = layout.restitution * np.minimum(rates[layout.gaps], 0.0) * strikes
+    none = np.zeros(len(kick.reply), dtype=bool)
+    touch, runs = layout.touch, rates.copy()
+    runs[layout.slips] += kick.runs
+
+    def rebound(share: float) -> tuple[Array, float]:
+        impulse = _impulses(kick, came, share * leaves, none)
+        after = runs + gradient @ (impulse @ kick.reply)
+        return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
+
+    impulse, work = rebound(1.0)
+    if work > EXACT * float(np.abs(impulse) @ np.abs(rates)) and leaves.any():
+        low, high = 0.0, 1.0
+        for _ in range(HALVINGS):
+            share = (low + high) / 2
+            _, work = rebound(share)
+            low, high = (share, high) if work <= 0 else (low, share)
+        impulse, _ = rebound(low)
+    return came + impulse @ kick.reply, impulse
+
+
+def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
+    """Return the impulses at which velocities obey all rows but those that are out: (r,)."""
+    layout, joints = kick.layout, kick.layout.joints
+    rate = kick.here.gradient @ motion + leaves
+    rate[joints] += kick.joint_rates()
+    rate[layout.slips] += kick.runs
+    slack = np.zeros(len(rate), dtype=bool)
+    slack[joints] = kick.joints.pulls_only & (
+        kick.here.total[joints] + kick.before > TAUT + QUADRATIC
+    )
+    asked = layout.problem
+    problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
+    on = problem.free | (problem.pushes & (rate < 0))
+    guess = Active(on, np.zeros(len(asked.friction.row), dtype=np.intp))
+    return solve_rows(kick, layout.asking(problem), kick.here.gradient, rate, guess)[0]

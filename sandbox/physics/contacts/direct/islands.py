@@ -1,0 +1,38 @@
+"""Which rows have to do with each other: those of one island are solved together."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sandbox.physics.engine.batch import Booleans, Integers
+
+
+def islands(bodies: Sequence[Integers], moves: Booleans) -> list[Integers]:
+    """Return the rows of each island, in ascending order; m rows, n bodies.
+
+    Parameters
+    ----------
+    bodies
+        Those that each of the m rows is about; −1, or the number n, is the plane.
+    moves
+        (n,), which of them anything can move: what nothing moves passes nothing on.
+    """
+    owner = list(range(len(moves)))
+
+    def root(body: int) -> int:
+        while owner[body] != body:
+            owner[body] = owner[owner[body]]
+            body = owner[body]
+        return body
+
+    heads = []
+    for held in bodies:
+        moving = [int(body) for body in held if 0 <= body < len(moves) and moves[body]]
+        heads.append(moving[0] if moving else -1)
+        for body in moving[1:]:
+            owner[root(body)] = root(moving[0])
+    found: dict[int, list[int]] = {}
+    for number, head in enumerate(heads):
+        if head >= 0:
+            found.setdefault(root(head), []).append(number)
+    return [np.array(rows, dtype=np.intp) for rows in found.values()]

@@ -1,0 +1,140 @@
+"""What is known of a kick before it is solved."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.gap_functions import Features, features
+from sandbox.physics.contacts.direct.layout import Layout
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+
+@dataclass(frozen=True, slots=True)
+class Kick:
+    """The rows of a kick; r of them, N bodies with the plane.
+
+    Attributes
+    ----------
+    joints, contacts
+        What is joined, and what touches.
+    layout, features
+        The rows, and what touches where.
+    place
+        Where everything is.
+    here
+        The rows where everything is.
+    reply
+        (r, 3 N), the velocities that a unit impulse of each gives: J M⁻¹.
+    runs
+        (f,), how fast surfaces slip by themselves, as belts do [m/s].
+    before, after
+        (m,), what the joints keep before and after the drift [m, rad].
+    """
+
+    joints: ExactJoints
+    contacts: Contacts
+    layout: Layout
+    features: Features
+    place: Coordinates
+    here: Rows
+    reply: Array
+    runs: Array
+    before: Array
+    after: Array
+
+    @classmethod
+    def at(
+        cls,
+        place: Coordinates,
+        joints: ExactJoints,
+        contacts: Contacts,
+        layout: Layout,
+        running: Array,
+        lengths: tuple[Array, Array],
+    ) -> "Kick":
+        """Return that of a place.
+
+        Parameters
+        ----------
+        running
+            (n, 2), how fast the bodies' surfaces run [m/s].
+        lengths
+            What the joints keep before and after the drift, (m,) each [m, rad].
+        """
+        found = features(contacts, layout.touching, place, joints.origin)
+        here = rows_at(place, joints, found)
+        reply, runs = here.gradient * joints.inverse, _runs(contacts, layout, running)
+        return cls(joints, contacts, layout, found, place, here, reply, runs, *lengths)
+
+    def moved(self, place: Coordinates) -> "Kick":
+        """Return the same elsewhere."""
+        found = self.features.moved(place)
+        here = rows_at(place, self.joints, found)
+        reply = here.gradient * self.joints.inverse
+        return replace(self, features=found, place=place, here=here, reply=reply)
+
+    def rows(self, way: Array) -> Rows:
+        """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
+        return rows_at(Coordinates(self.place.values + way), self.joints, self.features)
+
+    def flat_rows(self, way: Array) -> Rows:
+        """Return the same, with contacts as if they changed linearly with the way."""
+        here, there, touch = self.here, self.rows(way), self.layout.touch
+        total, gradient = there.total.copy(), there.gradient.copy()
+        total[touch] = here.total[touch] + here.gradient[touch] @ way
+        gradient[touch] = here.gradient[touch]
+        return Rows(total, gradient)
+
+    def targets(self) -> Array:
+        """Return what the rows shall be after the drift: (r,)."""
+        wanted = self.here.total.copy()
+        wanted[self.layout.joints] = -self.after
+        wanted[self.layout.slips] -= self.joints.drift * self.runs
+        return wanted
+
+    @property
+    def blur(self) -> float:
+        """How well velocities are known that are chosen by places [m/s]."""
+        return PLACES * float(np.abs(self.place.values).max()) / abs(self.joints.drift)
+
+    def joint_rates(self) -> Array:
+        """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""
+        return np.asarray((self.after - self.before) / self.joints.drift)
+
+    def told(self, impulse: Array) -> Contacts:
+        """Return the contacts with such impulses, (r,)."""
+        layout, touching = self.layout, self.layout.touching
+        number = len(self.contacts.bodies)
+        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float)
+        friction = np.zeros(number)
+        friction[touching.rubs] = impulse[layout.slips]
+        x, y = self.contacts.direction.T
+        return self.contacts._replace(
+            normal=normal,
+            friction=np.abs(friction),
+            impulse=np.stack((x * normal - y * friction, y * normal + x * friction), axis=1),
+        )
+
+
+def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
+    """Return all rows somewhere: joints as what is left of what they keep."""
+    touch = found.look(place)
+    if not len(joints.pulls_only):
+        return touch
+    held = joints.look(place)
+    return Rows(
+        np.concatenate((-held.total, touch.total)),
+        np.concatenate((-held.gradient, touch.gradient)),
+    )
+
+
+def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
+    a, b, rubs = layout.touching.a, layout.touching.b, layout.touching.rubs
+    if not running.any():
+        return np.zeros(len(rubs))
+    runs = running[b[rubs]] - running[a[rubs]]
+    direction = contacts.direction[layout.touching.pair[rubs]]
+    return np.asarray(runs[:, 1] * direction[:, 0] - runs[:, 0] * direction[:, 1])

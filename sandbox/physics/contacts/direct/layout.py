@@ -1,0 +1,180 @@
+"""The rows of a step: which points touch, and what each row asks for."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.gap_functions import Touching
+from sandbox.physics.contacts.direct.islands import islands
+from sandbox.physics.contacts.direct.outlines import Figures
+from sandbox.physics.contacts.direct.problem import Friction, Problem
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+
+class Surfaces(NamedTuple):
+    """How n bodies touch.
+
+    Attributes
+    ----------
+    figures
+        Their outlines.
+    friction, static, restitution
+        (n, n), the pairs' coefficients.
+    running
+        (n, 2), how fast their surfaces run, as those of belts do [m/s].
+    correction
+        The share of an overlap that a step takes back.
+    slop
+        The overlap that is left alone [m].
+    """
+
+    figures: Figures
+    friction: Array
+    static: Array
+    restitution: Array
+    running: Array
+    correction: float
+    slop: float
+
+
+class Island(NamedTuple):
+    """Rows that have to do with each other, and with no others.
+
+    Attributes
+    ----------
+    rows
+        Which of all rows.
+    slips
+        Which of all friction.
+    problem
+        What they ask for, numbered by themselves.
+    """
+
+    rows: Integers
+    slips: Integers
+    problem: Problem
+
+
+class Layout(NamedTuple):
+    """The rows of a step: m of joints, k of gaps, f of slips, in this order.
+
+    Attributes
+    ----------
+    problem
+        What they ask for.
+    islands
+        The same, island by island.
+    touching
+        The points of the gaps and slips.
+    restitution
+        (k,), the coefficients of the gaps.
+    joints, gaps, slips, touch
+        Where they are among all rows; gaps and slips together.
+    """
+
+    problem: Problem
+    islands: list[Island]
+    touching: Touching
+    restitution: Array
+    joints: slice
+    gaps: slice
+    slips: slice
+
+    @property
+    def touch(self) -> slice:
+        """Where gaps and slips are among all rows."""
+        return slice(self.gaps.start, None)
+
+    def asking(self, problem: Problem) -> "Layout":
+        """Return the same rows that ask for something else."""
+        parts = [_part(problem, one.rows, one.slips) for one in self.islands]
+        return self._replace(problem=problem, islands=parts)
+
+    def smooth(self) -> "Layout":
+        """Return the same rows without friction."""
+        none = np.zeros(len(self.touching.rubs))
+        friction = self.problem.friction._replace(sticks=none, slips=none)
+        return self.asking(self.problem._replace(friction=friction))
+
+
+def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
+    """Return the rows of these contacts; the two points of a side share one friction.
+
+    Parameters
+    ----------
+    contacts, joints
+        What touches and what is joined.
+    surfaces
+        How bodies touch.
+    moves
+        (n,), which of them anything can move.
+    """
+    first, count = len(joints.pulls_only), len(contacts.bodies)
+    two = np.flatnonzero(contacts.touches == 2)
+    pair = np.concatenate((np.arange(count), two))
+    a, b = contacts.bodies[pair].T
+    slips, static = surfaces.friction[a, b], surfaces.static[a, b]
+    rubs = np.flatnonzero((slips[:count] > 0) | (static[:count] > 0))
+    touching = Touching(
+        a,
+        b,
+        pair,
+        np.repeat((0, 1), (count, len(two))),
+        rubs,
+        surfaces.figures,
+        (surfaces.figures.of(a), surfaces.figures.of(b)),
+        np.concatenate((a, a[rubs])),
+        np.concatenate((b, b[rubs])),
+        moves[a] & ~moves[b],
+    )
+    partner = np.full(count, -1)
+    partner[two] = count + np.arange(len(two))
+    contact = np.stack((rubs, partner[rubs]), axis=1)
+    contact = np.where(contact >= 0, contact + first, -1)
+    gaps = slice(first, first + len(pair))
+    whole = gaps.stop + len(rubs)
+    free, pushes = np.zeros(whole, dtype=bool), np.zeros(whole, dtype=bool)
+    free[:first], pushes[:first] = ~joints.pulls_only, joints.pulls_only
+    pushes[gaps] = True
+    row = np.arange(gaps.stop, whole)
+    friction = Friction(row, contact, static[rubs], slips[rubs], np.zeros(len(rubs)))
+    touch = contacts.bodies[pair]
+    found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
+    problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
+    return Layout(
+        problem,
+        [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found],
+        touching,
+        surfaces.restitution[a, b],
+        slice(first),
+        gaps,
+        slice(gaps.stop, whole),
+    )
+
+
+def _alike(joints: Integers, whole: int) -> Integers | None:
+    """Return which of all rows are scaled alike: those of each joint; None if all have one."""
+    if len(set(joints.tolist())) == len(joints):
+        return None
+    return np.concatenate((joints, np.arange(len(joints), whole)))
+
+
+def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
+    """Return what some rows ask for, numbered by themselves."""
+    if len(rows) == len(problem.free):
+        return Island(rows, slips, problem)
+    number = np.full(len(problem.free) + 1, -1)
+    number[rows] = np.arange(len(rows))
+    old = problem.friction
+    friction = Friction(
+        number[old.row[slips]],
+        number[old.contact[slips]],
+        old.sticks[slips],
+        old.slips[slips],
+        old.least[slips],
+    )
+    alike = None if problem.alike is None else problem.alike[rows]
+    part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)
+    return Island(rows, slips, part)

@@ -1,0 +1,80 @@
+"""Lemke's method for linear complementarity problems.
+
+    w = M z + q,    w >= 0,  z >= 0,  wᵀ z = 0
+
+It goes from corner to corner of what satisfies all but one of the conditions, and ends at a
+solution wherever contact problems have one: their matrices are copositive (Stewart and Trinkle
+1996; R. W. Cottle, J.-S. Pang, R. E. Stone: The Linear Complementarity Problem, chapter 4.4). It is
+slower than guessing, and asked only where guesses go in circles.
+"""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Integers
+
+PIVOTS = 20
+"""How many corners it goes to at the most, for each condition."""
+
+NOTHING = 1e-11
+"""An entry below this share of the largest of its column is no pivot."""
+
+TIE = 1e-12
+"""Ratios that differ by less than this, of the largest, are one: the largest pivot is taken."""
+
+
+def lemke(matrix: Array, offset: Array) -> Array | None:
+    """Return z, (n,); None if none is found.
+
+    Parameters
+    ----------
+    matrix, offset
+        (n, n) and (n,), M and q above.
+    """
+    count = len(offset)
+    if not count or offset.min() >= 0:
+        return np.zeros(count)
+    cover = 1 + 0.5 * np.cos(np.arange(1.0, count + 1) ** 2)  # no two alike: ties are rare
+    table = np.column_stack((np.eye(count), -matrix, -cover, offset))
+    basis = np.arange(count)
+    artificial = 2 * count
+    entering, row = artificial, int(np.argmin(offset / cover))
+    for _ in range(PIVOTS * count):
+        leaving = int(basis[row])
+        _pivot(table, row, entering)
+        basis[row] = entering
+        if leaving == artificial:
+            return _read(table, basis, count)
+        entering = leaving + count if leaving < count else leaving - count
+        found = _ratio(table, basis, entering, artificial)
+        if found is None:
+            return None
+        row = found
+    return None
+
+
+def _pivot(table: Array, row: int, column: int) -> None:
+    table[row] /= table[row, column]
+    factor = table[:, column].copy()
+    factor[row] = 0.0
+    table -= factor[:, None] * table[row]
+
+
+def _ratio(table: Array, basis: Integers, entering: int, artificial: int) -> int | None:
+    """Return the row that the entering variable drives to zero first; None if it drives none."""
+    column, value = table[:, entering], np.maximum(table[:, -1], 0.0)
+    some = np.flatnonzero(column > NOTHING * np.abs(column).max(initial=0.0))
+    if not len(some):
+        return None
+    ratio = value[some] / column[some]
+    least = ratio.min()
+    tied = some[ratio <= least + TIE * max(ratio.max(), 1e-300)]
+    if (basis[tied] == artificial).any():
+        return int(tied[basis[tied] == artificial][0])
+    return int(tied[np.argmax(column[tied])])
+
+
+def _read(table: Array, basis: Integers, count: int) -> Array:
+    found = np.zeros(2 * count + 1)
+    found[basis] = np.maximum(table[:, -1], 0.0)
+    return found[count : 2 * count]

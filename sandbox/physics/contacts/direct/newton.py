@@ -1,0 +1,124 @@
+"""The impulses of a kick, by Newton's method over problems of complementarity."""
+
+from collections.abc import Callable
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.layout import Layout
+from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
+from sandbox.physics.joints.exact.shake import TAUT
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+SOON = 5
+"""Steps of Newton's method within which rows may contradict each other, if it is far from home."""
+
+
+def newton(
+    kick: Kick,
+    layout: Layout,
+    rows: Callable[[Array], Rows],
+    motion: Array,
+    drift: float,
+    wanted: Array,
+    impulse: Array,
+    active: Active,
+) -> tuple[Array, Array, Active]:
+    """Return impulses, (r,), the velocities with them, (3 N,), and which rows hold.
+
+    Parameters
+    ----------
+    kick
+        What is known.
+    layout
+        What the rows ask for.
+    rows
+        The rows after a way, (3 N,) [m, rad].
+    motion
+        (3 N,), the velocities without impulses [m/s, rad/s].
+    drift
+        How long they last [s].
+    wanted
+        (r,), what the rows shall be after it.
+    impulse, active
+        A guess.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    for iteration in range(MAX_ITERATIONS):
+        there = rows(drift * (motion + impulse @ kick.reply))
+        wrong, before = there.total - wanted, active
+        missed = np.abs(wrong)
+        rate = wrong / drift
+        far = missed[active.on].max(initial=0.0) > QUADRATIC
+        lets = inf if far and iteration < SOON else TAUT / drift
+        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
+        off = np.where(active.on, missed, 0.0)
+        if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
+            return impulse, motion + impulse @ kick.reply, active
+    raise lost(kick, int(off.argmax()))
+
+
+def solve_rows(
+    kick: Kick,
+    layout: Layout,
+    gradient: Array,
+    rate: Array,
+    active: Active,
+    impulse: Array | None = None,
+    lets: float = inf,
+) -> tuple[Array, Active]:
+    """Solve each island by itself; return the impulses, (r,), and which rows hold.
+
+    Parameters
+    ----------
+    kick
+        What is known.
+    layout
+        What the rows ask for.
+    gradient
+        (r, 3 N), J of the rows.
+    rate
+        (r,), their rates with the impulses, if there are any [m/s, rad/s].
+    active
+        A guess.
+    lets
+        By how much rows may contradict each other [m/s, rad/s].
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    found = np.zeros(len(rate))
+    on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
+    for rows, slips, problem in layout.islands:
+        whole = len(rows) == len(rate)
+        part = slice(None) if whole else rows
+        guess = active if whole else Active(active.on[rows], active.slip[slips])
+        matrix, free = gradient[part] @ kick.reply[part].T, rate[part]
+        if impulse is not None:
+            free = free - matrix @ impulse[part]
+        try:
+            found[part], held = solve(problem, matrix, free, guess, kick.blur, lets)
+        except (Unsolvable, np.linalg.LinAlgError) as error:
+            row = error.row if isinstance(error, Unsolvable) else 0
+            raise lost(kick, int(rows[row])) from None
+        on[part], slip[slips] = held
+    return found, Active(on, slip)
+
+
+def lost(kick: Kick, row: int) -> JointFailure | NoForces:
+    """Say what no impulses were found for."""
+    touching, gaps = kick.layout.touching, kick.layout.gaps
+    if row < gaps.start:
+        return kick.joints.lost(row)
+    gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
+    return NoForces(int(touching.a[gap]), int(touching.b[gap]))

@@ -1,0 +1,125 @@
+"""The outlines of bodies, as their contacts have to know them."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.geometry.plane_curve import Course
+from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.state.anchor import Plane
+
+PARALLEL = 1e-6
+"""rad, by which a side and a contact may differ in direction and the contact be on that side."""
+
+
+class Figure(NamedTuple):
+    """What the outline of a body is to its contacts.
+
+    Attributes
+    ----------
+    radius
+        Of what is round, where it is touched from outside; 0 of what has sides [m].
+    normals
+        The unit normals of its sides, along its axes.
+    rounding
+        The radius of its corners, or ends [m].
+    inner
+        Of what is hollow, where it is touched from inside [m].
+    center
+        Of what is round, along its axes [m].
+    ends
+        Whether what is round is not so all the way.
+    course
+        Of what is a curve, or None.
+    """
+
+    radius: float
+    normals: Plane
+    rounding: float
+    inner: float = 0.0
+    center: complex = 0j
+    ends: bool = False
+    course: Course | None = None
+
+
+class Figures:
+    """The outlines of n bodies, as tables.
+
+    Attributes
+    ----------
+    radius, rounding, inner, center
+        (n,) each, as of a `Figure` [m].
+    ends
+        (n,), whether it is round, but not all the way.
+    courses
+        Of those that are curves, by their numbers.
+    """
+
+    def __init__(self, figures: list[Figure]) -> None:
+        self.radius = np.array([figure.radius for figure in figures])
+        self.rounding = np.array([figure.rounding for figure in figures])
+        self.inner = np.array([figure.inner for figure in figures])
+        self.center = np.array([figure.center for figure in figures])
+        self.ends = np.array([figure.ends for figure in figures], dtype=bool)
+        self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
+        most = max((len(figure.normals) for figure in figures), default=0)
+        self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
+        for row, figure in enumerate(figures):
+            self._normals[row, : len(figure.normals)] = figure.normals
+
+    def of(self, body: Integers) -> "Outlines":
+        """Return those of some bodies: (k,)."""
+        return Outlines(
+            body,
+            self.radius[body],
+            self.rounding[body],
+            self.inner[body],
+            self.center[body],
+            self.ends[body],
+            self._normals[body],
+        )
+
+
+class Outlines(NamedTuple):
+    """The outlines of the bodies at k points, one after the other, as of a `Figure` each.
+
+    Attributes
+    ----------
+    body
+        (k,), which.
+    """
+
+    body: Integers
+    radius: Array
+    rounding: Array
+    inner: Array
+    center: Plane
+    ends: Booleans
+    normals: Plane
+
+    def faces(self, direction: Plane) -> Booleans:
+        """Return whether they have a side that faces there, along their own axes: (k,)."""
+        off = np.abs(self.normals - direction[:, None])
+        return np.asarray((off < PARALLEL).any(axis=1))
+
+    def round(self, place: Coordinates, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
+        """Return whether they are round where they touch, (k,), and where their centres are, (k,).
+
+        They touch in the middle, with the normal n: (k,) each.
+        """
+        center = place.plane[self.body]
+        if self.center.any():
+            center += self.center * np.exp(1j * place.angle[self.body])
+        is_round: Booleans = self.radius > 0
+        if self.ends.any():
+            out = middle - center
+            is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
+            is_round = is_round & ~(self.ends & is_end)
+        return is_round, center
+
+    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans) -> Array:
+        """Return the radii with which they roll where they touch: (k,) [m]."""
+        radius = np.where(within, self.inner, self.radius)
+        return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))

@@ -1,0 +1,81 @@
+"""What rows ask for, and which of them hold."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans, Integers
+
+
+class Friction(NamedTuple):
+    """The rows whose impulses are bounded; f of them.
+
+    Attributes
+    ----------
+    row
+        (f,), which rows.
+    contact
+        (f, 2), the rows whose impulses bound them, added up; −1 for none.
+    sticks, slips
+        (f,), the coefficients while it sticks and while it slips.
+    least
+        (f,), the bound without any contact [N s].
+    """
+
+    row: Integers
+    contact: Integers
+    sticks: Array
+    slips: Array
+    least: Array
+
+
+NO_FRICTION = Friction(
+    np.zeros(0, dtype=np.intp),
+    np.zeros((0, 2), dtype=np.intp),
+    np.zeros(0),
+    np.zeros(0),
+    np.zeros(0),
+)
+
+
+class Active(NamedTuple):
+    """Which rows hold; m rows, f of friction.
+
+    Attributes
+    ----------
+    on
+        (m,), whose rate is kept at zero.
+    slip
+        (f,), the sign of the impulses that are at their bound; 0 of others.
+    """
+
+    on: Booleans
+    slip: Integers
+
+    @property
+    def key(self) -> bytes:
+        """The same, to be compared."""
+        return self.on.tobytes() + self.slip.tobytes()
+
+
+class Problem(NamedTuple):
+    """What rows ask for; m of them.
+
+    Attributes
+    ----------
+    free
+        (m,), whose impulse may have any sign and size: joints.
+    pushes
+        (m,), whose impulse is not negative: contacts, ropes.
+    friction
+        All others.
+    alike
+        (m,), rows of the same number are scaled alike: those of one joint, which point along axes
+        that anybody may have turned. No row's is like another's if left out.
+    """
+
+    free: Booleans
+    pushes: Booleans
+    friction: Friction
+    alike: Integers | None = None

@@ -1,0 +1,295 @@
+"""Contacts and exact joints, solved together in one step.
+
+pymunk drifts and finds the contacts. What it makes of them is put aside: the velocities before the
+kick are kicked anew, and the impulses λ at joints, contacts and friction are found together, so
+that after the next drift joints are as long as they were, no gap has shrunk, and nothing slips that
+friction holds:
+
+    q' = q + h v',    v' = v + L a + M⁻¹ Jᵀ λ,    C(q') = 0,    0 <= λ_n  ⊥  V(q') - V(q) >= 0, ...
+
+L is the length of the kick and h that of the drift. This is leapfrog under constraints (SHAKE) with
+the complementarity of contact (Moreau 1988; Stewart and Trinkle 1996; Anitescu and Potra 1997),
+solved by Newton's method over the problem in `complementarity`. A heavy body on a light one is as
+easy as any other: nothing takes turns.
+
+A contact that approaches faster than its own step makes it do is an impact. Then the kick is taken
+in three parts: to the step, with what rests and what is joined; the impact, all at once and at the
+velocities, with Newton's law of restitution; and on from the step.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct import impacts
+from sandbox.physics.contacts.direct.belief import Belief
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
+from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.contacts.direct.parting import part
+from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.contacts.sequential_impacts import Impacts
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+GROWS = 1.1
+"""How many times its kinetic energy a kick may leave with joints and contacts, of what it would
+leave without them. They give none but for what a step is too long for."""
+
+
+class Stage(NamedTuple):
+    """A part of a kick with impacts: before them, the impacts, or after them.
+
+    Attributes
+    ----------
+    lasts
+        How long it is; 0 of the impacts [s].
+    velocity
+        (n, 3), the velocities that it ends with [m/s, rad/s].
+    pulls
+        (m,), the impulses along what joints keep; positive where they pull.
+    contacts
+        With the impulses in it.
+    """
+
+    lasts: float
+    velocity: Array
+    pulls: Array
+    contacts: Contacts
+
+
+class Direct:
+    """Solves contacts and exact joints together; n bodies.
+
+    Parameters
+    ----------
+    batch
+        Reads and writes the bodies.
+    joints
+        The exact ones; they may be none.
+    surfaces
+        How bodies touch.
+    inertia
+        (n, 3), masses, masses and moments; 0 of what nothing moves or turns [kg, kg m²].
+    dt
+        The time step [s].
+    strikes
+        Whether impacts are found here; else somebody else has seen to them.
+
+    Attributes
+    ----------
+    contacts
+        Those of the last kick.
+    last
+        What impacts did in it.
+    stages
+        Its parts, if there were impacts; else none.
+    """
+
+    def __init__(
+        self,
+        batch: Batch,
+        joints: ExactJoints,
+        surfaces: Surfaces,
+        inertia: Array,
+        dt: float,
+        *,
+        strikes: bool,
+    ) -> None:
+        self._batch, self._joints, self._surfaces = batch, joints, surfaces
+        self._dt, self._strikes = dt, strikes
+        self._moves: Booleans = inertia[:, 0] > 0
+        self._order = order(len(inertia))
+        self._inertia = self._spread(inertia)
+        self._begun = self._pull = self._change = np.zeros_like(inertia)
+        self._shift = np.zeros_like(inertia)  # by what taking back overlaps moved bodies in a step
+        self._lead = 0.0
+        self._until = 0.0
+        self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
+        self._laid: tuple[bytes, Layout] | None = None
+        self._known, self._belief = WarmStart(), Belief()
+        self.contacts: Contacts = NO_CONTACTS
+        self.last = _nothing(self._begun)
+        self.stages: tuple[Stage, ...] = ()
+
+    def begin(self, pull: Array, *, start: bool) -> None:
+        """Take note of the velocities before a kick, and of what acts in it.
+
+        Parameters
+        ----------
+        pull
+            (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
+        start
+            Whether this is the first kick, which begins with the velocities at its step.
+        """
+        self._begun, self._pull = self._batch.velocity(), pull
+        self._lead = 0.0 if start else self._joints.kick - self._dt / 2
+
+    def solve(self, until: float) -> None:
+        """Find the impulses of a kick, and give the bodies their velocities after it.
+
+        Parameters
+        ----------
+        until
+            The time at the end of the drift that follows [s].
+
+        Raises
+        ------
+        JointFailure, NoForces
+            If there are none.
+        """
+        place, way = self._batch.state()[:, :2], np.abs(self._begun) * self._dt
+        self.contacts = self._belief.sound(self._batch.contacts(), place, way + np.abs(self._shift))
+        self.last, self.stages = _nothing(self._begun), ()
+        self._shift = np.zeros_like(self._begun)
+        self._follow(until)
+        if len(self.contacts.bodies) or self._joints.added.any():
+            self._solve_all()
+        else:
+            self._known.forget()
+            self._solve_joints(until)
+        after = self._batch.velocity()
+        struck = self.last.struck[:, None]
+        whole = (after - self._begun) * (self._dt / self._joints.kick)
+        self._change = np.where(struck, 2 * (after - self.last.velocity), whole)
+
+    def forget(self) -> None:
+        """Begin anew: bodies were put elsewhere."""
+        self._belief.forget()
+        self._known.forget()
+        self._change, self._shift = np.zeros_like(self._change), np.zeros_like(self._shift)
+
+    def _solve_joints(self, until: float) -> None:
+        """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
+        velocity = self._batch.velocity()
+        try:
+            self._joints.solve(until)
+        except JointFailure:
+            self._batch.set_velocity(velocity)
+            self._solve_all()
+
+    def _follow(self, until: float) -> None:
+        """Take up what joints keep after the drift, and what they kept before it."""
+        if until == self._until and not self._joints.added.any():
+            return
+        lengths, last = self._joints.lengths(until), self._lengths[1]
+        self._until = until
+        self._lengths = last if len(last) == len(lengths) else lengths, lengths
+
+    def _solve_all(self) -> None:
+        self._joints.check()
+        kick = self._look()
+        begun, pull, lead = self._spread(self._begun), self._spread(self._pull), self._lead
+        at_step, acts = begun + pull * lead, pull * self._dt
+        total = np.zeros(len(kick.reply))
+        strikes = np.zeros(len(kick.layout.restitution), dtype=bool)
+        if self._strikes:
+            strikes = impacts.struck(kick, at_step, acts, self._spread(self._change))
+        if strikes.any() or self._joints.added.any():
+            came, total = impacts.come(kick, at_step, strikes)
+            begun, pushes = impacts.bounce(kick, came, strikes)
+            self.stages = self._stage(kick, lead, came, total), self._stage(kick, 0, begun, pushes)
+            total = total + pushes
+            self._tell(kick, begun, pushes)
+        else:
+            lead = 0.0
+        rest = self._joints.kick - lead
+        impulse, moved, active = self._hold(kick, begun + pull * rest, rest)
+        if self.stages:
+            self.stages = *self.stages, self._stage(kick, rest, moved, impulse)
+        self._batch.set_velocity(moved[self._order])
+        self._known.note(kick, impulse / rest, active)
+        self._report(kick, total + impulse, active)
+
+    def _look(self) -> Kick:
+        """Return the rows where everything is, once overlaps are taken back."""
+        contacts, surfaces = self.contacts, self._surfaces
+        place, _ = self._joints.coordinates()
+        layout = self._lay_out()
+        kick = Kick.at(place, self._joints, contacts, layout, surfaces.running, self._lengths)
+        way = part(kick, surfaces, self._known, self._spread(self._begun * self._dt))
+        if way is None:
+            return kick
+        state = self._batch.state()
+        self._shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        state[:, :3] += self._shift
+        self._batch.set_state(state)
+        return kick.moved(Coordinates(place.values + way))
+
+    def _lay_out(self) -> Layout:
+        contacts, joints = self.contacts, self._joints
+        key = contacts.bodies.tobytes() + contacts.touches.tobytes() + bytes(len(joints.added))
+        if self._laid is None or self._laid[0] != key:
+            self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
+        return self._laid[1]
+
+    def _spread(self, rates: Array) -> Array:
+        """Return rates (n, 3) as rows have coordinates."""
+        values = np.zeros(3 * len(rates) + 3)
+        values[self._order] = rates
+        return values
+
+    def _hold(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Array, Active]:
+        """Return impulses with which all rows hold after the drift, and the velocities then.
+
+        Newton's method begins with the forces of the step before. Where it does not come home, or
+        comes with energy that nothing gave, bodies are jammed: what contacts have to give way by
+        within a step is beyond them, and they are kept at the velocities instead of the places.
+        """
+        wanted, drift = kick.targets(), self._joints.drift
+        guess, active = self._known.guess(kick, motion, length)
+        try:
+            found = newton(kick, kick.layout, kick.rows, motion, drift, wanted, guess, active)
+            if self._kinetic(found[1]) <= GROWS * self._kinetic(motion):
+                return found
+        except (JointFailure, NoForces):
+            pass
+        none = np.zeros_like(guess)
+        found = newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
+        joints = kick.layout.joints
+        if joints.stop and not self._driven():
+            work = (found[0] * (kick.here.gradient @ (motion + found[1])))[joints]
+            self._joints.refuse_gain(motion, found[1], work)
+        return found
+
+    def _driven(self) -> bool:
+        """Whether surfaces that run, or bodies that move as told, may give energy."""
+        running = bool(self._surfaces.running.any())
+        return running or bool(self._begun[~self._moves].any())
+
+    def _kinetic(self, motion: Array) -> float:
+        """Return the kinetic energy of velocities [J]."""
+        return float(self._inertia @ motion**2) / 2
+
+    def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
+        """Return what a part of the kick did."""
+        pulls = impulse[kick.layout.joints]
+        return Stage(lasts, ended[self._order], pulls, kick.told(impulse))
+
+    def _tell(self, kick: Kick, left: Array, pushes: Array) -> None:
+        """Note what impacts did."""
+        jump = (pushes @ kick.reply)[self._order]
+        reached = np.zeros(len(jump), dtype=bool)
+        for rows, _, _ in kick.layout.islands:
+            if pushes[rows].any():
+                reply = kick.reply[rows][:, self._order]
+                reached |= reply.any(axis=(0, 2))
+        jump = np.where(reached[:, None], jump, 0.0)
+        self.last = Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
+
+    def _report(self, kick: Kick, total: Array, active: Active) -> None:
+        """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""
+        joints = kick.layout.joints
+        struck = bool(self.last.struck.any())
+        self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
+        self.contacts = kick.told(total)
+
+
+def _nothing(velocity: Array) -> Impacts:
+    """Return that there was no impact."""
+    none = np.zeros(len(velocity), dtype=bool)
+    return Impacts(none, np.zeros_like(velocity), velocity, np.zeros(len(velocity)))

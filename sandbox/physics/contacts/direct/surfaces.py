@@ -1,0 +1,86 @@
+"""How the bodies of a level touch, as the direct solver wants to know it."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.contacts.direct.layout import Surfaces
+from sandbox.physics.contacts.direct.outlines import Figure, Figures
+from sandbox.physics.contacts.materials import pair_coefficients
+from sandbox.physics.contacts.shapes import DIRECT_HAIR, INSET
+from sandbox.physics.contacts.static_friction import sticking
+from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.geometry.curves import course_of
+from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.state.anchor import Plane
+
+SLOP = 1e-7
+"""m, the overlap that is left alone, where the level has nothing else to say: more than by which
+things stand proud, and they stay in touch."""
+
+CORRECTION = 0.5
+"""The share of an overlap that a step takes back, where the level has nothing else to say. Moving
+bodies leaves their velocities alone, so it may be large; bodies that start far in each other are
+not to jump apart, either."""
+
+NONE: Plane = np.zeros(0, dtype=complex)
+
+
+def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> Surfaces:
+    """Return how the bodies of a level touch for the given parameters."""
+    names = list(level.bodies)
+    friction = pair_coefficients(level, values, "friction")
+    static = friction.copy()
+    for (a, b), pair in sticking(level, values).items():
+        i, j = names.index(a), names.index(b)
+        static[i, j] = static[j, i] = pair.static
+    contact = level.effects.contact
+    assert contact
+    return Surfaces(
+        Figures([_figure(body, values) for body in level.bodies.values()]),
+        friction,
+        static,
+        pair_coefficients(level, values, "restitution"),
+        surfaces(bodies),
+        CORRECTION if contact.correction is None else contact.correction(values),
+        SLOP if contact.slop is None else contact.slop(values),
+    )
+
+
+def _figure(spec: Body, values: Values) -> Figure:
+    match spec.shape:
+        case Disc(radius=radius):
+            return Figure(radius(values), NONE, 0.0)
+        case Hoop(radius=radius):
+            return Figure(radius(values), NONE, 0.0, inner=radius(values))
+        case Arc(radius=radius, thickness=thickness) as arc:
+            middle, half = radius(values), thickness(values) / 2
+            return Figure(
+                middle + half,
+                NONE,
+                half,
+                inner=middle - half,
+                center=center_of(arc, spec, values),
+                ends=True,
+            )
+        case Curve(thickness=thickness) as curve:
+            return Figure(0.0, NONE, thickness(values) / 2, course=course_of(curve, values))
+        case Segment(thickness=thickness) | Polyline(thickness=thickness):
+            points = [complex(*point) for point in local_points(spec, values)]
+            sides = np.array([b - a for a, b in pairwise(points)])
+            return Figure(0.0, _normals(np.concatenate((sides, -sides))), thickness(values) / 2)
+    corners = np.array([complex(*point) for point in local_points(spec, values)])
+    sides = np.roll(corners, -1) - corners
+    around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
+    rounding = DIRECT_HAIR if isinstance(spec.shape, Polygon) else INSET + DIRECT_HAIR
+    return Figure(0.0, _normals(sides * np.sign(around)), rounding)
+
+
+def _normals(sides: Plane) -> Plane:
+    """Return the normals to the right of sides: outwards, if they go around counter-clockwise."""
+    return np.asarray(-1j * sides / np.abs(sides))

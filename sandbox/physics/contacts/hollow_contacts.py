@@ -1,0 +1,158 @@
+"""Arcs, hoops and curves in pymunk's space: circles that pymunk finds, touched as they are.
+
+Whatever is within a circle overlaps it, so pymunk finds it in every step. Before it solves, a
+callback puts the exact contact in place of its own, or takes it away. What has corners touches an
+arc from inside, or a curve, with these: each gets a small disc, a feeler, that meets nothing else.
+
+A hoop in which no other body of the level has room remains a disc, and costs nothing.
+"""
+
+from cmath import rect
+from collections.abc import Iterator, Mapping
+
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.handles import Meeting, address
+from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_along
+from sandbox.physics.geometry.curves import verdict
+
+Shapes = tuple[int, int]
+"""Two of pymunk's, by their addresses."""
+
+HIT = 3.0
+"""From how many times the approach of what follows an arc on something hits it. What comes from a
+straight way on does so with up to twice that."""
+
+SLOWEST = 1e-12
+"""m/s, from which what follows a curve outside comes or goes, and does not rest on it."""
+
+
+class Hollows:
+    """The arcs and curves of a scene, and the hoops that may have something in them.
+
+    Parameters
+    ----------
+    pairs
+        The pairs of bodies that may touch in another way than pymunk has it: their names, in order,
+        and their indices.
+    drift
+        How long the drift after a kick lasts [s]; None if nothing shall follow arcs more exactly
+        than pymunk lets it.
+
+    Attributes
+    ----------
+    pairs
+        The names of the same.
+    """
+
+    def __init__(
+        self,
+        pairs: Mapping[tuple[str, str], frozenset[int]],
+        drift: float | None,
+    ) -> None:
+        self.pairs, self._drift = frozenset(pairs), drift
+        self._rows = frozenset(pairs.values())
+        self._pieces: dict[int, Piece] = {}
+        self._shapes: list[pymunk.Shape] = []  # or pymunk would let go of them
+        self._touching: dict[Shapes, Touch | None] = {}
+        self._along: dict[Shapes, float] = {}
+
+    def know(self, shape: pymunk.Shape, piece: Piece) -> None:
+        """Take up a shape as it is seen by arcs."""
+        self._shapes.append(shape)
+        self._pieces[address(shape)] = piece
+
+    def correct(self, arbiter: pymunk.Arbiter) -> bool:
+        """Correct a contact before it is solved, and tell whether there is one."""
+        meeting = Meeting(arbiter)
+        one, other = meeting.shapes
+        pair = min(one, other), max(one, other)  # pymunk may exchange them from step to step
+        found = self._judge((one, other), *meeting.places())
+        if found is False:
+            self._touching.pop(pair, None)
+            self._along.pop(pair, None)
+            meeting.refuse()
+            return False
+        meeting.accept(first=pair not in self._touching)
+        if found is True:
+            self._touching[pair] = None
+            return True
+        self._touching[pair] = found
+        if self._pieces[one].body == found.arc.body:
+            meeting.replace(found.normal, found.on_arc, found.on_other)
+        else:
+            meeting.replace(-found.normal, found.on_other, found.on_arc)
+        return True
+
+    def follow(self, arbiter: pymunk.Arbiter) -> None:
+        """Let what touches an arc from inside, or a curve, follow it, as far as it does not bounce.
+
+        pymunk would leave it the velocity along the arc where it is, which leads out of the arc:
+        each step would take (v dt / r)² of v². What comes faster than from a straight way on into
+        the arc, which is twice as fast as along it, hits it. From outside of a curve it is let come
+        back to it in the same manner: as fast as it must to be as far from it after the drift.
+        """
+        meeting = Meeting(arbiter)
+        one, other = meeting.shapes
+        pair = min(one, other), max(one, other)
+        found = self._touching.get(pair)
+        if found is None or not (found.sign and self._drift):
+            return
+        places, motions = meeting.places(), meeting.motions()
+        if self._pieces[one].body != found.arc.body:
+            places, motions = places[::-1], motions[::-1]
+        before = self._along.get(pair)
+        way = way_along(found, places, motions, self._drift, before)
+        hits = way.comes > HIT * max(way.leaves, way.along**2 * self._drift / (2 * found.arc.inner))
+        if hits:
+            self._along.pop(pair, None)
+        else:
+            self._along[pair] = way.along
+        if way.comes > 0 and way.leaves > 0 if found.sign > 0 else abs(way.comes) > SLOWEST:
+            share = way.leaves / way.comes
+            meeting.bounce(max(share, meeting.restitution) if hits else share)
+
+    def impacts(self, contacts: Contacts) -> Contacts:
+        """Return those contacts that may be impacts: what follows an arc does not hit it."""
+        follow = {
+            frozenset(self._pieces[shape].body for shape in pair)
+            for pair in self._along
+            if pair in self._touching
+        }
+        rows = [frozenset(pair) not in follow for pair in contacts.bodies.tolist()]
+        return contacts if all(rows) else Contacts._make(field[rows] for field in contacts)
+
+    def judge(self, one: pymunk.Shape, other: pymunk.Shape) -> Verdict:
+        """Return how two shapes touch that overlap to pymunk, where their bodies are now."""
+        at, there = (
+            (complex(*body.position), complex(*body.rotation_vector))
+            for body in (one.body, other.body)
+            if body
+        )
+        shapes = address(one), address(other)
+        rows = frozenset(self._pieces[s].body for s in shapes if s in self._pieces)
+        return rows not in self._rows or self._judge(shapes, at, there)
+
+    def inside(self, state: Array) -> Iterator[Touch]:
+        """Yield what touches an arc from inside, or a curve; see `Batch.state`.
+
+        Right after a step these are the contacts that pymunk has just solved, for it looks for them
+        where the bodies are then.
+        """
+        for shapes, known in self._touching.items():
+            if known:
+                rows = [self._pieces[shape].body for shape in shapes]
+                found = self._judge(shapes, *(_placed(state[row]) for row in rows))
+                if isinstance(found, Touch):
+                    yield found
+
+    def _judge(self, shapes: Shapes, at: Placed, there: Placed) -> Verdict:
+        one, other = (self._pieces.get(shape) for shape in shapes)
+        return one is None or other is None or verdict(one, other, at, there)
+
+
+def _placed(row: Array) -> Placed:
+    x, y, angle = row[:3].tolist()
+    return complex(x, y), rect(1, angle)

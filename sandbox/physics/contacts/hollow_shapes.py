@@ -1,0 +1,232 @@
+"""Making what is hollow: arcs, curves and hoops with room in them, and feelers for all others."""
+
+from cmath import rect
+from collections.abc import Iterator, Mapping, Sequence
+from math import cos, tau
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
+from sandbox.model.shapes import Arc as ArcShape
+from sandbox.model.shapes import Curve as CurveShape
+from sandbox.physics.contacts.feelers import FELT, HOLLOW, ORDINARY, Made, half_of, make_feeler
+from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.contacts.line_ends import make_ends
+from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.geometry.arcs import Arc, Piece
+from sandbox.physics.geometry.convex_decomposition import convex_parts
+from sandbox.physics.geometry.curves import course_of
+from sandbox.physics.geometry.plane_curve import Course, Side
+from sandbox.physics.state.errors import SimulationError
+
+
+def make_hollow(
+    space: pymunk.Space,
+    level: Level,
+    values: Values,
+    shapes: Mapping[str, Sequence[pymunk.Shape]],
+    hair: float,
+    drift: float | None,
+) -> Hollows | None:
+    """Make hollow what is to be; None if nothing is.
+
+    Parameters
+    ----------
+    space
+        Which the shapes have joined.
+    level, values
+        What they were made from.
+    shapes
+        Of all bodies, in the level's order.
+    hair
+        How far flat surfaces stand proud [m].
+    drift
+        See `Hollows`.
+
+    Raises
+    ------
+    SimulationError
+        If something starts in a hoop that can only be touched from outside.
+    """
+    hollow = ArcShape | Hoop | CurveShape
+    if not any(isinstance(body.shape, hollow) for body in level.bodies.values()):
+        return None
+    made = {
+        name: _made(row, level.bodies[name], values, own)
+        for row, (name, own) in enumerate(shapes.items())
+    }
+    pairs = _pairs(level, values, made)
+    if not pairs:
+        return None
+    lines: dict[str, Arc | Course] = {
+        name: _line(made[name], values, hair)
+        for name in made
+        if any(name == hollow for hollow, _ in pairs)
+    }
+    hollows = Hollows(
+        {(min(pair), max(pair)): frozenset(made[name].row for name in pair) for pair in pairs},
+        drift,
+    )
+    for shape in space.shapes:
+        shape.filter = ORDINARY
+    for shape, piece in _pieces(made, lines, values, pairs, hair):
+        hollows.know(shape, piece)
+    for shape, piece in make_ends(made, lines, values, hair):
+        space.add(shape)
+        hollows.know(shape, piece)
+    for shape, piece in _feelers(made, pairs, hair):
+        space.add(shape)
+        hollows.know(shape, piece)
+    return hollows
+
+
+def _made(row: int, spec: Body, values: Values, shapes: Sequence[pymunk.Shape]) -> Made:
+    body = shapes[0].body
+    assert body is not None
+    return Made(row, spec, body, shapes, [complex(*point) for point in local_points(spec, values)])
+
+
+def _pairs(level: Level, values: Values, made: Mapping[str, Made]) -> list[tuple[str, str]]:
+    """Return which bodies, the first of them, may be touched from inside, and by which."""
+    found = []
+    effects = level.effects
+    sticky = {frozenset(p.bodies) for p in effects.sticking.pairs} if effects.sticking else set()
+    located = effects.contact and effects.contact.located
+    for name, hollow in made.items():
+        if not isinstance(hollow.spec.shape, ArcShape | Hoop | CurveShape):
+            continue
+        for other, body in made.items():
+            if other == name or not (hollow.moves or body.moves):
+                continue
+            if isinstance(hollow.spec.shape, Hoop):
+                radius = hollow.spec.shape.radius(values)
+                if not _has_room(radius, body):
+                    continue
+                if located or {name, other} in sticky:
+                    _refuse_within(name, hollow, radius, other, body)
+                    continue
+            found.append((name, other))
+    return found
+
+
+def _has_room(radius: float, body: Made) -> bool:
+    """Whether a body may be within a hoop; none may that is wider, in the axes of either."""
+    low = np.min([_box(shape)[0] for shape in body.shapes], axis=0)
+    high = np.max([_box(shape)[1] for shape in body.shapes], axis=0)
+    return bool((high - low).max() < 2 * radius)
+
+
+def _box(shape: pymunk.Shape) -> tuple[list[float], list[float]]:
+    """Return the corners of a box around a shape, along the axes of its body [m]."""
+    points, radius = _core(shape), shape.radius
+    x, y = [p.real for p in points], [p.imag for p in points]
+    return [min(x) - radius, min(y) - radius], [max(x) + radius, max(y) + radius]
+
+
+def _core(shape: pymunk.Shape) -> list[complex]:
+    match shape:
+        case pymunk.Circle():
+            return [complex(*shape.offset)]
+        case pymunk.Segment():
+            return [complex(*shape.a), complex(*shape.b)]
+        case pymunk.Poly():
+            return [complex(*corner) for corner in shape.get_vertices()]
+    raise TypeError(f"no core of a {type(shape).__name__}")
+
+
+def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Made) -> None:
+    """Refuse what starts in a hoop, where first touches from inside would have to be found."""
+    if abs(complex(*hollow.body.position) - complex(*body.body.position)) < radius:
+        rule = (
+            f"'{other}' starts in the hoop '{name}': where 'contact' locates impacts, or the two"
+            " are to stick, hoops are touched from outside only; leave out 'located' or 'sticking'"
+        )
+        raise SimulationError(other, 0.0, rule)
+
+
+def _line(hollow: Made, values: Values, hair: float) -> Arc | Course:
+    shape = hollow.spec.shape
+    if isinstance(shape, CurveShape):
+        return course_of(shape, values)
+    if isinstance(shape, Hoop):
+        radius = shape.radius(values)
+        return Arc(hollow.row, 0j, radius, radius - hair, radius, 1 + 0j, -2.0)
+    assert isinstance(shape, ArcShape)
+    radius, half = shape.radius(values), shape.thickness(values) / 2 + hair
+    start, end = shape.start(values), shape.end(values)
+    whole = end - start >= tau - ROUND_OFF
+    return Arc(
+        body=hollow.row,
+        center=center_of(shape, hollow.spec, values),
+        radius=radius,
+        inner=radius - half,
+        outer=radius + half,
+        middle=rect(1, (start + end) / 2),
+        cosine=-2.0 if whole else cos((end - start) / 2),
+    )
+
+
+def _pieces(
+    made: Mapping[str, Made],
+    lines: Mapping[str, Arc | Course],
+    values: Values,
+    pairs: Sequence[tuple[str, str]],
+    hair: float,
+) -> Iterator[tuple[pymunk.Shape, Piece]]:
+    """Yield the shapes that there are, as arcs and curves see them."""
+    for name, body in made.items():
+        line = lines.get(name)
+        for shape in body.shapes if line else ():
+            shape.filter = pymunk.ShapeFilter(categories=HOLLOW)
+        if isinstance(line, Arc):
+            yield body.shapes[0], Piece(body.row, (line.center,), line.outer, line)
+        elif line:
+            half = half_of(body, values, hair)
+            for shape, stretch in zip(body.shapes, line.stretches, strict=True):
+                curve = Side(body.row, line, stretch, half)
+                yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
+        elif any(name == other for _, other in pairs):
+            for shape, core in zip(body.shapes, _cores(body), strict=True):
+                radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+                yield shape, Piece(body.row, tuple(core), radius)
+
+
+def _radius(shape: pymunk.Shape) -> float:
+    assert isinstance(shape, pymunk.Circle | pymunk.Segment)
+    return shape.radius
+
+
+def _cores(body: Made) -> list[list[complex]]:
+    """Return the cores of a body's shapes; those of polygons as they are, not as pymunk has them.
+
+    pymunk's stand back a little behind their radius.
+    """
+    match body.spec.shape:
+        case Box():
+            return [list(body.points)]
+        case Polygon():
+            parts = convex_parts([(point.real, point.imag) for point in body.points])
+            return [[complex(*corner) for corner in part] for part in parts]
+    return [_core(shape) for shape in body.shapes]
+
+
+def _feelers(
+    made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], hair: float
+) -> Iterator[tuple[pymunk.Shape, Piece]]:
+    """Yield a small disc for each corner that may touch an arc from inside."""
+    for other in dict.fromkeys(other for _, other in pairs):
+        body = made[other]
+        if isinstance(body.spec.shape, Disc | Hoop | ArcShape | CurveShape):
+            continue
+        known: set[complex] = set()
+        for shape, core in zip(body.shapes, _cores(body), strict=True):
+            radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+            reach = radius + FELT * max(abs(a - b) for a in core for b in core)
+            for corner in core:
+                if corner not in known:
+                    known.add(corner)
+                    feeler = make_feeler(shape, corner, reach)
+                    yield feeler, Piece(body.row, tuple(core), radius, corner=corner)

@@ -1,0 +1,92 @@
+"""A kick as a ledger books it, and what contacts did in it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.state.motion import Motion
+
+
+class Kick(NamedTuple):
+    """What a kick is booked with; n bodies.
+
+    Attributes
+    ----------
+    t, length
+        When it was, and how long [s].
+    seen
+        What the force laws see in it.
+    place
+        (n, 2), where the bodies were [m].
+    mean
+        (n, 3), the mean of their velocities before and after [m/s, rad/s].
+    inertia
+        (n, 3), their masses, masses and moments; 0 for what nothing moves [kg, kg m²].
+    """
+
+    t: float
+    length: float
+    seen: Motion
+    place: Array
+    mean: Array
+    inertia: Array
+
+    def work(self, impulse: Array) -> float:
+        """Return the work of impulses: (n, 3) [J]."""
+        return float(np.sum(impulse * self.mean))
+
+
+def pressed(contacts: Contacts, row: int) -> Array:
+    """Return the impulse of all contacts on a body: (2,)."""
+    given = contacts.impulse[contacts.bodies[:, 1] == row].sum(axis=0)
+    taken = contacts.impulse[contacts.bodies[:, 0] == row].sum(axis=0)
+    return np.asarray(given - taken)
+
+
+def completed(contacts: Contacts, impulse: Array) -> Contacts:
+    """Return contacts with the whole impulse where a body has but one, not pymunk's share of it.
+
+    Friction that breaks loose within a step is taken down after pymunk has solved it.
+    """
+    counts = np.bincount(contacts.bodies.ravel(), minlength=len(impulse))
+    whole = contacts.impulse.copy()
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows = contacts.bodies[:, side]
+        alone = (counts[rows] == 1) & impulse[rows].any(axis=1)
+        whole[alone] = sign * impulse[rows[alone], :2]
+    return contacts._replace(impulse=whole)
+
+
+def rubbing(
+    contacts: Contacts, place: Array, mean: Array, inertia: Array, running: Array
+) -> tuple[float, dict[str, float]]:
+    """Return the work of friction, and what bodies that move as told and belts put in [J].
+
+    Parameters
+    ----------
+    contacts
+        Those of a kick.
+    place, mean, inertia
+        As in a `Kick`.
+    running
+        (n, 2), how fast the bodies' surfaces run [m/s].
+    """
+    along = np.stack((-contacts.direction[:, 1], contacts.direction[:, 0]), axis=1)
+    friction = np.sum(contacts.impulse * along, axis=1)[:, None] * along
+    second = np.where(contacts.touches == 2, 1, 0)
+    points = (contacts.points[:, 0] + contacts.points[np.arange(len(second)), second]) / 2
+    on_surfaces = contacts.on_surfaces(points)
+    slip = np.zeros_like(along)
+    work = {"bodies": 0.0, "belt": 0.0}
+    for side, sign in ((0, -1.0), (1, 1.0)):
+        rows = contacts.bodies[:, side]
+        arm, goes = on_surfaces[:, side] - place[rows], mean[rows]
+        moves = goes[:, :2] + goes[:, 2:] * np.stack((-arm[:, 1], arm[:, 0]), axis=1)
+        told = (inertia[rows, :1] == 0) * moves
+        runs = running[rows]
+        slip += sign * (moves + runs)
+        work["bodies"] -= sign * float(np.sum(contacts.impulse * told))
+        work["belt"] -= sign * float(np.sum(friction * runs))
+    return float(np.sum(friction * slip)), work

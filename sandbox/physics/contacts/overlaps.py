@@ -1,0 +1,68 @@
+"""Bodies that overlap at the start, which nothing put there but a mistake.
+
+What takes overlaps back would throw them apart, or leave them in each other. So a level in which
+bodies overlap says that it wants it, or is refused.
+"""
+
+from collections.abc import Iterator, Mapping
+from itertools import islice
+
+import pymunk
+
+from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.state.errors import SimulationError
+
+TOUCHING = 1e-6
+"""m, by which what touches may overlap: skins of 1e-9 m, and decimals that somebody left out."""
+
+ENOUGH = 1000
+"""How many overlaps are looked at for the worst: in one place, each body overlaps all others."""
+
+
+def refuse_overlaps(
+    space: pymunk.Space, bodies: Mapping[str, pymunk.Body], hollows: Hollows | None
+) -> None:
+    """Refuse bodies that overlap by more than what is left alone; the worst is told.
+
+    Those that never collide, for they are welded or neither moves, do not overlap.
+
+    Raises
+    ------
+    SimulationError
+        If two do.
+    """
+    found = max(islice(_pairs(space, bodies, hollows), ENOUGH), default=None)
+    if found:
+        depth, one, other = found
+        rule = (
+            f"'{one}' and '{other}' overlap by {depth:.3g} m at the start; move them apart, or let"
+            " 'contact' say \"overlaps\": true"
+        )
+        raise SimulationError(one, 0.0, rule)
+
+
+def _pairs(
+    space: pymunk.Space, bodies: Mapping[str, pymunk.Body], hollows: Hollows | None
+) -> Iterator[tuple[float, str, str]]:
+    """Yield by how much two bodies overlap [m], and their names in order."""
+    names = {body: name for name, body in bodies.items()}
+    least = max(TOUCHING, space.collision_slop)
+    for name, body in bodies.items():
+        for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
+            for depth, other in _overlaps(space, shape, hollows):
+                if depth > least and other is not body:
+                    yield depth, min(name, names[other]), max(name, names[other])
+
+
+def _overlaps(
+    space: pymunk.Space, shape: pymunk.Shape, hollows: Hollows | None
+) -> Iterator[tuple[float, pymunk.Body]]:
+    """Yield what a shape overlaps, and by how much [m]."""
+    for hit in space.shape_query(shape):
+        if hit.shape is None or hit.shape.body is None or not hit.contact_point_set.points:
+            continue
+        verdict = hollows.judge(shape, hit.shape) if hollows else True
+        if verdict is True:
+            yield -min(point.distance for point in hit.contact_point_set.points), hit.shape.body
+        elif verdict:
+            yield verdict.depth, hit.shape.body

@@ -1,0 +1,249 @@
+"""Impacts one after the other, as those of hard bodies that touch each other are.
+
+pymunk solves all contacts of a step at once, so a shot into a row of touching balls moves several
+of them. Here, between drift and kick, the pair that approaches fastest collides first: an impulse
+along its normal turns its approach into e times as fast a parting (Newton's law of restitution),
+which may make neighbours approach, and so on until no pair does. What pymunk's solver then finds
+are bodies that part or rest.
+
+The velocities that collide are those *at* the step, half a kick after pymunk's: the speed of an
+impact is of second order, whatever pulls.
+"""
+
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.post_impact import reached
+from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, answers
+from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.reactions import Grip
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+FAINTEST = 1e-290
+"""m/s: an approach slower than this is none. Numbers near the smallest have few digits left, and
+no share of them is rounding."""
+
+
+class Impacts(NamedTuple):
+    """What the impacts of a step did; n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), which bodies they reached.
+    jump
+        (n, 3), the changes of the velocities [m/s, rad/s].
+    velocity
+        (n, 3), the velocities at the step, right after them [m/s, rad/s].
+    impulse
+        (n,), the sizes of the impulses on each body, added up [N s].
+    """
+
+    struck: Booleans
+    jump: Array
+    velocity: Array
+    impulse: Array
+
+
+class Sequence:
+    """Finds the impacts of a step, and lets one come after the other; n bodies.
+
+    Parameters
+    ----------
+    batch
+        Reads and writes the bodies.
+    restitution
+        (n, n), the pairs' coefficients.
+    agility
+        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+    joints
+        Those that hold together what collides, if there are any. An impulse passes through what
+        can push as well as pull; ropes and strings are jerked by what comes of it.
+    dt
+        The time step [s].
+    """
+
+    def __init__(
+        self,
+        batch: Batch,
+        restitution: Array,
+        agility: Array,
+        joints: ExactJoints | None,
+        dt: float,
+    ) -> None:
+        self._batch, self._joints, self._dt = batch, joints, dt
+        self._restitution, self._agility = restitution, agility
+        self._moving: Booleans = agility[:, 0] > 0
+        self._turning: Booleans = agility[:, 2] > 0
+        # the last kick: places, velocities, accelerations
+        self._place = self._begun = self._pull = np.zeros_like(agility)
+        self._lasted = dt
+        self._before: partial[Array] | None = None  # what held in the kick before that
+        none = np.zeros(len(agility), dtype=bool)
+        self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
+        self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
+
+    def collide(self, pull: Array, *, start: bool) -> None:
+        """Let what touches and approaches collide, and change the velocities.
+
+        Parameters
+        ----------
+        pull
+            (n, 3), the accelerations by gravity and force laws at the step [m/s², rad/s²].
+        start
+            Whether this is the first kick, of half a step, which begins with the velocities at it.
+
+        Raises
+        ------
+        EndlessImpacts
+            If elastic bodies collide more often than can be followed.
+        """
+        state = self._batch.state()
+        place, begins = state[:, :3], state[:, 3:]
+        velocity = begins
+        jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
+        contacts = self._batch.contacts()
+        if len(contacts.bodies):
+            held = before = np.zeros_like(pull)
+            if not start:
+                held = self._held(begins, place)
+                before = self._before() if self._before else held
+                velocity = begins + (pull + held) * (self._dt / 2)
+            gives = np.stack((pull, pull + held, pull + before)) * self._dt
+            self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
+            if impulse.any():
+                self._batch.set_velocity(begins + jump)
+        self.last = Impacts(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
+        self._before = (
+            None if start else partial(_held, begins, self._begun, self._lasted, self._pull)
+        )
+        self._place, self._begun, self._pull = place, begins + jump, pull
+        self._lasted = self._dt / 2 if start else self._dt
+
+    def shift(self, struck: Booleans, place: Array, jump: Array, change: Array) -> None:
+        """Take in what impacts located in time did since the last kick; see `located.Cut`."""
+        self._begun = self._begun + jump - change * self._lasted
+        self._place = np.where(struck[:, None], place, self._place)
+
+    def _held(self, begins: Array, place: Array) -> Array:
+        """Return the accelerations by contacts, and by joints, which turn with the bodies."""
+        held = _held(begins, self._begun, self._lasted, self._pull)
+        if self._joints and len(self._joints.tension):
+            held += Grip(self._joints, self._agility, self._place).change(place)
+        return held
+
+    def _exchange(
+        self,
+        contacts: Contacts,
+        place: Array,
+        velocity: Array,
+        gives: Array,
+        jump: Array,
+        impulse: Array,
+    ) -> None:
+        """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
+        points = _points(contacts, place, self._turning)
+        parts = np.einsum("kbc,kbc->kb", points.gradient, velocity[points.bodies])
+        parting, allowed = parts.sum(axis=1), _allowed(points, parts, gives)
+        struck = parting < -allowed
+        if not struck.any():
+            return
+        if not self._joints:  # what is not reached need not be looked at
+            touched = reached(points.bodies, struck, self._moving)
+            near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
+            points, parting, allowed = points.only(near), parting[near], allowed[near]
+        gradient = points.over(len(place))
+        holds = self._joints.stiff() if self._joints else None
+        answer = answers(gradient, self._agility, holds)
+        matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
+        a, b = points.bodies.T
+        asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))
+        if asked != self._asked:  # bodies that are held are kicked again and again
+            pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
+            self._asked, self._pushes = asked, pile.settle(points.bodies)
+        pushes = self._pushes
+        jump += np.tensordot(pushes, answer, 1)
+        np.add.at(impulse, a, pushes)
+        np.add.at(impulse, b, pushes)
+
+
+def _held(ended: Array, begun: Array, lasted: float, pull: Array) -> Array:
+    """Return the accelerations in a kick by all but gravity and laws: (n, 3) [m/s², rad/s²]."""
+    held: Array = (ended - begun) / lasted - pull
+    return held
+
+
+class _Points(NamedTuple):
+    """The points at which pairs touch; k of them.
+
+    Attributes
+    ----------
+    bodies
+        (k, 2).
+    gradient
+        (k, 2, 3), how fast the two bodies' velocities take them apart.
+    partner
+        (k,), the other point of the same two sides; −1 if there is none.
+    """
+
+    bodies: Integers
+    gradient: Array
+    partner: Integers
+
+    def only(self, near: Booleans) -> "_Points":
+        """Return some of the points; partners go together."""
+        renumbered = np.append(np.cumsum(near) - 1, -1)
+        return _Points(self.bodies[near], self.gradient[near], renumbered[self.partner[near]])
+
+    def over(self, count: int) -> Array:
+        """Return the gradients over all bodies: (k, n, 3)."""
+        whole = np.zeros((len(self.bodies), count, 3))
+        rows = np.arange(len(self.bodies))
+        for side in range(2):
+            whole[rows, self.bodies[:, side]] = self.gradient[:, side]
+        return whole
+
+
+def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
+    """Return where pairs touch; without rotation one point of a side stands for all."""
+    count = len(contacts.bodies)
+    two = np.flatnonzero((contacts.touches == 2) & turning[contacts.bodies].any(axis=1))
+    pair = np.concatenate((np.arange(count), two))
+    which = np.repeat((0, 1), (count, len(two)))
+    partner = np.full(len(pair), -1)
+    partner[two], partner[count:] = count + np.arange(len(two)), two
+    bodies, direction = contacts.bodies[pair], contacts.direction[pair]
+    arm = contacts.points[pair, which][:, None] - place[bodies]
+    gradient = np.empty((len(pair), 2, 3))
+    gradient[:, :, :2] = direction[:, None]
+    gradient[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
+    gradient[:, 0] *= -1
+    return _Points(bodies, gradient, partner)
+
+
+def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
+    """Return the approach with which bodies still rest on each other, for pymunk: (k,) [m/s].
+
+    It is no more than gravity and laws give them in a step, or these and what held them in the
+    last. What held them is a jerk, and none of that, as far as it is more than all that gave in the
+    kick before could.
+
+    Parameters
+    ----------
+    points
+        Where they touch.
+    parts
+        (k, 2), what each of the two bodies' velocities adds to how fast they part [m/s].
+    gives
+        (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
+    """
+    sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
+    adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
+    alone, held = np.abs(adds)
+    held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
+    rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+    allowed: Array = np.maximum.reduce((alone, held, rounding))
+    return allowed

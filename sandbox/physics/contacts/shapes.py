@@ -1,0 +1,173 @@
+"""What bodies touch each other with: pymunk's shapes, and how it is to treat their contacts."""
+
+from itertools import pairwise
+
+import numpy as np
+import pymunk
+from pymunk import Vec2d
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import (
+    XY,
+    Arc,
+    Box,
+    Curve,
+    Disc,
+    Hoop,
+    Polygon,
+    Polyline,
+    Segment,
+    Shape,
+    evaluate,
+)
+from sandbox.physics.engine.bodies import center_of, local_points
+from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
+from sandbox.physics.geometry.curves import course_of
+from sandbox.physics.geometry.distance import smallest
+from sandbox.physics.geometry.plane_curve import Stretch
+
+HAIR = 1e-9
+"""m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
+is placed on a surface would fall freely for half a step. Discs keep their radius, for rolling."""
+
+DIRECT_HAIR = 1e-8
+"""m, the same where contacts are solved directly. A corner falls short of a side by 4e-9 m, for the
+inset of polygons rounds it off; it is in touch all the same."""
+
+INSET = 1e-8
+"""m, how much smaller the core of a polygon is, which has this as its radius. Each body's differs a
+little: between boxes that are as wide as each other, and stand in line but for the last digit,
+pymunk now and then finds a sideways normal and throws them apart."""
+
+SHARPEST = 1e-8
+"""One plus the cosine between the normals of a corner's sides, below which it is not inset."""
+
+GOLDEN = 0.6180339887498949
+"""Its multiples, less their whole part, stay clear of each other."""
+
+CORRECTION = 0.2
+"""The share of an overlap that a step takes back, where the level has nothing else to say."""
+
+SLOP = 1e-6
+"""m, the overlap that is left alone, where the level has nothing else to say."""
+
+PILE_SLOP = 0.005
+"""The same in piles, of the width of the narrowest body that moves. With a tenth of it, stacks of 8
+and more boxes are stirred by what takes overlaps back, and never rest."""
+
+
+def skip_ids(space: pymunk.Space, level: Level) -> None:
+    """Use up the ids of shapes that are as small as the numbers of corners.
+
+    pymunk knows a contact again by a hash of the two shapes' ids and corners. While both numbers
+    come from the same small range, the two ends of a box's side can have the same hash, and each
+    step starts one end from the other's impulse: a box with friction then never comes to rest.
+    """
+    corners = [len(b.shape.vertices) for b in level.bodies.values() if isinstance(b.shape, Polygon)]
+    spare = pymunk.Circle(space.static_body, 1.0)
+    for _ in range(max([4, *corners]) + 1):
+        space.add(spare)
+        space.remove(spare)
+
+
+def make_surfaces(
+    spec: Body, body: pymunk.Body, level: Level, values: Values, hair: float, kind: int
+) -> list[pymunk.Shape]:
+    """Make the shapes with which a body touches others."""
+    shapes = _outline(spec, spec.shape, body, values, hair, kind)
+    effects = level.effects
+    for shape in shapes:
+        shape.collision_type = kind
+        if effects.friction and spec.friction is not None:
+            shape.friction = spec.friction(values)
+        if effects.restitution and spec.restitution is not None:
+            shape.elasticity = spec.restitution(values)
+    return shapes
+
+
+def run_belts(level: Level, values: Values, bodies: dict[str, pymunk.Body]) -> None:
+    """Let the surfaces of belts run; pymunk takes only what lies along a contact."""
+    for belt in level.effects.belt or ():
+        body = bodies[belt.body]
+        along = Vec2d(*evaluate(belt.velocity, values)).rotated(body.angle)
+        for shape in body.shapes:
+            shape.surface_velocity = along
+
+
+def _outline(
+    spec: Body, shape: Shape, body: pymunk.Body, values: Values, hair: float, kind: int
+) -> list[pymunk.Shape]:
+    points = local_points(spec, values)
+    match shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return [pymunk.Circle(body, radius(values))]
+        case Box():
+            return [_convex(body, points, hair, kind)]
+        case Polygon():
+            return [_convex(body, part, hair, kind) for part in convex_parts(points)]
+        case Segment(thickness=thickness) | Polyline(thickness=thickness):
+            return _line(body, points, thickness(values) / 2 + hair)
+        case Arc(radius=radius, thickness=thickness):
+            center = center_of(shape, spec, values)
+            outer = radius(values) + thickness(values) / 2 + hair
+            return [pymunk.Circle(body, outer, (center.real, center.imag))]
+        case Curve(thickness=thickness):
+            half = thickness(values) / 2 + hair
+            return [_around(body, part, half) for part in course_of(shape, values).stretches]
+
+
+def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:
+    """Make a disc that holds a stretch of a curve."""
+    return pymunk.Circle(body, part.reach + half, (part.center.real, part.center.imag))
+
+
+def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymunk.Shape:
+    """Make a convex polygon that stands proud by a hair, as a smaller one with a radius.
+
+    A part of a cut polygon may be too thin for that; then it has the hair alone.
+    """
+    if not hair:
+        return pymunk.Poly(body, points)
+    inset = INSET * (1 + kind * GOLDEN % 1)
+    a = np.array(points)
+    edge = np.roll(a, -1, axis=0) - a
+    outwards = np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
+    outwards *= np.sign(twice_area(a))
+    before = np.roll(outwards, 1, axis=0)
+    blunt = 1 + np.sum(before * outwards, axis=1)
+    if blunt.min() < SHARPEST:
+        return pymunk.Poly(body, points, radius=hair)
+    core = a - inset * (before + outwards) / blunt[:, None]
+    return pymunk.Poly(body, [(float(x), float(y)) for x, y in core], radius=inset + hair)
+
+
+def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:
+    """Make the segments through the points; each knows its neighbours: no ball trips at a join."""
+    lines: list[pymunk.Shape] = []
+    for i, (a, b) in enumerate(pairwise(points)):
+        line = pymunk.Segment(body, a, b, radius)
+        line.set_neighbors(points[max(i - 1, 0)], points[min(i + 2, len(points) - 1)])
+        lines.append(line)
+    return lines
+
+
+def leave_contacts(space: pymunk.Space) -> None:
+    """Let pymunk find contacts, and do as little as it can about them."""
+    space.collision_bias, space.iterations = 1.0, 1
+
+
+def choose_correction(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
+    """Choose how overlaps are dealt with; pymunk's own settings were made for pixels."""
+    contact = level.effects.contact
+    assert contact is not None
+    if contact.correction is not None:
+        correction = contact.correction(values)
+    else:
+        correction = 0.0 if level.effects.restitution else CORRECTION
+    space.collision_bias = (1 - correction) ** (1 / dt)
+    space.collision_slop = SLOP
+    if contact.slop is not None:
+        space.collision_slop = contact.slop(values)
+    elif contact.piles:
+        space.collision_slop = PILE_SLOP * smallest(space)

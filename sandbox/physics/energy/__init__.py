@@ -1,0 +1,1 @@
+"""Books of energy and momentum, kept from the records of steps."""

@@ -1,0 +1,99 @@
+"""What a step leaves behind for whoever keeps books of its energy: frozen, and known after it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping
+from sandbox.model.shapes import XY
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.events.impact_response import Collided
+from sandbox.physics.events.slip import Stop
+from sandbox.physics.scene.integrators import Substep
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.motion import Reading
+from sandbox.physics.state.snapshot import Snapshot
+
+
+class StepRecord(NamedTuple):
+    """The last step of a run, when it was observed; n bodies.
+
+    Attributes
+    ----------
+    steps
+        How many steps were taken with it.
+    dt
+        The time step [s].
+    snapshot, contacts
+        The state, and who touched whom.
+    begun
+        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    seen
+        What the laws saw in the last kick; None if there are none.
+    smooth
+        (n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²].
+    parts
+        The drifts and kicks of which it was made.
+    trail
+        After each of them but the last, places and velocities: (n, 6) each; empty unless kept.
+    impacts
+        What located impacts did in its drift; None if there were none.
+    stop
+        What the end of slipping did in its drift; None if none ended.
+    jump
+        (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
+    hold
+        The row of the body that a hand holds, and the arm from its centre to the grip [m]; None if
+        it holds none.
+    """
+
+    steps: int
+    dt: float
+    snapshot: Snapshot
+    contacts: Contacts
+    begun: Array
+    seen: Reading | None
+    smooth: Array
+    parts: Sequence[Substep]
+    trail: Sequence[Array]
+    impacts: Collided | None
+    stop: Stop | None
+    jump: Array | None
+    hold: tuple[int, XY] | None
+
+    @property
+    def t(self) -> float:
+        """The time [s]."""
+        return self.steps * self.dt
+
+    @property
+    def composed(self) -> bool:
+        """Whether it was made of several drifts and kicks."""
+        return len(self.parts) > 1
+
+
+class Recorded(Protocol):
+    """A run of which books can be kept."""
+
+    @property
+    def level(self) -> Level:
+        """What runs."""
+
+    @property
+    def values(self) -> Values:
+        """Its parameters."""
+
+    @property
+    def stepping(self) -> Stepping:
+        """How time advances."""
+
+    @property
+    def scene(self) -> Scene:
+        """The masses, the laws and the joints of what moves."""
+
+    @property
+    def last(self) -> StepRecord:
+        """The last step."""
+
+    def keep_trail(self) -> None:
+        """Keep the trail of every step from now on."""

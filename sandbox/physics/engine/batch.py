@@ -1,0 +1,233 @@
+"""All bodies and contacts of a space, read and written as arrays.
+
+pymunk keeps the rows in an order of its own, with one more for its static body, so rows are mapped
+by the bodies' ids. The arrays are handed to pymunk once and reused: nothing is allocated in a step,
+and no body may join the space once a `Batch` looks at it.
+"""
+
+from collections.abc import Sequence
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+import pymunk
+from numpy.typing import NDArray
+from pymunk.batch import (
+    ArbiterFields,
+    BodyFields,
+    Buffer,
+    get_space_arbiters,
+    get_space_bodies,
+)
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.handles import Pair, Table
+
+_VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
+_FORCE = BodyFields.FORCE | BodyFields.TORQUE
+_STATE = BodyFields.POSITION | BodyFields.ANGLE | _VELOCITY
+_CONTACT_INTEGERS = (
+    ArbiterFields.BODY_A_ID
+    | ArbiterFields.BODY_B_ID
+    | ArbiterFields.IS_FIRST_CONTACT
+    | ArbiterFields.CONTACT_COUNT
+)
+_CONTACT_FIELDS = (
+    _CONTACT_INTEGERS
+    | ArbiterFields.TOTAL_IMPULSE
+    | ArbiterFields.NORMAL
+    | ArbiterFields.POINT_A_1
+    | ArbiterFields.POINT_B_1
+    | ArbiterFields.POINT_A_2
+    | ArbiterFields.POINT_B_2
+)
+
+Integers = NDArray[np.intp]
+Booleans = NDArray[np.bool_]
+
+
+class Contacts(NamedTuple):
+    """The pairs of bodies in contact in the last step; k pairs, in the order of the bodies.
+
+    Attributes
+    ----------
+    bodies
+        (k, 2), the bodies' indices.
+    first
+        (k,), whether the pair did not touch in the step before.
+    direction
+        (k, 2), the unit normal, from the first body to the second.
+    normal, friction
+        (k,), the size of the impulse along the normal and across it [N s].
+    touches
+        (k,), at how many points they touch, one or two.
+    points
+        (k, 2, 2), where those are; the second is nowhere if there is but one [m].
+    impulse
+        (k, 2), on the second body; the first got the opposite [N s].
+    depths
+        (k, 2), by how much they overlap at these points [m].
+    """
+
+    bodies: Integers
+    first: Booleans
+    direction: Array
+    normal: Array
+    friction: Array
+    touches: Integers
+    points: Array
+    impulse: Array
+    depths: Array
+
+    @property
+    def depth(self) -> Array:
+        """By how much they overlap where they do so most: (k,) [m]."""
+        most: Array = self.depths[:, 0]
+        two = self.touches > 1
+        return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
+
+    def and_(self, others: "Contacts") -> "Contacts":
+        """Return these contacts and others."""
+        if not len(self.bodies):
+            return others
+        return Contacts._make(map(np.concatenate, zip(self, others, strict=True)))
+
+    def on_surfaces(self, points: Array) -> Array:
+        """Return where points, (k, 2), lie on the surfaces of the two bodies: (k, 2, 2) [m].
+
+        They overlap: each is rubbed on its own surface.
+        """
+        overlap = self.direction * (self.depth / 2)[:, None]
+        return points[:, None] + np.stack((overlap, -overlap), axis=1)
+
+    def times(self, factor: float) -> "Contacts":
+        """Return the same contacts with so many times the impulses."""
+        return self._replace(
+            normal=self.normal * factor,
+            friction=self.friction * factor,
+            impulse=self.impulse * factor,
+        )
+
+    def in_order(self) -> "Contacts":
+        """Return these contacts in an order of their own.
+
+        pymunk's order depends on where its objects lie in memory, and sums on the order.
+        """
+        x, y = self.points[:, 0].T
+        keys = (x, y, self.friction, self.normal, self.bodies[:, 1], self.bodies[:, 0])
+        order = np.lexsort(keys)
+        return Contacts._make(field[order] for field in self)
+
+    def after(self, count: int) -> "Contacts":
+        """Return all but the first."""
+        return Contacts._make(field[count:] for field in self) if count else self
+
+
+NO_CONTACTS = Contacts(
+    np.empty((0, 2), dtype=np.intp),
+    np.empty(0, dtype=bool),
+    np.empty((0, 2)),
+    np.empty(0),
+    np.empty(0),
+    np.empty(0, dtype=np.intp),
+    np.empty((0, 2, 2)),
+    np.empty((0, 2)),
+    np.empty((0, 2)),
+)
+
+
+def in_place(rows: Integers) -> slice | Integers:
+    """Return rows as a slice, if they follow each other: those are not copied to be worked on."""
+    first = int(rows[0]) if len(rows) else 0
+    follow = np.array_equal(rows, np.arange(first, first + len(rows)))
+    return slice(first, first + len(rows)) if follow else rows
+
+
+class Batch:
+    """Reads and writes the bodies of a space in the order they are given; n bodies."""
+
+    def __init__(self, space: pymunk.Space, bodies: Sequence[pymunk.Body]) -> None:
+        self._space, self._bodies = space, bodies
+        _ = space.static_body  # pymunk gives it an id only once somebody has asked for it
+        buffer = Buffer()
+        get_space_bodies(space, BodyFields.BODY_ID, buffer)
+        ids = np.frombuffer(buffer.int_buf(), dtype=np.uintp).tolist()
+        rows = {body_id: row for row, body_id in enumerate(ids)}
+        known = np.array([body.id for body in bodies], dtype=np.uintp)
+        self._order = np.argsort(known)
+        self._ids = known[self._order]
+        self._rows = np.array([rows[body.id] for body in bodies], dtype=np.intp)
+        self._places = in_place(self._rows)
+        self._state = Table(space, _STATE, len(ids), 6)
+        self._velocity = Table(space, _VELOCITY, len(ids), 3)
+        self._force = Table(space, _FORCE, len(ids), 3)
+        self._contacts = Buffer()
+        self._raw, self._known = (b"", b""), NO_CONTACTS
+
+    def pair(self, a: int | None, b: int | None) -> Pair:
+        """Return two bodies, to be read and written by themselves; None is the plane itself."""
+        one, other = (self._space.static_body if i is None else self._bodies[i] for i in (a, b))
+        return Pair(one, other)
+
+    def state(self) -> Array:
+        """Return x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""
+        return self._state.read().take(self._rows, axis=0)
+
+    def velocity(self) -> Array:
+        """Return vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
+        return self._velocity.read().take(self._rows, axis=0)
+
+    def extent(self) -> float:
+        """Return a number that no coordinate or velocity exceeds [m, rad, m/s, rad/s]."""
+        values = self._state.read().ravel()
+        return sqrt(np.vdot(values, values))
+
+    def set_velocity(self, velocity: Array) -> None:
+        """Write vx, vy, angular velocity: (n, 3) [m/s, rad/s]."""
+        self._write(self._velocity, velocity)
+
+    def set_state(self, state: Array) -> None:
+        """Write x, y, angle, vx, vy, angular velocity: (n, 6) [m, rad, m/s, rad/s]."""
+        self._write(self._state, state)
+
+    def set_force(self, force: Array) -> None:
+        """Write force and torque that act in the next kick: (n, 3) [N, N m]."""
+        self._write(self._force, force)
+
+    def _write(self, table: Table, values: Array) -> None:
+        table.values[self._places] = values
+        table.write()
+
+    def contacts(self) -> Contacts:
+        """Return who is in contact, with the impulses of the last step; not to be written to."""
+        self._contacts.clear()
+        get_space_arbiters(self._space, _CONTACT_FIELDS, self._contacts)
+        raw = bytes(self._contacts.int_buf()), bytes(self._contacts.float_buf())
+        if raw != self._raw:  # several ask in a step
+            self._raw, self._known = raw, self._read(*raw)
+        return self._known
+
+    def _read(self, integer: bytes, floating: bytes) -> Contacts:
+        """Return the contacts that pymunk has written down."""
+        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
+        if not len(integers):
+            return NO_CONTACTS
+        floats = np.frombuffer(floating).reshape(-1, 12)
+        live = integers[:, 3] > 0  # pymunk remembers pairs for some steps after they part
+        if not live.all():
+            integers, floats = integers[live], floats[live]
+        bodies = self._order[self._ids.searchsorted(integers[:, :2])]
+        impulse, direction = floats[:, :2], floats[:, 2:4]
+        on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
+        overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
+        depth = np.einsum("kpc,kc->kp", overlap, direction)
+        points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
+        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
+        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
+        normal = np.abs(along)
+        friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
+        first, touches = integers[:, 2] > 0, integers[:, 3].astype(np.intp)
+        found = Contacts(
+            bodies, first, direction, normal, friction, touches, points, impulse, depth
+        )
+        return found.in_order() if len(bodies) > 1 else found

@@ -1,0 +1,107 @@
+"""Which of the impacts that are located in time come next, and when they are too many."""
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from sandbox.physics.contacts.simultaneous_impacts import EQUAL, GENTLE, MANY
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.events.time_of_impact import Hit
+from sandbox.physics.state.errors import OFTEN, EndlessImpacts
+
+MOST = 500
+"""How many impacts a body may have in a step: they take 0.2 s."""
+
+INSTANT = 1e-9
+"""The share of a step within which impacts come at the same time."""
+
+CRAMPED = (
+    f"{{body}} would have more than {MOST} impacts in one step: it is too fast for the room that it"
+    " has; leave it more, or take a higher 'rate'"
+)
+
+Restitution = Callable[[Hit], float]
+
+
+class Turns:
+    """Lets impacts take turns; n bodies.
+
+    Parameters
+    ----------
+    restitution
+        Returns the coefficient of a hit.
+    moving
+        (n,), which bodies can move.
+    dt
+        The time step [s].
+    linked
+        Whether joints may hand on an impulse to any body.
+    """
+
+    def __init__(
+        self, restitution: Restitution, moving: Booleans, dt: float, *, linked: bool
+    ) -> None:
+        self._restitution, self._moving, self._all = restitution, moving, linked
+        self._instant = INSTANT * dt
+
+    def next(self, hits: Sequence[Hit]) -> list[list[Hit]]:
+        """Return what comes next: the fastest of those at the same time.
+
+        Those with the same e that are equally fast come with it: what shares bodies, at once.
+        """
+        first = min(hit.time for hit in hits)
+        now = [hit for hit in hits if hit.time <= first + self._instant]
+        fastest = min(now, key=lambda hit: hit.parting)
+        equal = [hit for hit in now if hit.parting <= (1 - EQUAL) * fastest.parting]
+        e, time = self._restitution(fastest), fastest.time
+        left = [hit._replace(time=time) for hit in equal if self._restitution(hit) == e]
+        groups = []
+        while left:
+            groups.append(self.linked(left[:1], left))
+            left = [hit for hit in left if hit not in groups[-1]]
+        return groups
+
+    def linked(self, group: list[Hit], others: list[Hit]) -> list[Hit]:
+        """Return those of other hits whose impulses reach what some hit."""
+        if self._all:
+            return others
+        reached, count = np.zeros_like(self._moving), 0
+        while len(group) > count:
+            count = len(group)
+            reached[[body for hit in group for body in hit.bodies]] = True
+            reached &= self._moving
+            group = [hit for hit in others if reached[[*hit.bodies]].any()]
+        return group
+
+
+class Tally:
+    """Counts the impacts of a drift; n bodies. For the parameters see `Turns`."""
+
+    def __init__(self, restitution: Restitution, moving: Booleans, dt: float) -> None:
+        self._restitution, self._moving, self._instant = restitution, moving, INSTANT * dt
+        self._all, self._now = np.zeros((2, len(moving)), dtype=int)
+        self._began = np.zeros(len(moving))
+
+    def count(self, hits: Sequence[Hit]) -> bool:
+        """Note impacts, and return whether a body has had many at one time.
+
+        Raises
+        ------
+        EndlessImpacts
+            If a body has more than can be followed.
+        """
+        time = hits[0].time
+        bodies = [body for hit in hits for body in hit.bodies if self._moving[body]]
+        for body in bodies:
+            if time > self._began[body] + self._instant:
+                self._began[body], self._now[body] = time, 0
+            self._all[body] += 1
+            self._now[body] += 1
+            if self._all[body] > MOST:
+                raise EndlessImpacts(body, CRAMPED if self._now[body] < MANY else OFTEN)
+        return bool(self._now[bodies].max() > MANY)
+
+    def gentle(self, around: Sequence[Hit]) -> bool:
+        """Whether as many impacts leave next to nothing of an approach; see `GENTLE`."""
+        had = max(self._now[body] for hit in around for body in hit.bodies)
+        return bool(max(map(self._restitution, around)) ** had < GENTLE)

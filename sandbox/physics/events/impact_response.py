@@ -1,0 +1,284 @@
+"""What impacts of two bodies do, wherever in time they come: one, or some at once.
+
+Impulses along the normal, at the points where the bodies touch, turn their approach into e times as
+fast a parting (Newton's law of restitution); friction takes what Coulomb's law allows; exact joints
+pass both on to what hangs on them. What would part for less than half a step rests from there on.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.simultaneous_impacts import answers, pushes
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.events.time_of_impact import Hit, Path
+from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.motion import momentum
+
+SWEEPS = 200
+"""How often the impulses at the points of an impact are gone through."""
+
+STILL = 1e-15
+"""The share of the impulses by which they may still change."""
+
+
+class Impact(NamedTuple):
+    """One impact of two bodies.
+
+    Attributes
+    ----------
+    bodies
+        Their indices.
+    time
+        Since the step before [s].
+    normal
+        The unit vector from the first to the second.
+    points
+        Where they touched [m].
+    impulse
+        What the second got; the first got the opposite [N s].
+    told, driven
+        The works of a body that nothing moves, but that moves as told, and of belts [J].
+    rubbed, pressed
+        The works of friction, and of what presses the bodies apart [J].
+    given
+        The momentum and, about the origin, the angular momentum that it gave, (3,)
+        [kg m/s, kg m²/s].
+    """
+
+    bodies: tuple[int, int]
+    time: float
+    normal: complex
+    points: tuple[complex, ...]
+    impulse: complex
+    told: float
+    driven: float
+    rubbed: float
+    pressed: float
+    given: Array
+
+
+class Collided(NamedTuple):
+    """What books kept in the middle of a drift must know of the impacts that cut it; n bodies.
+
+    Attributes
+    ----------
+    impacts
+        One after the other.
+    begun
+        (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
+    lifted
+        How much more energy bodies have in the middle of the drift for nothing but being pulled
+        less than before their impacts [J]: along a parabola there is m a² dt²/8 more of it than in
+        the middle of the chord.
+    pulled
+        The momentum, and the angular momentum, that what pulls them gave along their way, beyond
+        what the kicks before and after give: (3,) [kg m/s, kg m²/s].
+    """
+
+    impacts: Sequence[Impact]
+    begun: Array
+    lifted: float
+    pulled: Array
+
+
+class Bounce(NamedTuple):
+    """What one impact, or some at once, do to n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), which bodies impulses reached.
+    jump
+        (n, 3), how their velocities jump [m/s, rad/s].
+    held
+        (n, 3), how accelerations change from there on where bodies rest on each other
+        [m/s², rad/s²].
+    impacts
+        The same as they are told.
+    """
+
+    struck: Booleans
+    jump: Array
+    held: Array
+    impacts: tuple[Impact, ...]
+
+
+class Coefficients(NamedTuple):
+    """Of the pairs of n bodies: (n, n) each."""
+
+    restitution: Array
+    friction: Array
+
+
+class _Points(NamedTuple):
+    """The points of hits: as they part and then, where any rubs, as they slip; k, of n bodies.
+
+    Attributes
+    ----------
+    gradient
+        (k, n, 3), how fast velocities take them apart, and along.
+    answer
+        (k, n, 3), how velocities jump by a unit impulse at each.
+    matrix
+        (k, k), how fast each parts, or slips, by a unit impulse at each.
+    runs
+        (k,), how fast they slip by belts that run.
+    """
+
+    gradient: Array
+    answer: Array
+    matrix: Array
+    runs: Array
+
+
+class Collision:
+    """Lets bodies bounce off each other; n bodies.
+
+    Parameters
+    ----------
+    coefficients
+        Of the pairs.
+    scene
+        Their masses, and the joints that hold together what collides; see `Sequence`.
+    dt
+        The time step [s].
+    """
+
+    def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
+        self._coefficients, self._dt = coefficients, dt
+        self._running = surfaces(scene.bodies.values())
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._joints = scene.joints.together
+
+    def restitution(self, hit: Hit) -> float:
+        """Return the coefficient of a pair."""
+        return float(self._coefficients.restitution[hit.bodies])
+
+    def bounce(self, path: Path, hits: Sequence[Hit], *, dead: bool = False) -> Bounce:
+        """Return what comes of hits at the same time.
+
+        What would part for less than half a step does not part: it rests from there on. Points
+        that part already are left out where holding them would give energy: if they are driven
+        together, that is the next impact.
+
+        Parameters
+        ----------
+        path
+            Where the bodies are.
+        hits
+            Whose impulses are found at once.
+        dead
+            Whether nothing bounces, whatever its coefficient.
+        """
+        time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
+        place, velocity = path.at(time)
+        e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
+        gradient, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
+        count = len(of)
+        rates = np.einsum("knc,nc->k", gradient, velocity) + runs
+        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(time))
+        leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
+        rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
+        rests = (np.bincount(of, rises) == 0)[of]
+        leaves[rests] = 0.0
+        impulse = _impulses(matrix, rates, leaves, mu)
+        works = impulse * (rates + matrix @ impulse / 2)
+        coming = rates[:count] < 0
+        if not coming.all() and works[:count].sum() > 0:
+            return self.bounce(path, _only(hits, coming), dead=dead)
+        holds = np.zeros_like(rates)
+        rests &= (np.bincount(of, impulse[:count]) > 0)[of]
+        if rests.any():
+            block = matrix[:count, :count][np.ix_(rests, rests)]
+            holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
+        lasts = (self._dt - time) - self._dt / 2
+        impacts = []
+        for index, hit in enumerate(hits):
+            rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
+            push, held = impulse[rows], holds[rows] * lasts
+            given = np.einsum("k,knc->nc", push + held, gradient[rows])
+            moves = self._inertia * np.einsum("k,knc->nc", push, answer[rows])
+            told = -float(np.sum((given * velocity)[self._mass == 0]))
+            driven = -float(push @ runs[rows])
+            impacts.append(_impact(hit, push, works[rows], told, driven, momentum(moves, place)))
+        struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
+        jump, onwards = (np.tensordot(sizes, answer, 1) for sizes in (impulse, holds))
+        return Bounce(struck, jump, onwards, tuple(impacts))
+
+    def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
+        gradient = _gradient(hits, place, rubs=rubs)
+        stiff = self._joints.stiff(place) if self._joints else None
+        answer = answers(gradient, self._agility, stiff)
+        matrix = np.einsum("knc,lnc->kl", answer, gradient)
+        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
+        runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
+        return _Points(gradient, answer, matrix, runs)
+
+
+def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
+    """Return hits at some of their points."""
+    left = iter(wanted.tolist())
+    kept = [hit._replace(points=tuple(p for p in hit.points if next(left))) for hit in hits]
+    return [hit for hit in kept if hit.points]
+
+
+def _gradient(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+    """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
+    at = [(hit.bodies, point, hit.normal) for hit in hits for point in hit.points]
+    if rubs:
+        at += [(bodies, point, 1j * normal) for bodies, point, normal in at]
+    gradient = np.zeros((len(at), *place.shape))
+    for row, (bodies, point, way) in enumerate(at):
+        for body, sign in zip(bodies, (-1, 1), strict=True):
+            arm = point - complex(*place[body, :2].tolist())
+            turning = arm.real * way.imag - arm.imag * way.real
+            gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
+    return gradient
+
+
+def _impact(
+    hit: Hit, impulse: Array, works: Array, told: float, driven: float, given: Array
+) -> Impact:
+    """Return a hit with the impulses at its points, pushes before frictions, and their works."""
+    count = len(hit.points)
+    whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
+    rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
+    known = hit.bodies, hit.time, hit.normal, hit.points
+    return Impact(*known, whole, told, driven, rubbed, pressed, given)
+
+
+def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
+    """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
+
+    Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
+    times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto: Sequential
+    Impulses, GDC 2006); the pushes at once, for one after the other those of points that are close
+    come to terms late.
+
+    Parameters
+    ----------
+    matrix
+        (k, k), how fast each point parts, or slips, by a unit impulse at each.
+    rates
+        (k,), how fast they do so.
+    leaves
+        How fast each point shall part.
+    mu
+        The coefficient of friction of each.
+    """
+    impulse, count = np.zeros(len(rates)), len(leaves)
+    for _ in range(SWEEPS if len(rates) > count else 1):
+        before = impulse.copy()
+        lacks = leaves - rates[:count] - matrix[:count, count:] @ impulse[count:]
+        impulse[:count] = pushes(matrix[:count, :count], -lacks)
+        for row in range(count, len(rates)):
+            slip = rates[row] + matrix[row] @ impulse
+            most = mu[row - count] * impulse[row - count]
+            impulse[row] = min(max(impulse[row] - slip / matrix[row, row], -most), most)
+        if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
+            break
+    return impulse

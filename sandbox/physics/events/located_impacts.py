@@ -1,0 +1,319 @@
+"""Impacts located in time: those of fast bodies, and those whose time matters.
+
+pymunk looks for contacts once a step. A bullet is then already behind the wall, and a ball bounces
+up to a step late. Here the drift of a step is cut at every impact of the bodies that a level names:
+between two kicks leapfrog stands for a motion with the acceleration of the last kick, so bodies
+move along parabolas until two outlines touch, bounce off each other (see `impact_response`), and go
+on along new parabolas for the rest of the step. pymunk is handed what comes of it: the places at
+the end of the drift, and the velocities half a kick before. What rests on each other after an
+impact is pymunk's from the next kick on.
+"""
+
+from cmath import rect
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.joints import bodies_of
+from sandbox.model.level import Level
+from sandbox.physics.contacts.materials import pair_coefficients
+from sandbox.physics.contacts.post_impact import impacts
+from sandbox.physics.contacts.simultaneous_impacts import PRESSED
+from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.events.impact_order import Tally, Turns
+from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
+from sandbox.physics.events.time_of_impact import Hit, Path, meet, touching
+from sandbox.physics.geometry.distance import Outline, outlines
+from sandbox.physics.joints.exact.reactions import Grip
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.errors import EndlessImpacts
+from sandbox.physics.state.motion import momentum
+
+SHUT_IN = "{body} is wedged in: what presses on it does not give way; leave it more room"
+
+
+class Cut(NamedTuple):
+    """What the impacts within a drift did; n bodies.
+
+    Attributes
+    ----------
+    struck
+        (n,), which bodies they reached.
+    place
+        (n, 3), where all are at the end of the drift [m, rad].
+    jump
+        (n, 3), how the velocities jumped that the next kick begins with [m/s, rad/s].
+    change
+        (n, 3), how accelerations changed [m/s², rad/s²].
+    """
+
+    struck: Booleans
+    place: Array
+    jump: Array
+    change: Array
+
+
+class Located:
+    """Cuts the drift of a step at the impacts of named bodies; n bodies.
+
+    Parameters
+    ----------
+    outlines
+        The shapes of all bodies.
+    swept
+        (n,), which bodies' impacts are located.
+    coefficients
+        Of the pairs.
+    scene
+        Their masses, and the joints that hold together what collides; see `Sequence`.
+    held
+        (n,), which bodies hang on joints of any kind.
+    dt
+        The time step [s].
+
+    Attributes
+    ----------
+    impacts
+        Those of the last drift.
+    begun
+        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    """
+
+    def __init__(
+        self,
+        outlines: Sequence[Outline],
+        swept: Booleans,
+        coefficients: Coefficients,
+        scene: Scene,
+        held: Booleans,
+        dt: float,
+    ) -> None:
+        self._batch, self._outlines, self._dt = scene.batch, outlines, dt
+        self._collision, self._held = Collision(coefficients, scene, dt), held
+        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._joints, self._solids = scene.joints.together, scene.joints.solids
+        linked = self._joints is not None
+        self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
+        self._row = np.array([o.body for o in outlines])
+        a, b = np.triu_indices(len(outlines), 1)
+        i, j = self._row[a], self._row[b]
+        group = np.array([o.group for o in outlines])
+        wanted = (swept[i] | swept[j]) & (i != j) & ((group[a] != group[b]) | (group[a] == 0))
+        self._pairs = np.stack((a[wanted], b[wanted]), axis=1)
+        state = self._batch.state()
+        self._low, self._high = self._boxes(state)
+        self._first: Array | None = None
+        self.begun = state[:, 3:]
+        self.impacts: list[Impact] = []
+        self._lifted, self._pulled = 0.0, np.zeros(3)
+
+    @property
+    def last(self) -> Collided | None:
+        """What books must know of the impacts in the last drift; None if there were none."""
+        if not self.impacts:
+            return None
+        return Collided(self.impacts, self.begun, self._lifted, self._pulled)
+
+    def begin(self, velocity: Array, acceleration: Array) -> None:
+        """Take up a motion whose first kick had these velocities before it, and accelerations."""
+        self.begun, self._first, self.impacts = velocity, acceleration, []
+
+    def cut(self, smooth: Array, struck: Array | None) -> Cut | None:
+        """Let what would touch in the coming drift collide; return what came of it, if it did.
+
+        Parameters
+        ----------
+        smooth
+            (n, 3), the accelerations by gravity and force laws in the last kick.
+        struck
+            (n, 3), how velocities jumped in the last kick by impacts in sequence; None if impacts
+            are pymunk's there.
+
+        Raises
+        ------
+        EndlessImpacts
+            If bodies collide more often than can be followed.
+        JointFailure
+            If joints cannot be kept after an impact.
+        """
+        state = self._batch.state()
+        place, drifts = state[:, :3], state[:, 3:].copy()
+        total = self._total(drifts, struck)
+        self._first, self.impacts = None, []
+        bend = np.maximum(np.abs(smooth), np.abs(total))
+        near = self._near(place, place + drifts * self._dt, bend * self._dt**2)
+        begun, self.begun = self.begun, drifts
+        if not len(near):
+            return None
+        pull = self._pull(smooth, total)
+        if struck is None:
+            self._without_impacts(pull, smooth, place, (begun, drifts))
+        grip = Grip(self._joints, self._agility, place) if self._joints else None
+        path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
+        self._pulled = np.zeros(3)
+        self._follow(path, near, smooth * self._dt)
+        return self._hand_over(path, state, pull) if self.impacts else None
+
+    def _total(self, drifts: Array, struck: Array | None) -> Array:
+        """Return the accelerations of the last kick but for impacts in sequence: (n, 3)."""
+        if self._first is not None:
+            return self._first
+        total = (drifts - self.begun) / self._dt
+        return total if struck is None else total - struck / self._dt
+
+    def _hand_over(self, path: Path, state: Array, pull: Array) -> Cut:
+        """Hand pymunk what came of a path that began with this state and these accelerations."""
+        drifts, hit = self.begun, path.struck
+        place, velocity = path.at(self._dt)
+        onwards = path.pull_at(self._dt)
+        self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
+        self._compare(path, (pull, onwards), (state[:, :3], place))
+        state[hit, :3] = (place - self.begun * self._dt)[hit]
+        state[:, 3:] = self.begun
+        self._batch.set_state(state)
+        change = np.where(hit[:, None], onwards - pull, 0.0)
+        return Cut(hit, place, self.begun - drifts, change)
+
+    def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
+        """Note what books that are kept in the middle of a drift must know of its impacts.
+
+        The accelerations, and the places, are those at the kicks before and after it.
+        """
+        half, struck = self._dt / 2, path.struck[:, None]
+        before, after = (np.where(struck, pull, 0.0) for pull in pulls)
+        less = before * before - after * after
+        self._lifted = float(np.sum(self._inertia * less)) * half * half / 2
+        self._pulled += self._given(path, self._dt, path.struck)
+        for pull, place in zip((before, after), places, strict=True):
+            self._pulled -= momentum(self._inertia * pull * half, place)
+
+    def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
+        """Return what pulls gave some bodies since each one's last impact: see `momentum`."""
+        lasted = np.where(bodies, t - path.since, 0.0)[:, None]
+        mean = (path.pull + path.pull_at(t)) / 2
+        return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
+
+    def contacts(self) -> Contacts:
+        """Return the impacts of the last drift as contacts."""
+        if not self.impacts:
+            return NO_CONTACTS
+        two = [(i.points[0], i.points[-1]) for i in self.impacts]
+        across = [i.impulse / i.normal for i in self.impacts]
+        return Contacts(
+            np.array([i.bodies for i in self.impacts], dtype=np.intp),
+            np.ones(len(two), dtype=bool),
+            np.array([(i.normal.real, i.normal.imag) for i in self.impacts]),
+            np.array([a.real for a in across]),
+            np.array([abs(a.imag) for a in across]),
+            np.array([len(i.points) for i in self.impacts], dtype=np.intp),
+            np.array([[(p.real, p.imag) for p in points] for points in two]),
+            np.array([(i.impulse.real, i.impulse.imag) for i in self.impacts]),
+            np.zeros((len(two), 2)),
+        )
+
+    def _boxes(self, state: Array) -> tuple[Array, Array]:
+        """Return the corners of boxes around the shapes, from their bodies' places: (s, 2) each."""
+        turns = (self._agility[:, 2] > 0) | (state[:, 5] != 0)
+        low, high = np.empty((len(self._outlines), 2)), np.empty((len(self._outlines), 2))
+        for index, outline in enumerate(self._outlines):
+            corners = [rect(1, state[outline.body, 2]) * corner for corner in outline.corners]
+            if turns[outline.body]:
+                corners = [complex(sign, sign) * outline.reach for sign in (-1, 1)]
+            x, y = [c.real for c in corners], [c.imag for c in corners]
+            low[index], high[index] = (min(x), min(y)), (max(x), max(y))
+            low[index] -= outline.radius
+            high[index] += outline.radius
+        return low, high
+
+    def _near(self, start: Array, end: Array, bend: Array) -> list[tuple[int, int]]:
+        """Return the pairs of shapes whose boxes meet on the way; paths bend by bend / 8."""
+        low = np.minimum(start, end)[:, :2] - bend[:, :2] / 8
+        high = np.maximum(start, end)[:, :2] + bend[:, :2] / 8
+        low, high = low[self._row] + self._low, high[self._row] + self._high
+        a, b = self._pairs.T
+        meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
+        return [(int(i), int(j)) for i, j in self._pairs[meet]]
+
+    def _pull(self, smooth: Array, total: Array) -> Array:
+        """Return the accelerations of the last kick; of what nothing holds, without rounding."""
+        tied = self._held.copy()
+        tied[self._batch.contacts().bodies] = True
+        return np.where(tied[:, None], total, smooth)
+
+    def _without_impacts(
+        self, pull: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
+    ) -> None:
+        """Take what pymunk's impacts did in the last kick out of its accelerations."""
+        contacts, solid = self._batch.contacts(), self._solids.pairs
+        hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
+        pull[hit] = onwards
+
+    def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
+        """Let one impact come after the other until the drift is over."""
+        hits = self._hits(path, near, 0.0, adds)
+        tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
+        while hits:
+            groups = self._turns.next(hits)
+            time, struck = groups[0][0].time, np.zeros_like(path.struck)
+            for group in groups:
+                struck |= self._collide(path, group, tally)
+            place, end = path.place_at(time), path.place_at(self._dt)
+            bend = np.abs(path.pull) * (self._dt - time) ** 2
+            again = [p for p in self._near(place, end, bend) if struck[self._row[[*p]]].any()]
+            hits = [h for h in hits if not struck[[*h.bodies]].any()]
+            hits += self._hits(path, again, time, adds)
+
+    def _around(self, path: Path, group: list[Hit]) -> list[Hit]:
+        """Return all that touches, directly or through others, what is hit."""
+        time, shapes = group[0].time, self._outlines
+        place = path.place_at(time)
+        near = self._near(place, place, np.zeros_like(place))
+        found = (touching(path, shapes[a], shapes[b], time) for a, b in near)
+        return self._turns.linked(group, [hit for hit in found if hit])
+
+    def _hits(
+        self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
+    ) -> list[Hit]:
+        shapes = self._outlines
+        gives = np.stack((adds, path.pull_at(since) * (self._dt - since)))
+        found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
+        return [hit for hit in found if hit]
+
+    def _collide(self, path: Path, group: list[Hit], tally: Tally) -> Booleans:
+        """Let bodies bounce off each other, and return which bodies it reached: (n,).
+
+        What would do so for ever, if ever more gently, comes to rest with all that it touches.
+        """
+        time, around = group[0].time, self._around(path, group) if tally.count(group) else []
+        dead = bool(around) and tally.gentle(around)
+        bounce = self._collision.bounce(path, around if dead else group, dead=dead)
+        self._pulled += self._given(path, time, bounce.struck)
+        path.turn(time, bounce.jump, bounce.struck)
+        path.pull += bounce.held
+        self.impacts += bounce.impacts
+        if dead:
+            left = min(self._around(path, group), key=lambda hit: hit.parting)
+            if left.parting < PRESSED * group[0].parting:
+                raise EndlessImpacts(max(left.bodies, key=lambda b: self._mass[b]), SHUT_IN)
+        return bounce.struck
+
+
+def locate(level: Level, values: Values, scene: Scene, dt: float) -> Located | None:
+    """Make what locates the impacts of a level's bodies, if it names any."""
+    contact, names = level.effects.contact, list(level.bodies)
+    if contact is None or contact.located is None:
+        return None
+    hung = {name for joint in level.joints.values() for name in bodies_of(joint)}
+    return Located(
+        outlines(list(scene.bodies.values())),
+        np.array([name in contact.located for name in names]),
+        Coefficients(
+            pair_coefficients(level, values, "restitution"),
+            pair_coefficients(level, values, "friction"),
+        ),
+        scene,
+        np.array([name in hung for name in names]),
+        dt,
+    )

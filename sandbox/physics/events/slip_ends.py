@@ -1,0 +1,300 @@
+"""The end of slipping, located in time.
+
+Friction slows down what slips, and with the slip it ends: the body rests, goes with the belt, or
+rolls. pymunk finds that in the next kick, and weakens the friction of that whole kick so that
+nothing slips back: the end comes up to half a step early or late. Here the drift is cut where the
+slip ends. Between two kicks leapfrog stands for a motion with the acceleration of the last, so a
+slip changes linearly and its zero is known. How the bodies go on from there, for the rest of the
+step, is for pymunk's solver and the joints to say (`onwards.py`). pymunk is then handed the places
+at the end of the drift, and the velocities half a kick before.
+
+Where the slip ends within the half of a kick that comes after its step, pymunk has weakened the
+friction at the step already. That kick is then taken again, short enough for everything to slip on,
+so that what is read at the step is right.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.joints import Spring, bodies_of, is_exact
+from sandbox.model.level import Level
+from sandbox.physics.contacts.materials import pair_coefficients
+from sandbox.physics.contacts.post_impact import impacts, reached
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.events.restart import Onwards
+from sandbox.physics.events.slip import Phase, Slips, Stop, booked
+from sandbox.physics.events.slip_detection import Lookout
+from sandbox.physics.scene.scene import Scene
+
+MOST = 100
+"""How often the drift of a step is cut: what ends later in it is left to pymunk."""
+
+LATE = 0.1
+"""A slip that has turned at a step by more than this share of what a step changes it by has not
+slipped there: what seemed to was rounding."""
+
+ALIKE = 1e-9
+"""Two kicks that differ by less than this share of what gravity and force laws do are alike: as
+long as they are, slips change about as they did, and are next looked at half-way to their end."""
+
+FAR = 1_000_000
+"""How many steps nothing need be looked at, at the most."""
+
+
+class Cut(NamedTuple):
+    """Where a drift leads in which slipping ended; n bodies.
+
+    Attributes
+    ----------
+    begun
+        (n, 3), the velocities that the next kick begins with [m/s, rad/s].
+    pull
+        (n, 3), the accelerations since slipping last ended [m/s², rad/s²].
+    """
+
+    begun: Array
+    pull: Array
+
+
+class Stops:
+    """Cuts the drift of a step where the slipping of named bodies ends; n bodies.
+
+    Parameters
+    ----------
+    scene
+        What moves.
+    linked
+        (l, 2), pairs of bodies that strings hold together.
+    tied
+        (n,), which bodies other exact joints hold: with contacts, these come to terms too late for
+        a kick to tell how they go on.
+    lookout, onwards
+        See whose slipping ends, and find how bodies go on.
+    smooth
+        Tells the accelerations by gravity and force laws in the last kick: (n, 3) [m/s², rad/s²].
+    dt
+        The time step [s].
+
+    Attributes
+    ----------
+    begun
+        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    kicked
+        The contacts of the last kick, if it was taken again; None if they are pymunk's.
+    last
+        What the books must know of the last drift; None if no slipping ended in it.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        linked: Integers,
+        tied: Booleans,
+        lookout: Lookout,
+        onwards: Onwards,
+        smooth: Callable[[], Array],
+        dt: float,
+    ) -> None:
+        self._scene, self._batch, self._linked, self._tied = scene, scene.batch, linked, tied
+        self._lookout, self._onwards, self._smooth, self._dt = lookout, onwards, smooth, dt
+        self._next = self.begun = self._change = self._batch.velocity()
+        self._ground = self._next[scene.mass == 0]
+        self._ground[:, :2] += onwards.running[scene.mass == 0]
+        # how many steps need no look, while kicks differ by no more than that, squared
+        self._quiet, self._alike = 0, 0.0
+        self._pull: Array | None = None  # the accelerations until the next step, if they are known
+        self._due: tuple[Phase, Slips, Array] | None = None
+        self.kicked: Contacts | None = None
+        self.last: Stop | None = None
+
+    def start(self, velocity: Array, pull: Array) -> Array:
+        """Look at the first kick, of half a step; return its accelerations, right at the start.
+
+        Parameters
+        ----------
+        velocity
+            (n, 3), those at the start [m/s, rad/s].
+        pull
+            (n, 3), the accelerations that pymunk gave [m/s², rad/s²].
+        """
+        half, self._quiet, self.last = self._dt / 2, 0, None
+        self._onwards.adds = np.abs(self._smooth()) * self._dt
+        self._pull = pull = self._look(velocity, velocity, pull, half)
+        self.begun, self._next = velocity - pull * half, velocity + pull * half
+        return pull
+
+    def look(self) -> None:
+        """See whether slipping ends in the coming drift, and take the last kick again if so."""
+        begun, after = self._next, self._batch.velocity()
+        self.begun, self._next, change = begun, after, after - begun
+        self.kicked = self._due = None
+        if self._quiet:
+            self._quiet -= 1
+            differs = (change - self._change).ravel()
+            if differs @ differs <= self._alike:
+                return
+        self._quiet, self._change = 0, change
+        smooth = self._smooth()
+        if self._struck(smooth):
+            self._pull = None
+            return
+        self._onwards.adds = np.abs(smooth) * self._dt
+        pull = change / self._dt
+        came = begun + (pull if self._pull is None else self._pull) * (self._dt / 2)
+        self._pull = self._look(begun, came, pull, self._dt)
+        if self._pull is not pull:
+            self._next = begun + self._pull * self._dt
+            self._batch.set_velocity(self._next)
+
+    def _struck(self, smooth: Array) -> bool:
+        """Return whether the last kick held an impact, which no acceleration stands for."""
+        contacts, solid = self._batch.contacts(), self._scene.joints.solids.pairs
+        if not contacts.first.any():
+            return False
+        place, mass = self._batch.state()[:, :3], self._scene.mass
+        hit, _ = impacts(contacts, solid, place, self.begun, self._next, smooth, mass, self._dt)
+        return bool(len(hit))
+
+    def _look(self, begun: Array, came: Array, pull: Array, length: float) -> Array:
+        """Find out whether slipping ends, and return the accelerations until it does.
+
+        Parameters
+        ----------
+        begun, came
+            (n, 3), the velocities that the kick began with, and those with which bodies came to the
+            step by what pulled them until then [m/s, rad/s].
+        pull
+            (n, 3), the accelerations that it gave [m/s², rad/s²].
+        length
+            How long it was [s]: a step, or half of it where it began at the step.
+        """
+        if not len(self._batch.contacts().bodies):
+            return pull
+        velocity = begun + pull * (length - self._dt / 2)
+        seen = self._lookout.see(came, velocity, pull)
+        if not seen.ends.any():
+            if (self._ground == self._ground[:1]).all():  # it is the same wherever a body goes
+                self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
+                self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
+            return pull
+        contacts = self._batch.contacts()
+        tied = (self._island(seen.slips, seen.ends) & self._tied).any()
+        if tied or self._onwards.meets(contacts, seen.place, velocity, self._dt):
+            return pull
+        if seen.weakened.any():
+            return self._again(begun, came, pull, length)
+        forces = contacts.times(1 / length)
+        self._due = Phase(self._dt, seen.place, velocity, pull, forces), seen.slips, seen.sense
+        return pull
+
+    def _again(self, begun: Array, came: Array, pull: Array, length: float) -> Array:
+        """Take the last kick again while everything slips on; see `_look`."""
+        after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
+        told = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
+        seen = self._lookout.see(came, begun + told * since, told)
+        slips, sense = seen.slips, seen.sense
+        found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
+        self._onwards.recall(memory)
+        self._batch.set_velocity(after)
+        if found and seen.weakened.any():
+            island = self._island(slips, seen.weakened)
+            slipping = np.where(island[:, None], found.pull, pull)
+            velocity = begun + slipping * since
+            over = -LATE * np.abs(slips.change(slipping)) * self._dt
+            if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
+                self.kicked = found.forces.times(length)
+                part = Phase(self._dt, seen.place, velocity, slipping, found.forces)
+                self._due = part, slips, sense
+                return slipping
+        self._onwards.settled(0.0, begun, length, self._dt)  # what pymunk is to remember
+        self._onwards.recall(memory)
+        self._batch.set_velocity(after)
+        return pull
+
+    def drop(self, begun: Array) -> None:
+        """Leave the coming drift to an impact in it, after which kicks begin with a velocity."""
+        self._due, self.last, self._next, self._quiet, self._pull = None, None, begun, 0, None
+
+    def cut(self) -> Cut | None:
+        """Let slipping end in the coming drift; return what came of it, if it does."""
+        due, self._due, self.last = self._due, None, None
+        if due is None:
+            return None
+        state, memory = self._batch.state(), self._onwards.memory()
+        smooth = self._smooth()
+        phases, moved = self._follow(*due, state)
+        place, begun = state[:, :3], state[:, 3:]
+        if len(phases) > 1:
+            self.last = booked(phases, self._scene.inertia, smooth, self._onwards.running, self._dt)
+            ends, _ = phases[-1].at(phases[-1].lasts)
+            begun = np.where(moved[:, None], self.last.begun, begun)
+            place = np.where(moved[:, None], ends - begun * self._dt, place)
+        self._onwards.settled(1.0, begun, self._dt, self._dt)  # what pymunk is to remember
+        self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
+        self._batch.set_state(np.concatenate((place, begun), axis=1))
+        self._next, self._pull = begun, phases[-1].pull
+        return Cut(begun, phases[-1].pull) if self.last else None
+
+    def _follow(
+        self, part: Phase, slips: Slips, sense: Array, state: Array
+    ) -> tuple[list[Phase], Booleans]:
+        """Let one slip end after the other; return the parts of the drift, and whom it changed."""
+        phases: list[Phase] = []
+        told = self._scene.mass == 0
+        moved = np.zeros_like(told)
+        while len(phases) < MOST:
+            adds, (_, velocity) = part.pull * self._dt, part.at(part.lasts)
+            if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
+                break
+            wait = self._lookout.wait(slips, sense, part.velocity, part.pull)
+            first = min(float(wait.min()), part.lasts)
+            place, velocity = part.at(first)
+            still = self._onwards.sense(slips, part.forces, velocity, adds)
+            still[wait <= first] = 0.0
+            island = self._island(slips, (sense != 0) & (still == 0))
+            here = np.where((moved | island | told)[:, None], place, state[:, :3])
+            left = part.lasts - first
+            ahead, longest = 1 - left / self._dt, self._dt / 2
+            found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
+            if found is None:
+                break
+            phases.append(part._replace(lasts=first))
+            pull = np.where(island[:, None], found.pull, part.pull)
+            part = Phase(left, place, velocity, pull, found.forces)
+            slips, sense, moved = found.slips, found.sense, moved | island
+        return [*phases, part], moved
+
+    def _island(self, slips: Slips, ended: Booleans) -> Booleans:
+        """Return which bodies touch, or hang on, those that no longer slip: (n,)."""
+        return reached(slips.bodies, ended, self._scene.mass > 0, linked=self._linked)
+
+
+def stop(
+    level: Level,
+    values: Values,
+    scene: Scene,
+    onwards: Callable[[], Onwards],
+    smooth: Callable[[], Array],
+    dt: float,
+) -> Stops | None:
+    """Make what locates where the slipping of a level's bodies ends, if it names any."""
+    friction, names = level.effects.friction, list(level.bodies)
+    if friction is None or friction.located is None:
+        return None
+    tied, linked = np.zeros(len(names), dtype=bool), np.empty((0, 2), dtype=np.intp)
+    for name, joint in level.joints.items():
+        rows = sorted(names.index(body) for body in {*bodies_of(joint)})
+        if is_exact(joint) and name not in scene.joints.strings:
+            tied[rows] = True
+        elif len(rows) > 1 and not isinstance(joint, Spring):
+            linked = np.append(linked, [rows], axis=0)
+    for pair in level.effects.sticking.pairs if level.effects.sticking else ():
+        tied[[names.index(body) for body in pair.bodies]] = True
+    named = np.array([name in friction.located for name in names])
+    coefficients = pair_coefficients(level, values, "friction")
+    found = onwards()
+    lookout = Lookout(scene.batch, named, coefficients, found, dt)
+    return Stops(scene, linked, tied, lookout, found, smooth, dt)

@@ -1,0 +1,317 @@
+"""When two outlines on parabolas touch, found by conservative advancement.
+
+No corner can cross the gap between two convex outlines, as it is seen along its normal, before a
+bound on its motion does. So time goes on to that bound, the gap is looked at again, and so on until
+they touch: never too late, and with the speed of Newton's method (B. V. Mirtich: Impulse-based
+Dynamic Simulation, 1996; E. Catto: Continuous Collision, GDC 2013).
+"""
+
+from cmath import rect
+from collections.abc import Sequence
+from math import inf, sqrt
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.geometry.distance import FLUSH, Gap, Outline, dot, gap
+from sandbox.physics.joints.exact.reactions import Grip
+
+TOUCH = -1e-9
+"""m, the gap of shapes that touch: flat ones stand proud by as much, and what comes to rest must
+be in contact, whatever the last digit says."""
+
+CLOSE = 1e-12
+"""m, how exactly that is met; at a distance from the origin this share of it, if that is more:"""
+FAR = 1e-15
+
+NEAR = 1e-10
+"""m, by which shapes may be further apart and touch, where all that do are asked for."""
+
+TRIES = 200
+"""How often two outlines are advanced towards each other in a step."""
+
+ROUNDING = 1e-12
+"""An approach slower than this share of the speeds that it is the difference of, or of what their
+pull adds to these in a step, is none."""
+
+
+class Hit(NamedTuple):
+    """Two bodies that are about to touch.
+
+    Attributes
+    ----------
+    time
+        Since the step before [s].
+    bodies
+        Their indices.
+    normal
+        The unit vector from the first to the second.
+    points
+        Where they touch, in the plane [m].
+    parting
+        How fast they part there, where they do so least [m/s].
+    """
+
+    time: float
+    bodies: tuple[int, int]
+    normal: complex
+    points: tuple[complex, ...]
+    parting: float
+
+
+class Path:
+    """Where n bodies are between two kicks: each on a parabola since its last impact.
+
+    Attributes
+    ----------
+    since
+        (n,), when that was [s].
+    place, velocity
+        (n, 3), x, y and angle then, and their rates [m, rad, m/s, rad/s].
+    pull
+        (n, 3), their accelerations then [m/s², rad/s²].
+    struck
+        (n,), which had an impact.
+    """
+
+    def __init__(
+        self, place: Array, velocity: Array, pull: Array, grip: Grip | None = None
+    ) -> None:
+        self.place, self.velocity, self.pull = place.copy(), velocity.copy(), pull.copy()
+        self._grip = grip
+        self.since = np.zeros(len(place))
+        self.struck = np.zeros(len(place), dtype=bool)
+        self._seen: tuple[float, Array] | None = None  # when last, and how joints had turned then
+
+    def place_at(self, t: float) -> Array:
+        """Return the places at a time: (n, 3)."""
+        lasted = (t - self.since)[:, None]
+        return self.place + (self.velocity + (self.velocity + self.pull * lasted)) * (lasted / 2)
+
+    def at(self, t: float) -> tuple[Array, Array]:
+        """Return places and velocities at a time; the velocities as joints that turn leave them."""
+        lasted = (t - self.since)[:, None]
+        velocity = self.velocity + self.pull * lasted + self._change(t) * (lasted / 2)
+        return self.place_at(t), velocity
+
+    def pull_at(self, t: float) -> Array:
+        """Return the accelerations at a time, which change as joints turn: (n, 3)."""
+        return self.pull + self._change(t)
+
+    def _change(self, t: float) -> Array | float:
+        """Return how accelerations have changed since the last kick, or each one's last impact."""
+        if not (self._grip and t):
+            return 0.0
+        if self._seen is None or self._seen[0] != t:
+            self._seen = t, self._grip.change(self.place_at(t))
+        return self._seen[1]
+
+    def turn(self, t: float, jump: Array, struck: Booleans) -> None:
+        """Add to the velocities of those bodies that are struck at a time.
+
+        Raises
+        ------
+        JointFailure
+            If their joints cannot be kept.
+        """
+        place, velocity = self.at(t)
+        self._seen = None
+        self.place[struck] = place[struck]
+        self.velocity[struck] = (velocity + jump)[struck]
+        self.since[struck] = t
+        self.struck |= struck
+        if self._grip:
+            self.pull += self._grip.renew(place, velocity + jump, self.pull, struck)
+
+
+class _Motion:
+    """A body at a time on its path, as complex numbers."""
+
+    def __init__(self, path: Path, body: int, t: float) -> None:
+        lasted = t - float(path.since[body])
+        x, y, angle = path.place[body].tolist()
+        vx, vy, spin = path.velocity[body].tolist()
+        ax, ay, self.twist = path.pull[body].tolist()
+        self.pull = complex(ax, ay)
+        self.velocity = complex(vx, vy) + self.pull * lasted
+        self.spin = spin + self.twist * lasted
+        self.place = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
+        self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
+
+    @property
+    def turns(self) -> bool:
+        """Whether the body turns at all."""
+        return self.spin != 0 or self.twist != 0
+
+    def put(self, corners: Sequence[complex]) -> list[complex]:
+        """Return where points of the body are."""
+        return [self.place + self.turned * corner for corner in corners]
+
+    def speed(self, point: complex) -> complex:
+        """Return the velocity of the body at a point of the plane."""
+        return self.velocity + 1j * self.spin * (point - self.place)
+
+    def bend(self, reach: float, dt: float) -> float:
+        """Return a bound on the acceleration, by its turning, of what is within its reach."""
+        fastest = abs(self.spin) + abs(self.twist) * dt
+        return reach * (fastest * fastest + abs(self.twist))
+
+
+def meet(
+    path: Path, one: Outline, other: Outline, since: float, until: float, gives: Array
+) -> Hit | None:
+    """Return when two shapes touch that approach each other, None if they do not.
+
+    Shapes that touch from the beginning, and do so with no more speed than their pull gives them in
+    a step, rest on each other: that is for pymunk to solve.
+
+    Parameters
+    ----------
+    path
+        Where their bodies are.
+    since, until
+        The times between which they may [s].
+    gives
+        (2, n, 3), what gravity and laws alone give the velocities in a step, and what all that
+        pulls, joints and loads too, gives them in what is left of it [m/s, rad/s].
+    """
+    t = since
+    gets = [[complex(*way) for way in gives[:, o.body, :2].tolist()] for o in (one, other)]
+    for _ in range(TRIES):
+        here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+        cores = here.put(one.corners), there.put(other.corners)
+        found = gap(*cores, one.radius + other.radius)
+        if found.distance <= _touch(here, there):
+            if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
+                return None
+            hit = _hit(t, (one, other), (here, there), found)
+            rates = here.velocity, there.velocity, gets[0][0], gets[1][0]
+            allowed = ROUNDING * max(abs(rate) for rate in rates)
+            if t == since:
+                allowed += max(abs(dot(found.normal, b - a)) for a, b in zip(*gets, strict=True))
+            if hit.parting < -allowed:
+                return hit
+            if hit.parting <= allowed:
+                return None
+        t += _clear(found.normal, (here, there), cores, (one, other), until - t)
+        if t > until:
+            return None
+    return None
+
+
+def touching(path: Path, one: Outline, other: Outline, t: float) -> Hit | None:
+    """Return where two shapes touch at a time, None if they do not, whether they part or not."""
+    here, there = _Motion(path, one.body, t), _Motion(path, other.body, t)
+    cores = here.put(one.corners), there.put(other.corners)
+    found = gap(*cores, one.radius + other.radius)
+    if found.distance > _touch(here, there) + NEAR:
+        return None
+    if _passes(one, cores, found.normal) or _passes(other, cores[::-1], -found.normal):
+        return None
+    return _hit(t, (one, other), (here, there), found)
+
+
+def _touch(here: _Motion, there: _Motion) -> float:
+    """Return the gap at which bodies touch [m]."""
+    return TOUCH + max(CLOSE, FAR * abs(here.place), FAR * abs(there.place))
+
+
+def _hit(
+    t: float, outlines: tuple[Outline, Outline], bodies: tuple[_Motion, _Motion], found: Gap
+) -> Hit:
+    """Return what two shapes do that touch."""
+    (one, other), (here, there) = outlines, bodies
+    n = found.normal
+    points = tuple(p + n * one.radius for p in found.points)
+    parting = min(dot(n, there.speed(p) - here.speed(p)) for p in points)
+    return Hit(t, (one.body, other.body), n, points, parting)
+
+
+def _clear(
+    normal: complex,
+    bodies: tuple[_Motion, _Motion],
+    cores: tuple[Sequence[complex], ...],
+    outlines: tuple[Outline, Outline],
+    left: float,
+) -> float:
+    """Return for how long two outlines are apart for certain, of the time that is left [s].
+
+    Each of up to three normals gives a bound, and the longest counts: one at rest, and one that
+    turns with either body. Along one at rest, a side that turns is soon seen to pass a corner that
+    it only parts from.
+    """
+    here, there = bodies
+    one, other = outlines
+    radii = one.radius + other.radius
+    bend = here.bend(one.reach, left) + there.bend(other.reach, left)
+    curve = dot(normal, there.pull - here.pull) - bend
+    resting = min(
+        _crossing(dot(normal, q - p) - radii, dot(normal, there.speed(q) - here.speed(p)), curve)
+        for p in cores[0]
+        for q in cores[1]
+    )
+    times = [resting]
+    if here.turns and len(cores[0]) > 1:
+        times.append(_turning(normal, here, there, cores, other.reach, radii, left))
+    if there.turns and len(cores[1]) > 1:
+        times.append(_turning(-normal, there, here, cores[::-1], one.reach, radii, left))
+    return max(times)
+
+
+def _turning(
+    normal: complex,
+    first: _Motion,
+    other: _Motion,
+    cores: tuple[Sequence[complex], ...],
+    reach: float,
+    radii: float,
+    left: float,
+) -> float:
+    """Return for how long the corners of a body are clear of another along a normal of that one.
+
+    Where the normal turns with the first body, as fast as ω, its own corners stay as high as they
+    are. The acceleration of the other's, at z from its centre, differs by 2 ω dz/dt and by
+    (dω/dt + ω²) z at the most from that in the plane.
+    """
+    spin = abs(first.spin) + abs(first.twist) * left
+    pull = abs(other.pull - first.pull) + other.bend(reach, left)
+    top = max(dot(normal, corner) for corner in cores[0]) + radii
+    times = []
+    for corner in cores[1]:
+        way, moves = corner - first.place, other.speed(corner) - first.velocity
+        fastest = abs(moves) + pull * left
+        farthest = abs(way) + fastest * left
+        curve = -pull - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest
+        rate = dot(normal, moves - 1j * first.spin * way)
+        times.append(_crossing(dot(normal, corner) - top, rate, curve))
+    return min(times)
+
+
+def _crossing(height: float, rate: float, curve: float) -> float:
+    """Return when height + rate t + curve t² / 2 falls to `TOUCH`, or, if it is there, returns."""
+    above = max(height - TOUCH, 0.0)
+    square = rate * rate - 2 * curve * above
+    if square < 0:
+        return inf
+    if rate > 0:
+        return (-rate - sqrt(square)) / curve if curve < 0 else inf
+    falls = sqrt(square) - rate
+    return 2 * above / falls if falls > 0 else inf
+
+
+def _passes(line: Outline, cores: tuple[Sequence[complex], ...], normal: complex) -> bool:
+    """Return whether a disc touches the end of a line on the side where the next goes on.
+
+    There, the next is what it touches: no ball trips where lines join. As pymunk has it.
+    """
+    if not any(line.ways) or len(cores[1]) > 1:
+        return False
+    (a, b), center = cores[0], cores[1][0]
+    ahead = (b - a) / (line.corners[1] - line.corners[0])  # how the line is turned
+    for end, way in zip((a, b), line.ways, strict=True):
+        reached = abs(abs(center - end) - abs(dot(normal, center - end))) <= FLUSH
+        if way and reached and dot(-normal, way * ahead) < 0:
+            return True
+    return False

@@ -1,0 +1,63 @@
+"""Attraction to a fixed centre."""
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.shapes import XY
+from sandbox.physics.engine.batch import Integers, in_place
+from sandbox.physics.forces.law import Book
+from sandbox.physics.forces.variable_mass import Share, steady
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Attraction:
+    """F = −mu m r / |r|^(p + 1), U = −mu m |r|^(1 − p) / (p − 1), or mu m ln |r| if p is 1.
+
+    With p = 2 it is Newton's, and U = −mu m / |r|.
+    """
+
+    effect: ClassVar[str] = "attraction"
+    book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
+
+    mu: float  # m^(p + 1)/s²
+    center: XY  # m
+    mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
+    power: float = 2.0  # p
+    share: Share = steady
+    _moving: slice | Integers = field(init=False)  # those that it acts on
+    _middle: Array = field(init=False)  # the centre [m]
+
+    def __post_init__(self) -> None:
+        """See what moves."""
+        object.__setattr__(self, "_moving", in_place(np.flatnonzero(self.mass)))
+        object.__setattr__(self, "_middle", np.array(self.center))
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add −mu m r / |r|^(p + 1)."""
+        r, distance, strength = self._look(motion)
+        pull = strength / distance ** (self.power + 1)
+        wrench[..., self._moving, :2] -= pull[..., None] * r
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return −mu m |r|^(1 − p) / (p − 1), or mu m ln |r|."""
+        _, distance, strength = self._look(motion)
+        energy = np.zeros(motion.position.shape[:-1])
+        energy[..., self._moving] = strength * self._well(distance)
+        return energy
+
+    def _look(self, motion: Motion) -> tuple[Array, Array, Array]:
+        """Return of what moves r, |r| and mu m."""
+        r = motion.position[..., self._moving, :] - self._middle
+        strength = self.mu * self.mass * self.share(motion.t)
+        return r, np.hypot(r[..., 0], r[..., 1]), strength[..., self._moving]
+
+    def _well(self, distance: Array) -> Array:
+        """Return the integral of distance^(−p)."""
+        if self.power == 1:
+            return np.log(distance)
+        return -1 / ((self.power - 1) * distance ** (self.power - 1))

@@ -1,0 +1,39 @@
+"""What a frame that turns does to what lies in it."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Book
+from sandbox.physics.forces.variable_mass import Share, steady
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Centrifugal:
+    """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2.
+
+    Coriolis's force, 2 m ω times the horizontal velocity, is at right angles to the plane: whatever
+    holds bodies in the plane carries it.
+    """
+
+    effect: ClassVar[str] = "centrifugal"
+    book: ClassVar[Book] = "potential"
+    needs_velocity: ClassVar[bool] = False
+
+    rate: float  # rad/s, ω
+    axis: float  # m, x0
+    mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves
+    share: Share = steady
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add m ω² (x − x0)."""
+        mass = self.mass * self.share(motion.t)
+        wrench[..., 0] += mass * self.rate**2 * (motion.position[..., 0] - self.axis)
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return −m ω² (x − x0)² / 2."""
+        mass = self.mass * self.share(motion.t)
+        return np.asarray(-mass * self.rate**2 * (motion.position[..., 0] - self.axis) ** 2 / 2)

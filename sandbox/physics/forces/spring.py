@@ -1,0 +1,94 @@
+"""A spring with a damper, between two points."""
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Book
+from sandbox.physics.state.anchor import Anchor, Plane
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class SpringForce:
+    """F = −k (l − l0) − c dl/dt along the line between its ends, U = k (l − l0)² / 2.
+
+    One that pushes only does nothing where it is longer than l0, and never pulls.
+
+    Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
+    """
+
+    effect: ClassVar[str] = "spring"
+    book: ClassVar[Book] = "potential"
+
+    ends: tuple[Anchor, Anchor]
+    stiffness: float  # N/m, k
+    length: float  # m, l0
+    damping: float  # kg/s, c
+    pushes_only: bool = False
+
+    @property
+    def needs_velocity(self) -> bool:
+        """Whether it damps."""
+        return self.damping > 0
+
+    def tension(self, motion: Motion) -> Array:
+        """Return the force with which it pulls [N]; negative where it pushes."""
+        return self._pull(motion)[0]
+
+    def stored(self, motion: Motion) -> Array:
+        """Return k (l − l0)² / 2 [J]."""
+        (a, _), (b, _) = (end.find(motion) for end in self.ends)
+        return np.asarray(self.stiffness * self._stretch(np.abs(b - a)) ** 2 / 2)
+
+    def span(self, motion: Motion) -> tuple[Plane, Plane]:
+        """Return where it begins and ends [m]: one that has let go keeps its length l0."""
+        (a, _), (b, _) = (end.find(motion) for end in self.ends)
+        longest = self.length if self.pushes_only else np.inf
+        length = np.maximum(np.abs(b - a), 1e-300)
+        return a, a + (b - a) * np.minimum(1.0, longest / length)
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add the pull on both ends, and its torques."""
+        pull, direction, arms = self._pull(motion)
+        forces = wrench[..., :2].view(complex)[..., 0]
+        for end, arm, force in zip(
+            self.ends, arms, (pull * direction, -pull * direction), strict=True
+        ):
+            if end.body is not None:
+                forces[..., end.body] += force
+                if end.point:
+                    wrench[..., end.body, 2] += (arm.conj() * force).imag
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return k (l − l0)² / 2, shared among the bodies at its ends."""
+        bodies = [end.body for end in self.ends if end.body is not None]
+        stored = self.stored(motion)
+        energy = np.zeros(motion.position.shape[:-1])
+        for body in bodies:
+            energy[..., body] += stored / len(bodies)
+        return energy
+
+    def _pull(self, motion: Motion) -> tuple[Array, Plane, tuple[Plane, Plane]]:
+        """Return the tension, the direction from the first end to the second, and the arms."""
+        if self.damping:
+            (a, moves_a, arm_a), (b, moves_b, arm_b) = (end.look(motion) for end in self.ends)
+        else:  # how they move does not matter
+            (a, arm_a), (b, arm_b) = (end.find(motion) for end in self.ends)
+        span = b - a
+        length = np.abs(span)
+        direction = span / np.maximum(length, 1e-300)  # none where the ends meet
+        stretch = self._stretch(length)
+        pull = self.stiffness * stretch
+        if self.damping:
+            pull = pull + self.damping * ((moves_b - moves_a) * direction.conj()).real
+        if self.pushes_only:
+            pull = np.where(stretch < 0, np.minimum(pull, 0.0), 0.0)
+        return pull, direction, (arm_a, arm_b)
+
+    def _stretch(self, length: Array) -> Array:
+        """Return by how much it is longer than l0, as far as that matters to it [m]."""
+        stretch = length - self.length
+        return np.minimum(stretch, 0.0) if self.pushes_only else stretch

@@ -1,0 +1,83 @@
+"""Bodies whose mass changes as they lose or gain matter."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from math import inf
+
+import numpy as np
+
+from sandbox.model.effects import Effects
+from sandbox.model.expressions import Array, Values
+from sandbox.physics.engine.batch import Integers
+
+Share = Callable[[Array], Array | float]
+"""What the masses of n bodies are at a time, or at many, over those at the start: (..., n), or 1.
+
+Moments of inertia change with the mass: what leaves or comes is taken from all over the body.
+"""
+
+
+def steady(_t: Array) -> float:
+    """Return 1: no mass ever changes."""
+    return 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """A steady flow of matter to a body, which begins with the run."""
+
+    body: int
+    rate: float  # kg/s, negative where the body loses it
+    until: float = inf  # s
+
+    def gained(self, t: Array) -> Array:
+        """Return what has come up to a time [kg]; as if it had always flowed before the start."""
+        gained: Array = self.rate * np.minimum(t, self.until)
+        return gained
+
+    def mean_rate(self, t: Array, step: float) -> Array:
+        """Return the mean rate over the kick around a time [kg/s]; it may end within."""
+        return (self.gained(t + step / 2) - self.gained(t - step / 2)) / step
+
+
+@dataclass(frozen=True, slots=True)
+class MassFlows:
+    """All flows of a scene, and how they change the masses of its n bodies; see `Share`."""
+
+    flows: Sequence[Flow]
+    mass: Array  # (n,) kg, at the start
+    bodies: Integers = field(init=False)  # those whose mass changes
+
+    def __post_init__(self) -> None:
+        """See whose mass changes."""
+        object.__setattr__(self, "bodies", np.unique([flow.body for flow in self.flows]))
+
+    def __call__(self, t: Array) -> Array:
+        """Return the masses over those at the start: (..., n)."""
+        share = np.ones((*np.shape(t), len(self.mass)))
+        for flow in self.flows:
+            share[..., flow.body] += flow.gained(t) / self.mass[flow.body]
+        return share
+
+
+def thrust_flows(effects: Effects, values: Values, names: Sequence[str]) -> list[Flow]:
+    """Return what the thrusts of a level burn, in their order."""
+    flows = []
+    for thrust in effects.thrust or ():
+        rate, propellant = thrust.rate(values), thrust.propellant(values)
+        flows.append(Flow(names.index(thrust.body), -rate, propellant / rate))
+    return flows
+
+
+def accretion_flows(effects: Effects, values: Values, names: Sequence[str]) -> list[Flow]:
+    """Return what the bodies of a level gather, in the order of its accretions."""
+    return [
+        Flow(names.index(accretion.body), accretion.rate(values))
+        for accretion in effects.accretion or ()
+    ]
+
+
+def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
+    """Return how the masses of a level's bodies change; `steady` if it declares no flow."""
+    flows = [*thrust_flows(effects, values, names), *accretion_flows(effects, values, names)]
+    return MassFlows(flows, mass) if flows else steady

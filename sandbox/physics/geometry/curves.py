@@ -1,0 +1,121 @@
+"""Where curves touch other shapes: at the points of the curve itself, from both sides.
+
+To pymunk each stretch of a curve is a filled circle around it, so that whatever may touch it is
+found. What is round touches it where it is nearest to the middle of that, and a corner where it is
+nearest to the corner. A straight side touches it from outside, where the curve runs along it.
+Points of the plane are complex numbers here.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from sandbox.model.expressions import Values
+from sandbox.model.shapes import Curve
+from sandbox.model.wires import along
+from sandbox.physics.geometry import arcs
+from sandbox.physics.geometry.arcs import THIN, Arc, Piece, Placed, Touch, Verdict, put
+from sandbox.physics.geometry.distance import dot
+from sandbox.physics.geometry.plane_curve import Course, Foot, Side
+
+CENTRED = 1e-3
+"""The share of the radius of curvature by which the middle of what touches a curve from inside
+stays clear of the centre of curvature, and is followed."""
+
+DEEP = 0.5
+"""The share of its width by which a side may be too deep in a curve, and still touch it."""
+
+
+def course_of(curve: Curve, values: Values) -> Course:
+    """Return the course of a curve, in the axes of its body."""
+    return Course(along(curve, values))
+
+
+def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
+    """Return how two shapes touch, of which pymunk says that they overlap.
+
+    Parameters
+    ----------
+    one, other
+        The shapes.
+    at, there
+        Where their bodies are.
+    """
+    if one.curve:
+        return _touch(one.curve, other, at, there)
+    if other.curve:
+        return _touch(other.curve, one, there, at)
+    return arcs.verdict(one, other, at, there)
+
+
+def closest_circle(foot: Foot, half: float, body: int) -> Arc:
+    """Return the circle that is closest to a course at a point of it, as an arc of a thickness."""
+    radius = 1 / abs(foot.bend)
+    center = foot.point + 1j * foot.tangent / foot.bend
+    return Arc(body, center, radius, radius - half, radius + half, 1 + 0j, -2.0)
+
+
+def _touch(side: Side, other: Piece, at: Placed, there: Placed) -> Verdict:
+    core = [(put(there, corner) - at[0]) / at[1] for corner in other.core]
+    middle = sum(core) / len(core)
+    if other.corner is None and len(core) > 1:
+        return _flat(side, other, core, at)
+    point = middle if other.corner is None else (put(there, other.corner) - at[0]) / at[1]
+    foot = side.course.foot(point, side.stretch)
+    if foot is None:
+        return False
+    left = 1j * foot.tangent
+    hand = 1 if dot(middle - foot.point, left) >= 0 else -1
+    apart = hand * dot(point - foot.point, left)
+    depth = side.half + other.radius - apart
+    if depth <= 0 or (other.corner is not None and depth > abs(middle - point) + other.radius):
+        return False
+    inside = hand * foot.bend > 0
+    center = apart * abs(foot.bend) > 1 - CENTRED if inside else False
+    return Touch(
+        arc=closest_circle(foot, side.half, side.body),
+        body=other.body,
+        point=other.core[0] if other.corner is None else other.corner,
+        radius=other.radius,
+        depth=depth,
+        normal=hand * left * at[1],
+        on_arc=put(at, foot.point + hand * left * side.half),
+        on_other=put(at, point - hand * left * other.radius),
+        sign=0 if center else 1 if inside else -1,
+    )
+
+
+def _flat(side: Side, other: Piece, core: list[complex], at: Placed) -> Verdict:
+    """Return how the straight sides of a shape touch a stretch from outside."""
+    best: Touch | None = None
+    for a, b in _edges(core):
+        out = -1j * (b - a) / abs(b - a)
+        foot = side.course.parallel(-side.stretch.bend * 1j * out, side.stretch)
+        if foot is None:
+            continue
+        depth = side.half + other.radius - dot(foot.point - a, out)
+        wide = max(DEEP * max(dot(a - c, out) for c in core), THIN / abs(foot.bend))
+        share = dot(foot.point - a, b - a)
+        beside = 0 < share < dot(b - a, b - a)
+        if beside and 0 < depth < wide and (best is None or depth < best.depth):
+            on_other = a + (b - a) * share / dot(b - a, b - a) + out * other.radius
+            best = Touch(
+                arc=closest_circle(foot, side.half, side.body),
+                body=other.body,
+                point=0j,
+                radius=other.radius,
+                depth=depth,
+                normal=-out * at[1],
+                on_arc=put(at, foot.point - out * side.half),
+                on_other=put(at, on_other),
+                sign=0,
+            )
+    return best or False
+
+
+def _edges(core: list[complex]) -> Iterator[tuple[complex, complex]]:
+    """Yield the edges of a core counter-clockwise; a line has two, there and back."""
+    corners = np.array(core)
+    around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
+    for i, b in enumerate(core):
+        yield (core[i - 1], b) if around >= 0 else (b, core[i - 1])

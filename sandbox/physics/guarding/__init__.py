@@ -1,0 +1,1 @@
+"""What stops a run that has gone wrong, and knows the rate that it needs."""

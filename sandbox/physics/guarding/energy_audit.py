@@ -1,0 +1,93 @@
+"""Energy from nowhere where work is put in, and the energy of a scene may grow for a reason.
+
+What the reason is only the ledger knows, and it costs more than a step. So the books are opened
+when a step changes the kinetic energy by much, as whatever blows up does in every step, and closed
+when none does any more. The step that was the first to do so is booked as well.
+"""
+
+from math import isfinite
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.energy.balance import Balance
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.energy.step_record import Recorded
+from sandbox.physics.state.snapshot import Snapshot
+
+MUCH = 0.1
+"""The share of the most kinetic energy so far by which a step changes it, if that is much."""
+
+
+class Audit:
+    """Looks at every observed step of a run.
+
+    Parameters
+    ----------
+    run
+        Which, such as a world.
+    least
+        An energy that is nothing beside the scene [J].
+    swing
+        By how much the scheme lets energy swing.
+    always
+        Whether the books stay open: what grows slowly, swing by swing, does so in no row of steps.
+    """
+
+    def __init__(
+        self,
+        run: Recorded,
+        least: float,
+        swing: float,
+        always: bool,
+    ) -> None:
+        self._run, self._least, self._swing, self._always = run, least, swing, always
+        self._inertia = run.scene.inertia
+        self._kinetic, self._most = 0.0, least
+        self._books: Ledger | None = None
+        self._lifted = 0.0  # before they were opened
+        self._had = self._lowest = 0.0  # when they were opened: the energy; what was stored since
+
+    def look(self, now: Snapshot, before: Array, lifted: float) -> float:
+        """Return how much energy has come from nowhere in a row of steps that change much [J].
+
+        0 if it is no more than the scene could have, not finite if it is more than a number holds.
+
+        Parameters
+        ----------
+        now
+            The state.
+        before
+            (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        lifted
+            What taking back overlaps has put in since the start [J].
+        """
+        motion = np.column_stack((now.velocity, now.angular_velocity))
+        kinetic = float(np.sum(self._inertia * motion * motion)) / 2
+        if not isfinite(kinetic):
+            return kinetic
+        self._most = max(kinetic, self._most)
+        much = abs(kinetic - self._kinetic) > MUCH * self._most
+        self._kinetic = kinetic
+        if not (much or self._always):
+            self._books = None
+            self._lifted = lifted
+            return 0.0
+        if self._books is None or self._books.steps != self._run.last.steps - 1:
+            self._books = Ledger(self._run, before)
+            self._had = self._books.balance.energy
+            self._lowest = _stored(self._books.balance)
+        self._books.note()
+        return self._gained(self._books.balance, lifted - self._lifted)
+
+    def _gained(self, balance: Balance, lifted: float) -> float:
+        self._lowest = min(self._lowest, _stored(balance))
+        put_in = sum(max(work, 0.0) for work in balance.work.values())
+        there_was = self._had - self._lowest + put_in + lifted + self._least
+        given = sum(max(-loss, 0.0) for loss in balance.loss.values())  # by what can only take
+        gained = balance.unexplained - lifted + given
+        return gained if gained > there_was * self._swing else 0.0
+
+
+def _stored(balance: Balance) -> float:
+    return sum(balance.potential.values())

@@ -1,0 +1,176 @@
+"""Which rate a scene needs, from limits that are known without trying: those of its present state.
+
+Who looks for a rate begins with what the start asks for; what stops a run that goes wrong asks what
+was too strong for it.
+
+Leapfrog is stable up to ω dt = 2, for springs and for what swings between taut strings alike; what
+moves further than its own width in a step may pass through what it should hit.
+"""
+
+from collections.abc import Container, Iterator
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.geometry.distance import plain, width
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.stability_limits import PROBE, just_stable, limit
+from sandbox.physics.state.anchor import length
+from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.state.snapshot import Snapshot
+
+NUDGE = 1e-3
+"""The share of a velocity by which it is changed to see how a force changes with it."""
+
+SPEEDS = np.geomspace(1e-9, 1e9, 361)
+"""m/s, at which it is asked whether a law holds what drives a body: 12 % apart."""
+
+
+class Need(NamedTuple):
+    """A lower bound on the rate.
+
+    Attributes
+    ----------
+    rate
+        Which is just stable, or at which nothing is missed [Hz].
+    subject
+        What asks for it, in words: a joint, a body or an effect.
+    """
+
+    rate: float
+    subject: str
+
+
+def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Need]:
+    """Return what a scene asks of the rate in a state, the highest first.
+
+    A taut string is as stiff across as its tension over its length, so a chain whose links are
+    light asks for √(T / (m l)), about. Forces that are neither springs nor tensions are not looked
+    at. Tensions and speeds change: ask again, or leave room.
+
+    Parameters
+    ----------
+    scene, now
+        What moves, and how.
+    located
+        The bodies whose impacts are located in time, so that they may be fast.
+    """
+    fast = _fast(scene, now, located)
+    return sorted((*_springs(scene, now), *_taut(scene, now), *fast), reverse=True)
+
+
+def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
+    rate, name = limit(scene.joints.springs, scene.agility, now.angle)
+    if rate:
+        yield Need(rate, f"the spring '{name}'")
+
+
+def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
+    """Take taut joints for springs of the stiffness that they have across."""
+    joints = scene.joints
+    taut: dict[str, SpringForce] = {}
+    tension = dict(zip(joints.paths, now.tension.tolist(), strict=True))
+    for name in joints.lines:
+        pulls = tension[name]
+        for index, ends in enumerate(pairwise(joints.paths[name])):
+            far = float(length(ends, now))
+            if far > 0 and pulls > 0:
+                taut[f"{index} {name}"] = SpringForce(ends, pulls / far, far, 0.0)
+    rate, name = limit(taut, scene.agility, now.angle)
+    if rate:
+        yield Need(rate, f"the joint '{name.partition(' ')[2]}'")
+
+
+def _fast(scene: Scene, now: Snapshot, located: Container[str]) -> Iterator[Need]:
+    """Ask that bodies go no further than they are wide, unless their impacts are located."""
+    speeds = np.hypot(*now.velocity.T).tolist()
+    for (name, body), speed, moves in zip(
+        scene.bodies.items(), speeds, (scene.mass > 0).tolist(), strict=True
+    ):
+        wide = min(map(width, plain(body.shapes)), default=0.0)
+        if moves and wide > 0 and speed > 0 and name not in located:
+            yield Need(speed / wide, f"the body '{name}'")
+
+
+def steepness(scene: Scene, row: int, then: Motion, nudge: float) -> Iterator[Need]:
+    """Yield what the laws ask of the rate where they change with the place of a body.
+
+    Parameters
+    ----------
+    scene, then
+        What moves, and how.
+    row
+        The body.
+    nudge
+        By how far it is displaced to see how its forces change [m].
+    """
+    for law in scene.laws:
+        slope = _slope(scene, law, row, then, "position", nudge)
+        yield Need(just_stable(slope, 0.0), called(scene, law))
+
+
+def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
+    """Yield what the laws ask of the rate where they change with the velocity of a body.
+
+    It is taken as fast as it is, or as all else would drive it against the law, if that is more.
+    """
+    for law in scene.laws:
+        if law.needs_velocity:
+            motion = _driven(scene, law, row, Instant.of(then))
+            nudge = NUDGE * max(float(np.hypot(*motion.velocity[row])), PROBE)
+            slope = _slope(scene, law, row, motion, "velocity", nudge)
+            yield Need(just_stable(0.0, slope), called(scene, law))
+
+
+def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
+    """Return a motion in which a body is at least as fast as a law lets other forces drive it."""
+    speeds = np.zeros_like(motion.velocity)
+    at_rest = _force(law, row, motion._replace(velocity=speeds))
+    pull = sum((_force(other, row, motion) for other in scene.laws if other is not law), at_rest)
+    if scene.gravity:
+        pull = pull + scene.mass[row] * np.array(scene.gravity.acceleration)
+    for speed in SPEEDS[np.hypot(*motion.velocity[row]) < SPEEDS]:
+        speeds[row, 0] = speed
+        driven = motion._replace(velocity=speeds)
+        if np.hypot(*(_force(law, row, driven) - at_rest)) >= np.hypot(*pull):
+            return driven
+    return motion
+
+
+def _slope(scene: Scene, law: Law, row: int, then: Motion, what: str, nudge: float) -> float:
+    """Return the steepest change of a body's acceleration with its place or velocity.
+
+    0 where there is none, or none that is finite [1/s², 1/s].
+    """
+    slope = np.empty((2, 2))
+    motion = Instant.of(then)
+    for axis in (0, 1):
+        there = []
+        for sign in (-1, 1):
+            moved = getattr(motion, what).copy()
+            moved[row, axis] += sign * nudge
+            there.append(_force(law, row, motion._replace(**{what: moved})))
+        slope[axis] = (there[1] - there[0]) / (2 * nudge)
+    if not np.isfinite(slope).all():
+        return 0.0
+    return float(np.linalg.norm(slope, 2) * scene.agility[row, 0])
+
+
+def _force(law: Law, row: int, motion: Instant) -> Array:
+    """Return the force of a law on a body [N]: (2,)."""
+    wrench = np.zeros((len(motion.position), 3))
+    with np.errstate(all="ignore"):
+        law.add(motion, wrench)
+    return wrench[row, :2]
+
+
+def called(scene: Scene, law: Law) -> str:
+    """Return what declares a law, in words."""
+    for name, spring in scene.joints.springs.items():
+        if spring is law:
+            return f"the spring '{name}'"
+    return f"the effect '{law.effect}'"

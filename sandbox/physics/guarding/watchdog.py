@@ -1,0 +1,310 @@
+"""Stops a run that has gone wrong, says what did, and at which rate it should hold.
+
+It looks at what is observed anyway, and changes nothing. What makes a look dear, energies and the
+joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad: of
+them it asks only that everything is somewhere, and that their energy does not go on multiplying.
+"""
+
+from collections.abc import Callable
+from math import inf, isfinite
+from typing import NoReturn
+
+import numpy as np
+
+from sandbox.model import accounts
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Body, Level, Stepping
+from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.geometry.convex_decomposition import twice_area
+from sandbox.physics.guarding.energy_audit import Audit
+from sandbox.physics.guarding.energy_drift import Gains, kinetic
+from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.stability_limits import MARGIN, limit
+from sandbox.physics.state.errors import SimulationError, way_out
+from sandbox.physics.state.motion import Instant
+from sandbox.physics.state.snapshot import Snapshot
+
+EVERY = 8
+"""How many observations pass between two looks at energies and joints."""
+
+DEEP = 0.5
+"""The share of its thickness that a body may be within another."""
+
+HALFWAY = 0.5
+"""The share of what is allowed of it from which on a depth is watched: a body that is pressed
+through another is next seen on its far side, and less deep."""
+
+LITTLE = 0.01
+"""The same share, below which bodies do not overlap to speak of."""
+
+PARTED = 0.05
+"""The share of the thinnest body's thickness by which an exact joint may be off."""
+
+TURNS = "forces of contact and exact joints are found in turn here, and do not come to terms"
+"""What goes wrong where contacts are not solved directly: a heavy body on a light one."""
+
+UNNOTICED = 1e-3
+"""The share by which bodies may be deeper in each other than they were at the start."""
+
+DIVERGED = 1e4
+"""How many times the energy that there was Euler's schemes may make of it."""
+
+TIGHTEST = 1e-3
+"""What 1 − (ω dt / 2)² is at the least taken for."""
+
+NUDGE = 1e-6
+"""By how much a body is displaced to see how its force changes, of its thickness."""
+
+
+class Watchdog:
+    """Watches a world from its start; n bodies.
+
+    Parameters
+    ----------
+    level, values, stepping
+        What the world was built from.
+    scene
+        Its objects.
+    start, contacts
+        Its state at the start.
+    audit
+        Makes what looks for energy from nowhere in spite of the work that is put in.
+
+    Attributes
+    ----------
+    good
+        The last state in which all was well, as far as was looked.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        values: Values,
+        stepping: Stepping,
+        scene: Scene,
+        start: Snapshot,
+        contacts: Contacts,
+        audit: Callable[[float, float, bool], Audit],
+    ) -> None:
+        self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
+        self._strict, self._scheme = not stepping.as_it_comes, stepping.scheme
+        joined = scene.joints.together is not None and level.effects.contact is not None
+        self._turns = joined and scene.direct is None
+        self._thick = np.where(
+            scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
+        )
+        self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
+        self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
+        swing = self._swings(start) if self._strict else DIVERGED
+        thickness = np.where(np.isfinite(self._thick), self._thick, 0.0)
+        self._gains = Gains(scene, start, thickness, swing, stepping.rate)
+        self._closed = not accounts.works(level)
+        self._audit = None
+        if stepping.scheme != "fourth-order" and not self._closed:
+            self._audit = audit(self._gains.least, swing, not self._strict)
+        self._deep: dict[tuple[int, int], Array] = {}  # pairs deep in each other, and their normals
+        self._recent = [start]
+        self.good = start
+        if not isfinite(self._gains.energies(start)[0]):
+            self._refuse_beyond(int(np.argmax(kinetic(scene, start))), start)
+
+    def look(
+        self,
+        now: Snapshot,
+        contacts: Contacts,
+        before: Array,
+        *,
+        disturbed: bool,
+        cut: bool = False,
+    ) -> None:
+        """Look at what was observed.
+
+        Parameters
+        ----------
+        now, contacts
+            The observation.
+        before
+            (n, 3), the velocities that the last kick began with [m/s, rad/s].
+        disturbed
+            Whether a hand has given energy to the scene.
+        cut
+            Whether impacts have cut the last drift.
+
+        Raises
+        ------
+        SimulationError
+            If something is wrong: where it is nowhere, too deep in another, parted, or has energy
+            from nowhere.
+        """
+        self.good = self._recent[-1]
+        self._look_for_lost(now)
+        if self._strict and len(contacts.bodies):
+            self._look_for_sunk(now, contacts)
+        self._gains.follow(now, contacts, None if cut else before)
+        if self._audit and not disturbed:
+            self._refuse_if(now, self._audit.look(now, before, self._gains.lifted))
+        self._recent.append(now)
+        if len(self._recent) > EVERY:
+            self.good = self._recent[0]
+            if self._strict:
+                self._look_for_parted(now)
+            if self._closed and not disturbed:
+                self._refuse_if(now, self._gains.look(now))
+            self._recent = self._recent[-1:]
+
+    def _look_for_lost(self, now: Snapshot) -> None:
+        motion = now.position, now.velocity, now.angle, now.angular_velocity
+        if isfinite(sum(np.vdot(part, part) for part in motion)):  # no square is, if one is not
+            return
+        rows = np.column_stack(motion)
+        gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
+        if gone.any():
+            row = int(gone.argmax())
+            reason = f"the body '{self._names[row]}' is no longer anywhere finite"
+            cause, rate = self._without_value(row, now) or self._cause(row)
+            self._stop(row, now, f"{reason}{cause}", rate)
+        if lost.any():
+            self._refuse_beyond(int(lost.argmax()), now)
+
+    def _without_value(self, row: int, now: Snapshot) -> tuple[str, None] | None:
+        """Return the law that had no value any more, where or when a body had got to."""
+        before = self._recent[-1]
+        place = np.where(np.isfinite(now.position), now.position, before.position)
+        motion = Instant.of(before)._replace(t=now.t, position=place)
+        for law in self._scene.laws:
+            wrench = np.zeros((len(place), 3))
+            law.add(motion, wrench)
+            if not np.isfinite(wrench[row]).all():
+                return f": {called(self._scene, law)} has no finite value any more", None
+        return None
+
+    def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
+        """Stop, for a body's energy is beyond the largest number."""
+        name = self._names[row]
+        reason = f"'{name}' is so fast, so far away or so heavy that its energy is no finite number"
+        cause, rate = self._known_cause(row) or ("", None)
+        self._stop(row, now, f"{reason}{cause}", rate)
+
+    def _stop(self, row: int, now: Snapshot, reason: str, rate: float | None) -> NoReturn:
+        hint = "" if rate is None else way_out(rate, self._rate)
+        raise SimulationError(self._names[row], float(now.t), reason, rate, hint=hint)
+
+    def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
+        depth = self._depth(contacts)
+        worst = int(depth.argmax())
+        if depth[worst] > self._deepest:
+            told = f"{contacts.depth[worst]:.3g} m deep in '{{}}', more than half its thickness"
+            self._refuse_sunk(now, contacts.bodies[worst].tolist(), told)
+        was_deep, self._deep = self._deep, {}
+        if self._deepest > 1 or not (was_deep or depth[worst] > HALFWAY):
+            return
+        for pair, direction, deep in zip(
+            contacts.bodies.tolist(), contacts.direction, (depth > HALFWAY).tolist(), strict=True
+        ):
+            before = was_deep.get((pair[0], pair[1]))
+            if before is not None and before @ direction < 0:
+                self._refuse_sunk(now, pair, "pressed through '{}'")
+            if deep:
+                self._deep[pair[0], pair[1]] = direction
+
+    def _refuse_sunk(self, now: Snapshot, pair: list[int], told: str) -> NoReturn:
+        """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
+        a, b = sorted(pair, key=lambda row: float(self._thick[row]))
+        reason = f"'{self._names[a]}' is {told.format(self._names[b])}"
+        speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
+        way = DEEP * self._thick[a]
+        if speed > way * self._rate:
+            needed = 2 * speed / way
+            reason += f": at {speed:.3g} m/s a step is too long for it"
+        else:
+            needed = 4 * self._rate
+            reason += ": what presses on it is too much for the solver"
+        self._stop(a, now, reason, needed)
+
+    def _depth(self, contacts: Contacts) -> Array:
+        """Return how deep pairs are in each other, over what is allowed: (k,)."""
+        allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
+        return np.asarray(contacts.depth / allowed)
+
+    def _look_for_parted(self, now: Snapshot) -> None:
+        thin = self._thick.min(initial=inf)
+        name, gap = self._scene.joints.parting()
+        if gap > PARTED * thin:
+            reason = f"the joint '{name}' has parted by {gap:.3g} m"
+            hint = "let bodies start apart, or give 'contact' a 'correction' of 0"
+            if self._turns and self._apart:
+                reason, hint = f"{reason}: {TURNS}", f"{hint}, or the 'solver' \"direct\""
+            else:
+                reason = f"{reason}: bodies that overlap are pushed apart against it"
+            raise SimulationError(name, float(now.t), reason, hint=hint)
+
+    def _refuse_if(self, now: Snapshot, gained: float) -> None:
+        """Stop if energy has come from nowhere [J]."""
+        if gained:
+            self._refuse(now, gained)
+
+    def _refuse(self, now: Snapshot, gained: float) -> NoReturn:
+        """Stop, for so much energy has come from nowhere [J]."""
+        row = int(np.argmax(kinetic(self._scene, now)))
+        if not isfinite(gained):
+            self._refuse_beyond(row, now)
+        name = self._names[row]
+        reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
+        cause, rate = self._cause(row)
+        self._stop(row, now, f"{reason}{cause}", rate)
+
+    def _swings(self, start: Snapshot) -> float:
+        """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
+        needed, _ = limit(self._scene.joints.springs, self._scene.agility, start.angle)
+        return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
+
+    def _cause(self, row: int) -> tuple[str, float | None]:
+        """Return the force that was too strong for a body, and the rate that it needs [Hz]."""
+        if not self._strict:
+            return f": the scheme '{self._scheme}' gives some in every step", None
+        if known := self._known_cause(row):
+            return known
+        return f": {TURNS}" if self._turns else "", MARGIN * self._rate
+
+    def _known_cause(self, row: int) -> tuple[str, float] | None:
+        worst = max(self._blamed(row), default=None)
+        if worst is None:
+            return None
+        needed = MARGIN * worst.rate
+        cause = f"{worst.subject} changes too fast for a step"
+        return f": {cause}", needed
+
+    def _blamed(self, row: int) -> list[Need]:
+        """Return what asked for more than the rate, with room to spare.
+
+        A force of places does so wherever it was steepest. What grows as the velocities do, has
+        grown because of what went wrong: it is looked at where all was still well, in the forces
+        of the end.
+        """
+        nudge = NUDGE * min(float(self._thick[row]), 1.0)
+        found = [n for then in self._recent for n in steepness(self._scene, row, then, nudge)]
+        well, t = self._recent[0], self._recent[-1].t
+        motion = Instant.of(well)._replace(t=t)
+        found += slowing(self._scene, row, motion)
+        return [need for need in found if MARGIN * need.rate > self._rate]
+
+
+def _thickness(body: Body, values: Values) -> float:
+    """Return how thick a body is [m]; a line has no thickness to speak of."""
+    match body.shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return 2 * radius(values)
+        case Box(width=width, height=height):
+            return min(width(values), height(values))
+        case Polygon():
+            corners = np.array(local_points(body, values))
+            return float(abs(twice_area(corners)) / _around(corners)) * 2
+        case Segment() | Polyline() | Arc() | Curve():
+            return inf
+
+
+def _around(corners: Array) -> float:
+    return float(np.hypot(*(np.roll(corners, -1, axis=0) - corners).T).sum())

@@ -1,0 +1,1 @@
+"""What joins bodies: exactly, as pymunk does, or as one."""

@@ -1,0 +1,105 @@
+"""Bodies that become one: welded by the level, or stuck to each other at their first touch."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pymunk
+
+from sandbox.physics.engine.batch import Contacts, Integers
+
+if TYPE_CHECKING:
+    from sandbox.model.shapes import XY
+
+
+class Solids:
+    """Which bodies are parts of one solid; such do not touch each other.
+
+    Attributes
+    ----------
+    pairs
+        (k, 2), those that were joined, as numbers.
+    """
+
+    def __init__(self, bodies: Mapping[str, pymunk.Body]) -> None:
+        self.pairs: Integers = np.empty((0, 2), dtype=np.intp)
+        self._bodies = bodies
+        self._parts = {name: {name} for name in bodies}
+        self._numbers = {name: number for number, name in enumerate(bodies, 1)}
+
+    def join(self, a: str, b: str) -> bool:
+        """Make two bodies parts of one solid, and tell whether they were not yet."""
+        if b in self._parts[a]:
+            return False
+        joined = self._numbers[a] - 1, self._numbers[b] - 1
+        self.pairs = np.concatenate((self.pairs, np.array([joined], dtype=np.intp)))
+        parts = self._parts[a] | self._parts[b]
+        group = self._numbers[a]
+        for name in parts:
+            self._parts[name] = parts
+            for shape in self._bodies[name].shapes:
+                shape.filter = shape.filter._replace(group=group)
+        return True
+
+
+class Touches:
+    """Watches pairs of bodies for their first touch; pymunk leaves that impact to others.
+
+    Parameters
+    ----------
+    space
+        Where they move.
+    names
+        Of the bodies; the collision type of each is its number, counted from 1.
+    pairs
+        Whom to watch.
+
+    """
+
+    def __init__(
+        self, space: pymunk.Space, names: Sequence[str], pairs: Sequence[tuple[str, str]]
+    ) -> None:
+        self._index = {name: i for i, name in enumerate(names)}
+        self._met: dict[tuple[str, str], tuple[XY, XY]] = {}
+        self._latest: dict[tuple[str, str], tuple[XY, XY]] = {}
+        for pair in pairs:
+            a, b = (self._index[name] + 1 for name in pair)
+            space.on_collision(a, b, begin=partial(self._begin, pair))
+
+    def _begin(
+        self, pair: tuple[str, str], arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object
+    ) -> None:
+        arbiter.process_collision = False
+        contact = arbiter.contact_point_set
+        self._met[pair] = contact.normal, contact.points[0].point_a
+
+    @property
+    def latest(self) -> Iterable[tuple[str, str]]:
+        """The pairs that met in the last step."""
+        return self._latest
+
+    def end_step(self) -> None:
+        """Turn to the pairs that have met since this was last called."""
+        self._latest, self._met = self._met, {}
+
+    def with_latest(self, contacts: Contacts) -> Contacts:
+        """Return the contacts of a step and those of the pairs that met in it, without forces."""
+        if not self._latest:
+            return contacts
+        bodies = [[self._index[name] for name in pair] for pair in self._latest]
+        normals, points = zip(*self._latest.values(), strict=True)
+        none = np.zeros(len(bodies))
+        places = np.full((len(bodies), 2, 2), np.nan)
+        places[:, 0] = points
+        return Contacts(
+            np.concatenate((contacts.bodies, np.array(bodies, dtype=np.intp))),
+            np.append(contacts.first, np.full(len(bodies), fill_value=True)),
+            np.concatenate((contacts.direction, normals)),
+            np.append(contacts.normal, none),
+            np.append(contacts.friction, none),
+            np.append(contacts.touches, np.ones(len(bodies), dtype=np.intp)),
+            np.concatenate((contacts.points, places)),
+            np.append(contacts.impulse, np.zeros((len(bodies), 2)), axis=0),
+            np.append(contacts.depths, np.zeros((len(bodies), 2)), axis=0),
+        )

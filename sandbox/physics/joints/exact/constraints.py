@@ -1,0 +1,117 @@
+"""What an exact joint says: equations between the coordinates of bodies.
+
+The plane is complex here: a point is x + iy, and dC = Re(conj(J) dz) + K dθ.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.expressions import Array
+from sandbox.physics.state.anchor import Plane
+
+MAX_ITERATIONS = 25
+QUADRATIC = 1e-8
+"""m, below which one more of Newton's steps leaves nothing but rounding."""
+
+PLACES = 4e-16
+"""How well places are known, of themselves, where velocities are chosen by them."""
+
+
+@dataclass(slots=True)  # not frozen: some are made in every step
+class Coordinates:
+    """Places or velocities of all N bodies, the plane itself last.
+
+    Attributes
+    ----------
+    values
+        (3 N,), x and y of each body, then the angle of each.
+    """
+
+    values: Array
+
+    @classmethod
+    def of(cls, plane: Plane, angle: Array) -> "Coordinates":
+        """Return those of bodies in the plane and in the angle: (N,) each."""
+        return cls(np.concatenate((plane.view(float), angle)))
+
+    @property
+    def plane(self) -> Plane:
+        """In the plane: (N,)."""
+        return planes(self.values)
+
+    @property
+    def angle(self) -> Array:
+        """In the angle: (N,)."""
+        return angles(self.values)
+
+
+class Rows(NamedTuple):
+    """What rows add up to (m,), and their gradients in the coordinates (m, 3 N)."""
+
+    total: Array
+    gradient: Array
+
+
+def planes(values: Array) -> Plane:
+    """Return what of coordinates, or of gradients in them, is in the plane: (..., N)."""
+    return values[..., : values.shape[-1] // 3 * 2].view(complex)
+
+
+def angles(values: Array) -> Array:
+    """Return what of coordinates, or of gradients in them, is in the angle: (..., N)."""
+    return values[..., values.shape[-1] // 3 * 2 :]
+
+
+@cache
+def order(count: int) -> NDArray[np.intp]:
+    """Return where the coordinates of bodies stand, body by body, without the plane: (n, 3)."""
+    body = np.arange(count)
+    places = np.stack((2 * body, 2 * body + 1, 2 * (count + 1) + body), axis=1)
+    places.setflags(write=False)
+    return places
+
+
+class Share(NamedTuple):
+    """How an equation changes with one body's place and angle."""
+
+    body: int
+    """its number; −1 is the plane itself"""
+    plane: complex
+    angle: float
+
+
+class Condition(Protocol):
+    """Something that keeps a value, C(q) = `length`; its unit is a length, or a multiple of one."""
+
+    @property
+    def joint(self) -> str:
+        """The name of the joint it belongs to."""
+        ...
+
+    @property
+    def length(self) -> float:
+        """The value that it keeps."""
+        ...
+
+    @property
+    def changing(self) -> Callable[[float], float] | None:
+        """What is to be added to that value at a time; None if it stays."""
+        ...
+
+    @property
+    def pulls_only(self) -> bool:
+        """Whether the value may also be smaller, as the length of a rope."""
+        ...
+
+
+class Equation(Condition, Protocol):
+    """A condition that knows its own value and gradient."""
+
+    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+        """Return the value somewhere, and its gradient there."""
+        ...

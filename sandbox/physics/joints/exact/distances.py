@@ -1,0 +1,128 @@
+"""Rods, ropes, strings and pivots: sums of lengths, all of a scene in a few array operations."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.constraints import Coordinates, Rows
+from sandbox.physics.state.anchor import Anchor, Plane
+
+TINY = 1e-300
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One equation between coordinates: a sum of lengths is a given length.
+
+    Attributes
+    ----------
+    joint
+        The name of the joint it belongs to.
+    reaches
+        The pieces whose lengths add up, each between two ends.
+    length
+        What they add up to [m].
+    changing
+        What is to be added to the length at a time [m]; None if it stays.
+    pulls_only
+        Whether the row may also be shorter, as a rope.
+    along
+        A direction of the plane: its component of the one reach counts instead of its length.
+    """
+
+    joint: str
+    reaches: Sequence[tuple[Anchor, Anchor]]
+    length: float
+    changing: Callable[[float], float] | None = None
+    pulls_only: bool = False
+    along: complex | None = None
+
+
+class Reaches:
+    """The pieces of all rows; they are the first of m rows, and the rest is left at zero.
+
+    Parameters
+    ----------
+    rows
+        Whose pieces they are.
+    shape
+        How many rows and bodies there are in all, the plane itself among these.
+    inverse_moment
+        (n + 1,), of the bodies and the plane [1/(kg m²)].
+    turns
+        Whether angles count in any case.
+    """
+
+    def __init__(
+        self, rows: Sequence[Row], shape: tuple[int, int], inverse_moment: Array, *, turns: bool
+    ) -> None:
+        count = shape[1]
+        self._shape = shape[0], 3 * count
+        reaches = [(i, a, b) for i, row in enumerate(rows) for a, b in row.reaches]
+        self._row = np.array([i for i, _, _ in reaches], dtype=np.intp)
+        self._body, self._point = _ends(
+            [a for _, a, _ in reaches] + [b for _, _, b in reaches], count
+        )
+        self._half = len(reaches)
+        self._offset = self._point[self._half :] - self._point[: self._half]
+        self._single = self._half == len(rows) == shape[0]
+        self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
+        self._across = self._along.conj()
+        self._component = self._along != 0
+        self._has_lengths = not self._component.all()
+        self._has_components = bool(self._component.any())
+        levers = np.abs(self._point) * inverse_moment[self._body]
+        # without a lever a point that is off the centre still needs the angle, once it is not 0
+        off = self._point[self._body < count - 1].any()
+        self._turns = turns or bool(levers.any() or off)
+        self._into = self._places(3 * count, count)
+        self._apart = len(np.unique(self._into)) == len(self._into)
+
+    def _places(self, width: int, count: int) -> NDArray[np.intp]:
+        """Return where in the gradients the ends belong: x and y of each, then the angles."""
+        start = np.tile(self._row, 2) * width
+        plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
+        return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
+
+    def look(self, place: Coordinates) -> Rows:
+        """Return what the rows add up to somewhere, and their gradients there."""
+        gradient = np.zeros(self._shape)
+        if not self._half:
+            return Rows(np.zeros(self._shape[0]), gradient)
+        ends = place.plane[self._body]
+        if self._turns:
+            arm = self._point * np.exp(1j * place.angle)[self._body]
+            ends += arm
+            length, unit = self._measure(ends[self._half :] - ends[: self._half])
+            both = np.concatenate((-unit, unit))
+            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag))
+        else:
+            length, unit = self._measure(ends[self._half :] - ends[: self._half] + self._offset)
+            slopes = np.concatenate((-unit, unit)).view(float)
+        if self._apart:
+            gradient.reshape(-1)[self._into] = slopes
+        else:
+            np.add.at(gradient.reshape(-1), self._into, slopes)
+        total: Array = length
+        if not self._single:
+            total = np.bincount(self._row, length, self._shape[0]).astype(float)
+        return Rows(total, gradient)
+
+    def _measure(self, reach: Plane) -> tuple[Array, Plane]:
+        """Return the lengths or components of the pieces, and the directions they change in."""
+        if not self._has_lengths:
+            return (reach * self._across).real, self._along
+        length = np.abs(reach)
+        unit = reach / np.maximum(length, TINY)
+        if self._has_components:
+            unit = np.where(self._component, self._along, unit)
+            length = np.where(self._component, (reach * self._across).real, length)
+        return length, unit
+
+
+def _ends(anchors: Sequence[Anchor], count: int) -> tuple[NDArray[np.intp], Plane]:
+    bodies = [count - 1 if anchor.body is None else anchor.body for anchor in anchors]
+    return np.array(bodies, dtype=np.intp), np.array([a.point for a in anchors], dtype=complex)

@@ -1,0 +1,71 @@
+"""The pull of exact joints on bodies between two kicks, where impacts change it.
+
+A rod turns with the ball that hangs on it, and an impact makes it pull otherwise at once: one that
+stops the ball leaves nothing of v² / l. So the force of a joint is taken along where it is, not
+along where it was at the last kick; and after an impact it is that with which the joints hold from
+there.
+"""
+
+from functools import cached_property
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+
+class Grip:
+    """What exact joints do to n bodies from one kick to the next.
+
+    Parameters
+    ----------
+    joints
+        Those of the scene.
+    agility
+        (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
+    place
+        (n, 3), where the bodies are at the kick [m, rad].
+    """
+
+    def __init__(self, joints: ExactJoints, agility: Array, place: Array) -> None:
+        self._joints, self._agility = joints, agility
+        self._tension = joints.tension
+        self._place = place
+
+    @cached_property
+    def _begun(self) -> Array:
+        """The accelerations by the joints at the kick, or right after the last impact: (n, 3)."""
+        return self._pull(self._place)
+
+    def change(self, place: Array) -> Array:
+        """Return how accelerations change from the kick, or the last impact, to a place: (n, 3)."""
+        return self._pull(place) - self._begun
+
+    def renew(self, place: Array, velocity: Array, pull: Array, struck: Booleans) -> Array:
+        """Return how the accelerations of those that are struck change by it: (n, 3).
+
+        Parameters
+        ----------
+        place, velocity
+            (n, 3), right after the impact [m, rad, m/s, rad/s].
+        pull
+            (n, 3), the accelerations before it, joints included [m/s², rad/s²].
+        struck
+            (n,), which bodies it has reached.
+
+        Raises
+        ------
+        JointFailure
+            If joints cannot be kept.
+        """
+        tension = self._joints.hold(place, velocity, pull - self._begun)
+        reached = self._joints.gradients(place)[:, struck].any(axis=(1, 2))
+        self._tension = np.where(reached, tension, self._tension)
+        change = np.where(struck[:, None], self.change(place), 0.0)
+        self._begun = self._begun + change
+        return change
+
+    def _pull(self, place: Array) -> Array:
+        """Return the accelerations by the joints somewhere: (n, 3)."""
+        return self._joints.pulls(self._tension, self._joints.at(place)) * self._agility

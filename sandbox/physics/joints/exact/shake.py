@@ -1,0 +1,633 @@
+"""Exact joints, solved together at position level.
+
+Every joint contributes equations C(q) = 0 over the bodies' coordinates q = (x, y, θ). The impulses
+λ along their gradients at the step are chosen so that they hold *after the next drift*,
+
+    C(q + h (v − M⁻¹ J(q)ᵀ λ)) = 0,
+
+which is the constrained form of leapfrog (SHAKE; Ryckaert, Ciccotti and Berendsen 1977): second
+order, time reversible, and the joints hold to rounding at every step. Newton's method solves the
+equations together, so that a chain is as stiff with a heavy load at its end as without.
+"""
+
+from collections.abc import Sequence
+from copy import copy
+from math import isfinite
+from typing import TypeVar, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Batch, Booleans
+from sandbox.physics.joints.exact.angles import Turn
+from sandbox.physics.joints.exact.constraints import (
+    MAX_ITERATIONS,
+    QUADRATIC,
+    Condition,
+    Coordinates,
+    Equation,
+    Rows,
+    angles,
+    order,
+    planes,
+)
+from sandbox.physics.joints.exact.distances import Reaches, Row
+from sandbox.physics.joints.exact.separate_rods import Rod, are_apart
+from sandbox.physics.state.errors import JointFailure
+
+MOMENT = 1e-3
+"""The share of a drift over which directions are followed, before and after a step: its square is
+nothing, and what it is divided by not yet rounding."""
+
+TAUT = 1e-12
+"""m, by which a rope that does not pull may be too long: the rounding of its length."""
+
+SINGULAR = 1e-10
+"""The smallest singular value, over the largest, of joints that do not repeat each other."""
+
+LOCKED = 0.1
+"""The same, over what it was at the start, of joints that have come to work against each other."""
+
+GROWS = 1.1
+"""How many times its kinetic energy a kick may leave with joints, of what it would leave without
+them: they give none but for what a step is too long for. Seen are 1.06 where errors are of second
+order, and 4 and more where Newton's method has come to another solution."""
+
+SMOOTH = 0.5
+"""ω dt of the fastest swing under tension at the rate that is advised."""
+
+NUDGE = 1e-6
+"""m, rad, by which coordinates are changed to see how the pull of joints changes."""
+
+Number = TypeVar("Number", float, Array)
+
+
+class ExactJoints:
+    """All exact joints of a scene, as they are solved in a step; n bodies, m equations.
+
+    Sums of lengths, the rows, are looked at together; the other equations one by one.
+
+    Parameters
+    ----------
+    rows, others
+        The equations, whose points of the plane are counted from the origin.
+    batch
+        Reads and writes the bodies.
+    inverse_mass, inverse_moment
+        (n,), 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
+    origin
+        From where places are counted [m].
+
+    Attributes
+    ----------
+    tension
+        (m,), the force along each row in the last kick [N]; positive where it pulls.
+    parts
+        How many kicks a step has: the same one of the steps before tells what to expect of each.
+    inverse
+        (3 N,), one over the mass or moment of each coordinate, the plane's last.
+    bodies
+        Those that each equation is about; the plane is the last of all, or −1.
+    origin
+        From where places are counted [m].
+    alike
+        (m,), the first of the equations of its joint, or of those of them that keep an angle: each
+        its own. What a pin keeps it keeps along two axes.
+    added
+        (m,), which equations have joined since the last kick.
+    kick, drift
+        How long the next kick lasts, and the drift that follows it [s].
+    """
+
+    def __init__(
+        self,
+        rows: Sequence[Row],
+        others: Sequence[Equation],
+        batch: Batch,
+        inverse_mass: Array,
+        inverse_moment: Array,
+        origin: complex = 0j,
+    ) -> None:
+        self._batch, self.origin = batch, origin
+        # one body more: the plane itself, which nothing moves
+        self._inverse_moment = np.append(inverse_moment, 0.0)
+        self.inverse = np.concatenate(
+            (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
+        )
+        some = self.inverse > 0
+        self._inertia = np.where(some, 1 / np.where(some, self.inverse, 1.0), 0.0)
+        self._order = order(len(inverse_mass))
+        start = 3 * len(self._inverse_moment)
+        self._of_state = np.concatenate((self._order, self._order + start), axis=1).ravel()
+        self._lay_out(rows, others)
+        self._length = np.array([equation.length for equation in (*rows, *others)])
+        self._taut = ~self._pulls_only
+        self.bodies = [self._held_by(equation) for equation in (*rows, *others)]
+        self.added = np.zeros_like(self._taut)
+        self.tension = np.zeros_like(self._length)
+        self.parts = 1
+        self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
+        self._warm = self._cold  # impulses that have acted in this kick already
+        self._struck = False
+        self.kick = self.drift = 0.0
+
+    def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Make the tables of all equations, the rows first."""
+        equations: tuple[Condition, ...] = (*rows, *others)
+        self._equations = rows, others
+        self._joints = [equation.joint for equation in equations]
+        turns = [isinstance(equation, Turn) for equation in equations]
+        self._pulling, self._turning = (_by_joint(equations, turns, way) for way in (False, True))
+        self.alike = np.arange(len(equations))
+        for held in self._pulling.values():
+            self.alike[held] = held[:1]
+        self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
+        self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
+        self._unilateral = bool(self._pulls_only.any())
+        self._cold = np.zeros(len(equations))
+        shape = (len(equations), len(self._inverse_moment))
+        self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
+        self._others = list(enumerate(others, len(rows)))
+        inverse = self.inverse[: 2 * shape[1] : 2]
+        apart = rows if are_apart(equations, inverse) else ()
+        self._rods = [Rod(row, self._batch, inverse, self.origin) for row in apart]
+        self._fresh = True
+        self._independence = 1.0  # the smallest singular value over the largest, at the start
+
+    def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
+        """Take on more equations; what they stop at once is an impact, over with the next kick."""
+        old_rows, old_others = self._equations
+        where = [len(old_rows)] * len(rows) + [len(self._length)] * len(others)
+        lengths = [equation.length for equation in (*rows, *others)]
+        self._length = np.insert(self._length, where, lengths)
+        self._taut = np.insert(self._taut, where, values=True)
+        self._past = [np.insert(tension, where, 0.0) for tension in self._past]
+        self._warm = np.insert(self._warm, where, 0.0)
+        self.added = np.insert(np.zeros_like(self.added), where, values=True)
+        self._lay_out((*old_rows, *rows), (*old_others, *others))
+        self.bodies = [self._held_by(e) for part in self._equations for e in part]
+        self._struck = True
+
+    def _held_by(self, equation: Condition) -> NDArray[np.intp]:
+        """Return which bodies an equation is about."""
+        if isinstance(equation, Row):
+            ends = [end.body for reach in equation.reaches for end in reach]
+            return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
+        _, shares = copy(cast("Equation", equation)).look(self.place())
+        return np.array([share.body for share in shares], dtype=np.intp)
+
+    def expected(self) -> tuple[Array, Booleans]:
+        """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
+        last = self._past[0] if self._past else self._cold
+        return np.where(self._taut, last, 0.0), self._taut
+
+    def check(self) -> None:
+        """Refuse equations that repeat each other, where that has not been looked at yet.
+
+        Raises
+        ------
+        JointFailure
+            If some do.
+        """
+        if self._fresh and self._joints:
+            here = self._glance(self.place())
+            self._check_independent(here, here.gradient * self.inverse, self._length)
+
+    def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
+        """Take up the forces of a kick that was solved elsewhere, and what held in it: (m,).
+
+        After an impact they tell nothing of the next kick.
+        """
+        self.tension, self._taut = tension, taut
+        last = self._past[: 3 * self.parts - 1]
+        self._past = [] if struck else [tension, *last]
+        self._struck, self._fresh = False, False
+        self.added = np.zeros_like(taut)
+
+    def place(self) -> Coordinates:
+        """Return where everything is."""
+        return self.coordinates()[0]
+
+    def at(self, place: Array) -> Coordinates:
+        """Return a place, (n, 3), as the equations have it: counted from the origin."""
+        found = _coordinates(place)
+        found.plane[:-1] -= self.origin
+        return found
+
+    def force(self, name: str) -> float:
+        """Return the force with which a joint pulled in the last kick [N]."""
+        rows = self._pulling[name]
+        return float(self.tension[rows[0]] if len(rows) == 1 else np.hypot(*self.tension[rows]))
+
+    def torque(self, name: str) -> float:
+        """Return the torque of a joint on its second body in the last kick [N m].
+
+        0 of one that keeps no angle, or is solved elsewhere.
+        """
+        return -float(sum(self.tension[row] for row in self._turning.get(name, ())))
+
+    def time(self, kick: float, drift: float) -> None:
+        """Set how long the next kicks last, and the drift that follows each [s]."""
+        self.kick, self.drift = kick, drift
+
+    def refit(self, t: float) -> None:
+        """Take the present lengths as those that hold from a time on [s]."""
+        place, _ = self.coordinates()
+        self._length = np.zeros_like(self._length)
+        self._length = self.look(place).total - self.lengths(t)
+        self.tension = np.zeros_like(self._length)
+        self._past = []
+        self._taut = ~self._pulls_only
+        self._fresh = True
+
+    def pull(self, wrench: Array) -> None:
+        """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
+        steady = self._past[0] if self._past else self.tension
+        self._warm = steady * self.kick
+        wrench += self.pulls(steady, self.place())
+
+    def pulls(self, tension: Array, place: Coordinates) -> Array:
+        """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
+        return -(tension @ self.look(place).gradient)[self._order]
+
+    def stiff(self, place: Array | None = None) -> Array:
+        """Return the gradients of what can push as well as pull, as below: (m, n, 3)."""
+        return self.gradients(place)[~self._pulls_only]
+
+    def gradients(self, place: Array | None = None) -> Array:
+        """Return how the rows change with the places and angles of the bodies: (m, n, 3).
+
+        Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
+        """
+        here = self._glance(self.place() if place is None else self.at(place))
+        return here.gradient[:, self._order]
+
+    @property
+    def pulls_only(self) -> Booleans:
+        """Which rows can only pull: (m,)."""
+        return self._pulls_only
+
+    @property
+    def changes(self) -> Booleans:
+        """Which rows are of a length that changes with time: (m,)."""
+        changes = np.zeros(len(self._length), dtype=bool)
+        changes[[row for row, _ in self._changing]] = True
+        return changes
+
+    def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
+        """Return velocities and accelerations where the bodies are, and take up the forces there.
+
+        The mean of the velocities before and after a kick has a part of second order across the
+        joints; without it J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over a
+        kick, and of second order as well; that which acts at the step itself keeps J v = 0 on:
+
+            J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
+
+        Not for joints that change with time.
+
+        Parameters
+        ----------
+        mean
+            (n, 3), of the velocities [m/s, rad/s].
+        smooth
+            (n, 3), the accelerations by all else [m/s², rad/s²].
+        """
+        place, _ = self.coordinates()
+        gradient = self._glance(place).gradient
+        reply = gradient * self.inverse
+        slope, free = gradient @ reply.T, _coordinates(mean).values
+        moves = free - _solved(slope, gradient @ free) @ reply
+        way = MOMENT * abs(self.drift) * moves
+        ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
+        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self.drift))
+        driven = _coordinates(smooth).values
+        self.tension = _solved(slope, gradient @ driven + turning)
+        return moves[self._order], (driven - self.tension @ reply)[self._order]
+
+    def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
+        """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
+
+        Ropes stay slack or taut, and what changes with time pulls on as it did.
+
+        Parameters
+        ----------
+        place, velocity
+            (n, 3), where the drift would start [m, rad, m/s, rad/s].
+        pull
+            (n, 3), the accelerations by all else [m/s², rad/s²].
+
+        Raises
+        ------
+        JointFailure
+            If there are none.
+        """
+        if not self._joints:
+            return self.tension
+        half = self.drift / 2
+        begin = self.at(place)
+        with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
+            impulse, _, _ = self._newton(
+                begin,
+                _coordinates(velocity + pull * half),
+                self.look(begin).gradient * self.inverse,
+                self._length,
+                self.tension * half,
+                ~self._taut | self.changes,
+            )
+        return np.where(self._pulls_only, np.maximum(impulse, 0.0), impulse) / half
+
+    def solve(self, until: float) -> None:
+        """Find the impulses that keep the joints through the next drift, and apply them.
+
+        Parameters
+        ----------
+        until
+            The time at the end of that drift [s].
+
+        Raises
+        ------
+        JointFailure
+            If there are none: the joints contradict or repeat each other, or the step is too long
+            for what they carry.
+        """
+        if not self._joints:
+            return
+        apart = self._rods and not self._fresh
+        self.tension = self._solve_apart(until) if apart else self._solve_together(until)
+        last = self._past[: 3 * self.parts - 1]
+        self._past = self._past[:1] if self._struck else [self.tension, *last]
+        self._struck = False
+        self._warm = self._cold
+        self.added = np.zeros_like(self._taut)
+
+    def _solve_apart(self, until: float) -> Array:
+        """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
+        past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
+        warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
+        for i, rod in enumerate(self._rods):
+            expected = _parabola([tension[i] for tension in past]) if past else 0.0
+            guess = expected * self.kick - warm[i]
+            try:
+                impulse = rod.solve(length[i], guess, self.drift)
+            except ZeroDivisionError:
+                raise self.lost(i) from None
+            found.append((warm[i] + impulse) / self.kick)
+        return np.array(found)
+
+    def _solve_together(self, until: float) -> Array:
+        """Solve all equations at once; return the forces along them: (m,) [N]."""
+        place, motion = self.coordinates()
+        here = self.look(place)
+        reply = here.gradient * self.inverse
+        length = self.lengths(until)
+        if self._fresh:
+            self._check_independent(here, reply, length)
+        impulse, moved = self._settle(place, motion, reply, length)
+        free = motion.values + self._warm @ reply
+        self.refuse_gain(free, moved, -(self._warm + impulse) * (here.gradient @ (free + moved)))
+        self._batch.set_velocity(moved[self._order])
+        return (self._warm + impulse) / self.kick
+
+    def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
+        """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
+
+        Parameters
+        ----------
+        free, moved
+            (3 N,), the velocities without their impulses, and with them [m/s, rad/s].
+        work
+            (m,), of each row, or as much as it [J].
+
+        Raises
+        ------
+        JointFailure
+            If they do; it names the one that gave most.
+        """
+        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2
+        if self._driven(free):
+            return
+        if self._kinetic(moved) > GROWS * self._kinetic(free) + rounding:
+            raise self.lost(int(np.argmax(work)))
+
+    def _kinetic(self, motion: Array) -> float:
+        """Return twice the kinetic energy of velocities (3 N,) [J]."""
+        return float((motion * motion).dot(self._inertia))
+
+    def lengths(self, t: float) -> Array:
+        """Return what each equation keeps at a time [s]: (m,) [m, rad]."""
+        if not self._changing:
+            return self._length
+        length = self._length.copy()
+        for i, changing in self._changing:
+            length[i] += changing(t)
+            if not isfinite(length[i]):
+                name = self._joints[i]
+                raise JointFailure(
+                    name, f"what '{name}' keeps has no finite value at t = {t:.3g} s"
+                )
+        return length
+
+    def coordinates(self) -> tuple[Coordinates, Coordinates]:
+        """Return where everything is and how it moves, the plane itself last."""
+        values = np.zeros((2, len(self.inverse)))
+        values.reshape(-1)[self._of_state] = self._batch.state().reshape(-1)
+        if self.origin:
+            planes(values[0])[:-1] -= self.origin
+        return Coordinates(values[0]), Coordinates(values[1])
+
+    def look(self, place: Coordinates) -> Rows:
+        """Return what the rows add up to somewhere, and their gradients there."""
+        return self._with_others(self._reaches.look(place), place, self._others)
+
+    def _glance(self, place: Coordinates) -> Rows:
+        """Return the same, and leave no trace: the next look is as if this had not been."""
+        others = [(row, copy(equation)) for row, equation in self._others]
+        return self._with_others(self._reaches.look(place), place, others)
+
+    def _with_others(
+        self, rows: Rows, place: Coordinates, others: Sequence[tuple[int, Equation]]
+    ) -> Rows:
+        if not others:
+            return rows
+        in_plane, in_angle = planes(rows.gradient), angles(rows.gradient)
+        for row, equation in others:
+            rows.total[row], shares = equation.look(place)
+            for body, plane, angle in shares:
+                in_plane[row, body] += plane
+                in_angle[row, body] += angle
+        return rows
+
+    def _check_independent(self, here: Rows, reply: Array, length: Array) -> None:
+        """Refuse rows that repeat each other at the start, as far as they are taut."""
+        self._fresh = False
+        taut = np.flatnonzero(here.total - length > -1e-9)
+        if not len(taut):
+            return
+        slope = (here.gradient @ reply.T)[np.ix_(taut, taut)]
+        if not slope.diagonal().all():
+            raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
+        self._independence, shares = _weakest(slope)
+        if self._independence < SINGULAR:
+            raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
+
+    def _settle(
+        self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
+    ) -> tuple[Array, Array]:
+        """Solve, and let go of ropes that would have to push, until none is left."""
+        past = self._past[self.parts - 1 :: self.parts]
+        expected = _parabola(past) if past else self._cold
+        guess = expected * self.kick - self._warm
+        for _ in range(MAX_ITERATIONS):
+            slack = ~self._taut if self._unilateral else None
+            start = guess if slack is None else np.where(slack, -self._warm, guess)
+            impulse, moved, excess = self._newton(place, motion, reply, length, start, slack)
+            if not self._unilateral:
+                return impulse, moved
+            pushes = self._pulls_only & self._taut & (self._warm + impulse < 0)
+            stretched = ~self._taut & (excess > TAUT)
+            if not (pushes.any() or stretched.any()):
+                return impulse, moved
+            self._taut = (self._taut & ~pushes) | stretched
+        raise self.lost(int(np.argmax(self._pulls_only)))
+
+    def _newton(
+        self,
+        place: Coordinates,
+        motion: Coordinates,
+        reply: Array,
+        length: Array,
+        impulse: Array,
+        slack: Booleans | None,
+    ) -> tuple[Array, Array, Array]:
+        """Return the impulses, the velocities after them, and all rows' excess.
+
+        They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
+        of what `@` takes.)
+        """
+        h = self.drift
+        for _ in range(MAX_ITERATIONS):
+            moved = motion.values - impulse.dot(reply)
+            there = self.look(Coordinates(place.values + h * moved))
+            excess = there.total - length
+            wrong, slope = excess, there.gradient.dot(reply.T)
+            if slack is not None and slack.any():
+                wrong = np.where(slack, 0.0, excess)
+                slope[slack] = 0.0
+                slope[slack, slack] = 1.0
+            try:
+                impulse = impulse + _solved(slope, wrong) / h
+            except np.linalg.LinAlgError:
+                raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
+            if wrong.dot(wrong) <= QUADRATIC**2:
+                return impulse, motion.values - impulse.dot(reply), excess
+        raise self.lost(int(np.argmax(np.abs(wrong))))
+
+    def lost(self, row: int) -> JointFailure:
+        """Say why there is no solution: the joints work against each other, or the step is long."""
+        place, motion = self.coordinates()
+        here, taut = self.look(place), np.flatnonzero(self._taut)
+        slope = self._answers(here)[np.ix_(taut, taut)]
+        finer = self._finer(place)
+        if slope.any() and np.isfinite(slope).all():
+            independence, shares = _weakest(slope)
+            if independence < LOCKED * self._independence:
+                name = self._joints[taut[np.argmax(shares)]]
+                reason = (
+                    f"'{name}' and the joints beside it are stretched: none gives way in a step"
+                )
+                return JointFailure(name, reason, None if self._driven(motion.values) else finer)
+        name = self._joints[row]
+        reason = f"nothing keeps '{name}' as it is through the next step"
+        return JointFailure(name, reason, finer)
+
+    def _driven(self, motion: Array) -> bool:
+        """Whether lengths change, or bodies move as told."""
+        return bool(self._changing) or bool(motion[self.inverse == 0].any())
+
+    def _answers(self, here: Rows) -> Array:
+        """Return how fast each row shortens by a unit impulse of each: (m, m)."""
+        return np.asarray(here.gradient * self.inverse @ here.gradient.T)
+
+    def _finer(self, place: Coordinates) -> float:
+        """Return how many times as many steps joints under this tension need, at least 2.
+
+        Under tension joints are springs across: K = Σ λ ∂²C/∂q², of which the fastest swing is that
+        of the largest eigenvalue of M⁻¹ K; of a pendulum ω² = T / (m l).
+        """
+        tension = np.zeros(len(self._length))  # of what has just stuck, none is known yet
+        tension[: len(self.tension)] = self.tension
+        root = np.sqrt(self.inverse)
+        stiffness = np.zeros((len(root), len(root)))
+        for at in np.flatnonzero(root):
+            step = np.zeros_like(root)
+            step[at] = NUDGE
+            sides = (self._glance(Coordinates(place.values + way)) for way in (step, -step))
+            ahead, behind = (tension @ side.gradient for side in sides)
+            stiffness[at] = (ahead - behind) / (2 * NUDGE)
+        swing = root[:, None] * (stiffness + stiffness.T) / 2 * root
+        if not np.isfinite(swing).all():
+            return 2.0
+        omega = float(np.sqrt(np.abs(np.linalg.eigvalsh(swing)).max()))
+        return max(omega * abs(self.drift) / SMOOTH, 2.0)
+
+    def parting(self) -> tuple[str, float]:
+        """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
+        place, _ = self.coordinates()
+        off = self._glance(place).total - self._length
+        off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
+        off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more
+        if not len(off):
+            return "", 0.0
+        worst = int(off.argmax())
+        return self._joints[worst], float(off[worst])
+
+    def _overlapping(self, row: int) -> JointFailure:
+        name = self._joints[row]
+        reason = f"'{name}' holds what is held already, or cannot hold it; leave it out"
+        return JointFailure(name, reason)
+
+
+def _by_joint(
+    equations: Sequence[Condition], turns: Sequence[bool], way: bool
+) -> dict[str, list[int]]:
+    """Return for each joint which of its equations turn, or which do not."""
+    found: dict[str, list[int]] = {equation.joint: [] for equation in equations}
+    for row, (equation, turn) in enumerate(zip(equations, turns, strict=True)):
+        if turn == way:
+            found[equation.joint].append(row)
+    return found
+
+
+def _coordinates(rows: Array) -> Coordinates:
+    """Return places or velocities (n, 3) as equations have them, the plane itself last."""
+    values = np.zeros(3 * len(rows) + 3)
+    values[order(len(rows))] = rows
+    return Coordinates(values)
+
+
+def _parabola(past: list[Number]) -> Number:
+    """Return what comes next: on the parabola through the last three, newest first, or fewer."""
+    match past:
+        case [last, before, first]:
+            return 3 * (last - before) + first
+        case [last, before]:
+            return 2 * last - before
+    return past[0]
+
+
+def _weakest(slope: Array) -> tuple[float, Array]:
+    """Return the smallest singular value over the largest, and each row's share in it.
+
+    Every row counts as if it alone moved its bodies by one.
+    """
+    scale = np.sqrt(slope.diagonal())
+    _, sizes, directions = np.linalg.svd(slope / np.outer(scale, scale))
+    return float(sizes[-1] / sizes[0]), np.abs(directions[-1])
+
+
+def _solved(slope: Array, excess: Array) -> Array:
+    """Solve a linear system; one equation in a tenth of the time."""
+    if len(excess) == 1:
+        return excess / slope[0]
+    return np.linalg.solve(slope, excess).astype(float, copy=False)

@@ -1,0 +1,97 @@
+"""A bead on a wire: its signed distance from a smooth curve stays zero.
+
+The distance's gradient is the unit normal at the foot point, which Newton's method follows from
+where it was last.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from sandbox.model.wires import Points
+from sandbox.physics.geometry.quintics import Quintics
+from sandbox.physics.joints.exact.constraints import Coordinates, Share
+from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.errors import JointFailure
+
+MAX_ITERATIONS = 50
+QUADRATIC = 1e-6
+"""Pieces, below which the curve is as good as its own parabola."""
+
+TURN = np.cos(0.5)
+"""The cosine of the largest angle by which a wire may turn in a step: what turns by more cannot be
+told from a bead that has cut a corner, and would be wrong by some percent."""
+
+FINER = 4.0
+"""How many times as many steps are advised to who turned by more."""
+
+SLACK = 1.0
+"""Pieces, by which a bead may be over the end of a wire: one that starts there, and rounding."""
+
+
+class WireEquation:
+    """The equation of one bead.
+
+    Parameters
+    ----------
+    joint
+        The name of the wire.
+    bead
+        What slides along it.
+    points
+        Of the curve [m], at equal steps of its parameter.
+    """
+
+    length = 0.0
+    changing: Callable[[float], float] | None = None
+    pulls_only = False
+
+    def __init__(self, joint: str, bead: Anchor, points: Points) -> None:
+        assert bead.body is not None
+        self.joint = joint
+        self._body, self._point = bead.body, bead.point
+        self._nodes, self._curve = points, Quintics(points)
+        self._last: tuple[float, complex] | None = None  # the foot, in pieces; the tangent there
+
+    def forget(self) -> None:
+        """Look for the bead anew, wherever it is now."""
+        self._last = None
+
+    def look(self, place: Coordinates) -> tuple[float, tuple[Share]]:
+        """Return the distance [m], positive on the left of the wire, and its gradient."""
+        arm = self._point * np.exp(1j * place.angle[self._body]) if self._point else 0j
+        bead = complex(place.plane[self._body] + arm)
+        foot, tangent = self._foot(bead)
+        normal = 1j * tangent
+        distance = (normal.conjugate() * (bead - foot)).real
+        lever = float((tangent.conjugate() * arm).real)  # Re(conj(i τ) i arm)
+        return distance, (Share(self._body, normal, lever),)
+
+    def _foot(self, bead: complex) -> tuple[complex, complex]:
+        """Return the nearest point of the wire, and the unit tangent there."""
+        at, before = self._last or (float(np.abs(self._nodes - bead).argmin()), None)
+        for _ in range(MAX_ITERATIONS):
+            point, slope, bend = self._curve.at(at)
+            away = point - bead
+            steepness = abs(slope) ** 2 + (bend.conjugate() * away).real
+            if not steepness > 0:  # beyond the centre of curvature
+                break
+            step = -(slope.conjugate() * away).real / steepness
+            at += step
+            if abs(step) < QUADRATIC:
+                foot = point + step * (slope + step * bend / 2)
+                tangent = slope + step * bend
+                tangent /= abs(tangent)
+                if before is not None and (before.conjugate() * tangent).real < TURN:
+                    break
+                self._check_end(at)
+                self._last = at, tangent
+                return foot, tangent
+        reason = f"'{self.joint}' bends too sharply for a step of its bead"
+        raise JointFailure(self.joint, reason, FINER)
+
+    def _check_end(self, at: float) -> None:
+        curve = self._curve
+        if not curve.closed and not -SLACK <= at <= curve.count + SLACK:
+            reason = f"the bead has come to the end of '{self.joint}'; make the wire longer"
+            raise JointFailure(self.joint, reason)

@@ -1,0 +1,1 @@
+"""Runs in numbers: quantities, records, grades, differences, files and times."""

@@ -1,0 +1,121 @@
+"""Two runs of a level held against each other: what an effect changes."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Check, Instant, Level
+from sandbox.physics.measuring.grading import ZERO, samples
+from sandbox.physics.measuring.recording import Trace, needed
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """How far a quantity of two runs lies apart.
+
+    Attributes
+    ----------
+    label
+        What it is, in a few words.
+    quantity, unit
+        What was measured.
+    at
+        The instant that counts; None if it is the time at which the runs are furthest apart.
+    t
+        When that was [s], in the first run and in the second; None where it never came.
+    before, after
+        The quantity in the first run and in the second; None where the instant never came.
+    scale
+        What is largest of the quantity in the first run; at an instant its value there.
+    share
+        Their difference over what is largest of the quantity in both runs, from 0 to 2; infinite
+        where the instant came in one of them only.
+    """
+
+    label: str
+    quantity: str
+    unit: str
+    at: Instant | None
+    t: tuple[float | None, float | None]
+    before: float | None
+    after: float | None
+    scale: float
+    share: float
+
+    @property
+    def relative(self) -> float | None:
+        """The difference over the first run's scale; None where that is zero or one is missing."""
+        if self.before is None or self.after is None or self.scale <= ZERO:
+            return None
+        return (self.after - self.before) / self.scale
+
+
+def watched(level: Level) -> list[str]:
+    """Return what tells two runs of a level apart: its checks' quantities, and where bodies are."""
+    dynamic = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    parts = ["position.x", "position.y", *(["angle"] if level.effects.rotation else [])]
+    places = [f"{name}.{part}" for name in dynamic for part in parts]
+    return list(dict.fromkeys([*needed(level), *places]))
+
+
+def differences(before: Trace, after: Trace, *, places: bool = False) -> tuple[Difference, ...]:
+    """Return how two runs differ in the quantities of the first one's checks.
+
+    Parameters
+    ----------
+    before, after
+        The runs, which recorded those quantities.
+    places
+        Whether everything else that both recorded counts, too.
+    """
+    both = min(before.t[-1], after.t[-1])
+    before, after = before.until(float(both)), after.until(float(both))
+    scales = _scales(before, after)
+    asked: dict[tuple[str, Instant | None], Check | None] = {}
+    for check in before.level.checks:
+        asked.setdefault((check.quantity, check.at), check)
+    if places:
+        asked.update({(name, None): asked.get((name, None)) for name in before.columns})
+    return tuple(
+        _difference(before, after, name, at, check.label if check else "", scales)
+        for (name, at), check in asked.items()
+        if name in after.columns and (name != "t" or at is not None)
+    )
+
+
+def _scales(before: Trace, after: Trace) -> dict[str, float]:
+    """Return the largest number of each unit: what is tiny against it is rounding."""
+    scales: dict[str, float] = {}
+    for trace in (before, after):
+        for name, unit in trace.units.items():
+            scales[unit] = max(scales.get(unit, 0.0), _largest(trace.columns[name]))
+    return scales
+
+
+def _largest(column: Array) -> float:
+    finite = column[np.isfinite(column)]
+    return float(np.abs(finite).max(initial=0.0))
+
+
+def _difference(
+    before: Trace, after: Trace, name: str, at: Instant | None, label: str, scales: dict[str, float]
+) -> Difference:
+    unit = before.units[name]
+    found = samples(before, name, at), samples(after, name, at)
+    (t0, one), (t1, other) = (f or (np.full(1, np.nan), np.full(1, np.nan)) for f in found)
+    length = min(len(one), len(other))
+    apart = np.nan_to_num(np.abs(other[:length] - one[:length]), nan=-1.0)
+    worst = int(np.argmax(apart))
+    first, second = _number(one[worst]), _number(other[worst])
+    largest = max(_largest(one), _largest(other))
+    share = float(apart[worst]) / largest if apart[worst] > ZERO * scales[unit] else 0.0
+    if (first is None) is not (second is None):
+        share = np.inf
+    times = _number(t0[worst]), _number(t1[worst])
+    scale = _largest(one)
+    return Difference(label, name, unit, at, times, first, second, scale, share)
+
+
+def _number(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None

@@ -1,0 +1,146 @@
+"""Runs as CSV files that say how to get them again."""
+
+import platform
+import shlex
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pymunk
+
+from sandbox import __version__
+from sandbox.model.errors import brief
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
+from sandbox.model.loading import digest
+from sandbox.physics.measuring.recording import Trace
+
+
+class Change(NamedTuple):
+    """How the level of a run differs from the one that its source holds."""
+
+    original: Level
+    told: str
+    """such as `without drag`"""
+    options: tuple[str, ...]
+    """those of the command line that make the change"""
+
+
+def write_csv(
+    path: Path,
+    trace: Trace,
+    source: str,
+    names: Iterable[str] | None = None,
+    *,
+    disturbed: bool = False,
+    change: Change | None = None,
+) -> None:
+    """Write a run as a CSV file, whole or not at all.
+
+    Parameters
+    ----------
+    path
+        The file; its folder must be there.
+    trace, source, names, disturbed, change
+        As for `to_csv`.
+
+    Raises
+    ------
+    SandboxError
+        If the file cannot be written.
+    """
+    write_atomically(path, to_csv(trace, source, names, disturbed=disturbed, change=change))
+
+
+def to_csv(
+    trace: Trace,
+    source: str,
+    names: Iterable[str] | None = None,
+    *,
+    disturbed: bool = False,
+    change: Change | None = None,
+) -> str:
+    """Return a run as CSV: comments that tell how to get it again, a header, a line an instant.
+
+    Every number has the digits that give back its exact bits.
+
+    Parameters
+    ----------
+    trace
+        The run.
+    source
+        The name or the file of its level.
+    names
+        Which of the recorded quantities to write, and in which order; all if left out.
+    disturbed
+        Whether a hand has touched the scene, so that nobody can run it again.
+    change
+        What was run instead of the level of that source.
+    """
+    chosen = trace.columns if names is None else names
+    columns = [name for name in dict.fromkeys(chosen) if name != "t"]
+    header = ["t [s]", *(f"{name} [{trace.units[name]}]" for name in columns)]
+    rows = zip(*(values.tolist() for values in _arrays(trace, columns)), strict=True)
+    lines = [
+        *(f"# {key}: {brief(text, len(text))}" for key, text in _provenance(trace, source, change)),
+        f"# {_again(trace, source, columns, change, disturbed=disturbed)}",
+        ",".join(header),
+        *(",".join(map(repr, row)) for row in rows),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _arrays(trace: Trace, columns: list[str]) -> Iterator[np.ndarray]:
+    yield trace.t
+    for name in columns:
+        yield trace.columns[name]
+
+
+def _provenance(trace: Trace, source: str, change: Change | None) -> Iterator[tuple[str, str]]:
+    level, stepping = trace.level, trace.stepping
+    yield "level", source
+    yield "title", level.title
+    yield "hash", digest(change.original if change else level)
+    if change:
+        yield "change", change.told
+    yield "parameters", ", ".join(_parameters(trace)) or "none"
+    yield "rate", f"{stepping.rate!r} Hz"
+    yield "iterations", str(stepping.iterations)
+    yield "scheme", stepping.scheme
+    yield "effects", ", ".join(level.effects.declared) or "none"
+    if trace.closing:
+        yield "energy", trace.closing.told
+    yield "versions", ", ".join(f"{name} {version}" for name, version in _versions())
+    yield "platform", f"{platform.system()} {platform.machine()}"
+
+
+def _parameters(trace: Trace) -> Iterator[str]:
+    for name, parameter in trace.level.parameters.items():
+        yield f"{name} = {float(trace.values[name])!r} {parameter.unit}".rstrip()
+
+
+def _versions() -> Iterator[tuple[str, str]]:
+    yield "python", platform.python_version()
+    yield "pymunk", pymunk.version
+    yield "numpy", np.__version__
+    yield "sandbox", __version__
+
+
+def _again(
+    trace: Trace, source: str, columns: list[str], change: Change | None, *, disturbed: bool
+) -> str:
+    """Return the command that gives the same file, or why there is none."""
+    level, stepping = trace.level, trace.stepping
+    if disturbed:
+        return "not repeatable: a hand has moved the bodies"
+    command = ["python", "-m", "sandbox", "simulate", source, *(change.options if change else ())]
+    for name, value in trace.values.items():
+        if value != level.defaults[name]:
+            command += ["--set", f"{name}={float(value)!r}"]
+    command += ["--duration", repr(float(trace.t[-1])), "--rate", repr(stepping.rate)]
+    command += ["--scheme", stepping.scheme, "--iterations", str(stepping.iterations)]
+    for name in columns:
+        command += ["--record", name]
+    text = shlex.join([*command, "--output", "FILE.csv"])
+    return f"again: {brief(text, len(text))}"

@@ -1,0 +1,174 @@
+"""Holding a run against the closed forms that its level states."""
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Expression, ExpressionError, Values
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+)
+from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.stepping.world import Pair
+
+Verdict = Literal["passed", "failed", "waiting", "not applicable"]
+
+ROUNDING = 1e-12
+"""A last step that is earlier than the time of a check by this share of it is not too early."""
+
+ZERO = 1e-9
+"""An expected value below this, in its SI unit, counts as zero: its error is absolute."""
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """How a check came out.
+
+    Attributes
+    ----------
+    check
+        What was checked.
+    unit
+        Of the measured and the expected value.
+    t
+        When the two were furthest apart, or when the event was [s]; None without either.
+    measured, expected
+        The two values at that time; None if there are none.
+    error
+        Their largest difference, over the largest expected value; in the unit where that is zero.
+        None if there is none.
+    verdict
+        `waiting` if the run has not come to the time or event yet, `not applicable` if the
+        check's own condition says that its formula does not hold here.
+    """
+
+    check: Check
+    unit: str
+    t: float | None
+    measured: float | None
+    expected: float | None
+    error: float | None
+    verdict: Verdict
+
+
+def grade(trace: Trace) -> tuple[Result, ...]:
+    """Grade a run by all the checks of its level."""
+    return tuple(_grade(check, trace) for check in trace.level.checks)
+
+
+def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
+    """Return the largest difference, relative if it can be, and where it is.
+
+    It is relative to the largest expected value, or to a least scale if that is larger. Where
+    nothing is expected but zeros, and there is none, the error is absolute. A difference that is
+    not a number is an infinite error.
+    """
+    with np.errstate(invalid="ignore"):
+        difference = np.abs(measured - expected)
+    difference = np.where(np.isnan(difference), np.inf, difference)
+    worst = int(np.argmax(difference))
+    scale = max(float(np.abs(expected).max()), least)
+    return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
+
+
+def _grade(check: Check, trace: Trace) -> Result:
+    unit = trace.units[check.quantity]
+    if not applies(check, trace.values):
+        return Result(check, unit, None, None, None, None, "not applicable")
+    found = samples(trace, check.quantity, check.at)
+    if found is None:
+        return Result(check, unit, None, None, None, None, "waiting")
+    t, measured = found
+    try:
+        expected = check.formula.over(trace.values, t)
+    except ExpressionError:
+        expected = np.full_like(t, np.nan)
+    error, worst = relative_error(measured, expected, least_scale(check, trace.values))
+    return Result(
+        check,
+        unit,
+        float(t[worst]),
+        float(measured[worst]),
+        float(expected[worst]),
+        error,
+        "passed" if error <= check.tolerance else "failed",
+    )
+
+
+def least_scale(check: Check, values: Values) -> float:
+    """Return what the errors of a check are relative to at the least; 0 if it does not say."""
+    return check.scale(values) if check.scale else 0.0
+
+
+def applies(check: Check, values: Values) -> bool:
+    """Return whether a check's own condition says that its formula holds for the parameters."""
+    if check.valid_if is None:
+        return True
+    try:
+        return bool(check.valid_if.over(values, np.zeros(()))[()])
+    except ExpressionError:
+        return False
+
+
+def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Array] | None:
+    """Return the times that count and what was measured there; None if they have not come.
+
+    Parameters
+    ----------
+    trace
+        A run that recorded the quantity, and those that `needed` names for the instant.
+    quantity
+        What is measured.
+    at
+        A time or an event; every step if None.
+    """
+    column = trace.columns[quantity]
+    if at is None:
+        # Euler's schemes know no forces before the first step
+        first = 1 if trace.stepping.as_it_comes else 0
+        return (trace.t[first:], column[first:]) if len(trace.t) > first else None
+    if isinstance(at, ContactEvent):
+        return _after_contact(trace, column, frozenset(at.bodies))
+    time = _time(trace, at)
+    if time is None:
+        return None
+    value = value_at(trace.t, column, time, smooth=trace.smooth)
+    return np.array([time]), np.array([value])
+
+
+def _after_contact(trace: Trace, column: Array, pair: Pair) -> tuple[Array, Array] | None:
+    """Return when two bodies first touch and what is measured then: just after it if located."""
+    touched = trace.first_contacts.get(pair, len(trace.t))
+    time = trace.impact_times.get(pair)
+    if time is not None and touched + 3 < len(trace.t):
+        return np.array([time]), np.array([value_before(trace.t, column, time, touched)])
+    after = slice(touched + 1, touched + 2)
+    return (trace.t[after], column[after]) if time is None and touched + 1 < len(trace.t) else None
+
+
+def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:
+    """Return when an instant is [s], None if it has not come yet."""
+    values = trace.values
+    match at:
+        case ApexEvent(body=body):
+            return _crossing(trace, f"{body}.velocity.y", 0.0, "down")
+        case LandingEvent(body=body, height=height):
+            return _crossing(trace, f"{body}.position.y", height(values), "down")
+        case CrossingEvent(quantity=quantity, value=value, direction=direction):
+            return _crossing(trace, quantity, value(values), direction)
+        case Expression():
+            time = at(values)
+            return time if time <= trace.t[-1] * (1 + ROUNDING) else None
+
+
+def _crossing(
+    trace: Trace, quantity: str, value: float, direction: Literal["up", "down", "either"]
+) -> float | None:
+    return crossing(trace.t, trace.columns[quantity], value, direction, smooth=trace.smooth)

@@ -1,0 +1,88 @@
+"""What a step costs, measured so that the noise of the machine stays out of it."""
+
+from collections.abc import Callable, Sequence
+from itertools import chain, count, cycle, islice
+from math import inf
+from time import perf_counter
+
+import numpy as np
+
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.stepping.world import World
+
+Step = Callable[[], object]
+
+REPEATS = 5
+"""How often each is run from its start."""
+
+STEPS = 120
+"""How many steps are taken at the most, in blocks of `BLOCK`."""
+
+BLOCK = 10
+"""How many steps are timed together: long against the clock, short against what disturbs it."""
+
+
+def step_seconds(
+    starts: Sequence[Callable[[], Step]], steps: int = STEPS, repeats: int = REPEATS
+) -> list[float]:
+    """Return the least time that a step takes [s], for several scenes that are run in turn.
+
+    Each run is cut into blocks, and of each block the quickest repetition counts: what the machine
+    does beside it only ever adds.
+
+    Parameters
+    ----------
+    starts
+        Each makes a scene anew and returns what takes one step of it.
+    steps
+        How long each is run, from its start.
+    repeats
+        How often.
+    """
+    block = min(BLOCK, steps)
+    count = max(steps // block, 1)
+    least = np.full((len(starts), count), inf)
+    for index in islice(cycle(range(len(starts))), repeats * len(starts)):
+        step = starts[index]()
+        for number in range(count):
+            begin = perf_counter()
+            for _ in range(block):
+                step()
+            least[index, number] = min(least[index, number], perf_counter() - begin)
+    return [float(row.sum()) / (count * block) for row in least]
+
+
+def step_costs(
+    *starts: Callable[[], World], most: int = STEPS, repeats: int = REPEATS
+) -> tuple[float, ...]:
+    """Return what a step of some worlds costs [s], measured in turn from their starts on.
+
+    Parameters
+    ----------
+    starts
+        Each builds a world.
+    most
+        How many steps are taken at the most; no world goes beyond the duration of its level.
+    repeats
+        How often.
+
+    Raises
+    ------
+    SimulationError
+        If one of them has to stop.
+    """
+    first = [start() for start in starts]
+    steps = max(min(most, *map(count_steps, first)), 1)
+    fresh = [_stepping(world, start) for world, start in zip(first, starts, strict=True)]
+    return tuple(step_seconds(fresh, steps, repeats))
+
+
+def _stepping(first: World, start: Callable[[], World]) -> Callable[[], Step]:
+    """Return what gives the steps of one world after the other; some take long to build."""
+    worlds = chain([first], (start() for _ in count()))
+    return lambda: next(worlds).step
+
+
+def brief_costs(*starts: Callable[[], World]) -> tuple[float, ...]:
+    """Return what a step of some worlds costs [s], where somebody waits for the answer."""
+    return step_costs(*starts, most=60, repeats=3)

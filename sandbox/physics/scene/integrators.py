@@ -1,0 +1,132 @@
+"""The substeps of which a step is made.
+
+pymunk's step is a drift and a kick. A scheme of higher order is a row of several of different
+lengths, some of which go back in time. The kick at the end of a step belongs in equal parts to that
+step and to the next. pymunk takes a kick as long as the drift before it; forces are scaled so that
+it comes out as long as it should be.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import accumulate, pairwise
+from typing import NamedTuple, get_args
+
+from sandbox.model.level import Level, Scheme
+from sandbox.model.schemes import unsmooth
+from sandbox.physics.forces.declared import any_law
+from sandbox.physics.state.errors import SchemeError
+
+
+class Composition(NamedTuple):
+    """Drifts and kicks in turn, as shares of a step; each add up to 1."""
+
+    drifts: Sequence[float]
+    kicks: Sequence[float]
+    """after each drift; the last is shared with the next step"""
+    reach: float
+    """the largest ω h at which an oscillation stays what it is: there the trace of the step's
+    matrix leaves −2 to 2"""
+
+
+class Substep(NamedTuple):
+    """A drift and the kick after it."""
+
+    drift: float
+    """s, backwards if negative"""
+    ahead: float
+    """how much of the step the drift brings to an end"""
+    kick: float
+    """s, how long the kick lasts"""
+    following: float
+    """s, the drift after that kick"""
+
+    @property
+    def scale(self) -> float:
+        """What forces are multiplied by, for pymunk's kick lasts as long as the drift."""
+        return self.kick / self.drift
+
+
+def _composed(half: Sequence[float], reach: float) -> Composition:
+    """Compose leapfrog's steps, of which the first half and the middle one are given.
+
+    Each kick lasts as long as half of the drifts beside it.
+    """
+    drifts = (*half, *half[-2::-1])
+    around = pairwise((*drifts, drifts[0]))
+    return Composition(drifts, [(a + b) / 2 for a, b in around], reach)
+
+
+def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Composition:
+    """Make a symmetric row of its first drifts and kicks, of which the next is what is left.
+
+    It begins with the first kick, which is therefore half of that at the end of a step.
+    """
+    first, *inner = kicks
+    middle = 1 - 2 * sum(kicks)
+    half = (*drifts, 0.5 - sum(drifts))
+    return Composition((*half, *half[::-1]), (*inner, middle, *inner[::-1], 2 * first), reach)
+
+
+LEAPFROG = Composition((1.0,), (1.0,), 2.0)
+
+_FIFTH = 1 / (4 - 4 ** (1 / 3))
+
+SUZUKI = _composed((_FIFTH, _FIFTH, 1 - 4 * _FIFTH), 2.7209745)
+"""Five steps of leapfrog, the middle one back in time; M. Suzuki, Phys. Lett. A 146 (1990) 319.
+
+It composes any symmetric step of second order, so that with which exact joints hold as well.
+"""
+
+BLANES_MOAN = _split(
+    (0.245298957184271, 0.604872665711080),
+    (0.0829844064174052, 0.396309801498368, -0.0390563049223486),
+    3.1634650,
+)
+"""Six kicks, SRKN6b of S. Blanes and P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313.
+
+At the same work its error is a thirtieth of Suzuki's, and less. It is for x'' = f(x, t): its drifts
+must be exact, and those of bodies that joints hold are not.
+"""
+
+
+def composition(scheme: Scheme, *, held: bool) -> Composition:
+    """Return what a step of a scheme is made of, where joints hold exactly and where none does."""
+    if scheme != "fourth-order":
+        return LEAPFROG
+    return SUZUKI if held else BLANES_MOAN
+
+
+def require(level: Level, scheme: Scheme) -> None:
+    """Refuse a scheme that is not for a level.
+
+    Raises
+    ------
+    SchemeError
+        If it is not.
+    """
+    if scheme == "fourth-order" and (rule := unsmooth(level)):
+        raise SchemeError(rule)
+
+
+def usable(level: Level) -> Iterator[Scheme]:
+    """Yield the schemes that are for a level and differ there.
+
+    Without a force law there is nothing that explicit Euler takes at another place.
+    """
+    for scheme in get_args(Scheme):
+        if scheme == "fourth-order" and unsmooth(level):
+            continue
+        if scheme == "explicit-euler" and not any_law(level):
+            continue
+        yield scheme
+
+
+def substeps(shares: Composition, dt: float) -> list[Substep]:
+    """Return the parts of a step [s]; the last is followed by the next one's first.
+
+    >>> substeps(LEAPFROG, 0.5)
+    [Substep(drift=0.5, ahead=1, kick=0.5, following=0.5)]
+    """
+    places = [*list(accumulate(shares.drifts))[:-1], 1]
+    after = (*shares.drifts[1:], shares.drifts[0])
+    rows = zip(shares.drifts, places, shares.kicks, after, strict=True)
+    return [Substep(d * dt, ahead, k * dt, f * dt) for d, ahead, k, f in rows]

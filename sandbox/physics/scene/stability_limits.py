@@ -1,0 +1,175 @@
+"""How high a rate springs and drag need: beyond it, leapfrog makes them explode."""
+
+from collections.abc import Mapping, Sequence
+from math import inf
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.locating import Path
+from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.joints.assembly import Joints
+from sandbox.physics.joints.exact.shake import SINGULAR
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.motion import Instant, Motion
+
+MARGIN = 4
+"""How many times the least rate is advised: there the energy swings by 6 % at the most."""
+
+READABLE = 1e9
+"""Hz, up to which a rate is told to the last digit."""
+
+CLOSE = 1 + 1e-9
+"""By how much a rate may be too low, for rounding."""
+
+PROBE = 1e-6
+"""m/s, at which it is asked how strongly what is at rest would be slowed down."""
+
+
+def check_drag(
+    law: Law, names: Sequence[str], start: Motion, joints: Joints, agility: Array, rate: float
+) -> None:
+    """Refuse a law that slows a body down so strongly that each step would throw it back further.
+
+    As leapfrog guesses velocities, a law may take no more than all of one in a step. One that grows
+    faster than the velocity is known where it begins.
+
+    Parameters
+    ----------
+    law
+        One that depends on each body's own velocity.
+    names, agility
+        (n,) and (n, 3), of the bodies; see `check_springs`.
+    start
+        Their motion at the start.
+    joints
+        Those of the scene: a light body that is held to a heavy one is slowed down with it.
+    rate
+        Steps a second [Hz].
+
+    Raises
+    ------
+    SimulationError
+        If the scene is not stable at that rate; it names the effect and the body.
+    """
+    with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
+        taken = np.asarray(_strength(law, start) * agility[:, 0])
+    row = int(taken.argmax())
+    if taken[row] > rate * CLOSE and (needed := _held(taken, agility, joints)) > rate * CLOSE:
+        cause = f"the effect '{law.effect}' on '{names[row]}'"
+        raise _refused(names[row], cause, needed, rate, ("effects", law.effect))
+
+
+def _strength(law: Law, motion: Motion) -> Array:
+    """Return the force of a law on each body over its velocity: (n,) [kg/s]."""
+    moving = (motion.velocity != 0).any(axis=1, keepdims=True)
+    probe = np.where(moving, motion.velocity, (PROBE, 0.0))
+    forces = np.zeros((2, len(probe), 3))
+    for force, velocity in zip(forces, (probe, np.zeros_like(probe)), strict=True):
+        law.add(Instant.of(motion)._replace(velocity=velocity), force)
+    change = forces[0, :, :2] - forces[1, :, :2]
+    return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
+
+
+def _held(taken: Array, agility: Array, joints: Joints) -> float:
+    """Return the fastest decay that joints leave [1/s], of those of free bodies: (n,).
+
+    The largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
+    """
+    decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1).ravel()
+    if not joints.together:
+        return float(decay.max())
+    kept = joints.together.stiff().reshape(-1, decay.size) * np.sqrt(agility.ravel())
+    _, sizes, directions = np.linalg.svd(kept, full_matrices=False)
+    kept = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
+    free = np.eye(decay.size) - kept.T @ kept
+    return float(np.linalg.eigvalsh(free * decay @ free)[-1])
+
+
+def check_springs(
+    springs: Mapping[str, SpringForce],
+    agility: Array,
+    angle: Array,
+    rate: float,
+    reach: float = 2.0,
+) -> None:
+    """Refuse springs that are too stiff, or damp too much, for a rate.
+
+    Parameters
+    ----------
+    springs
+        All of a scene, by name.
+    agility
+        (n, 3), one over mass, mass and moment [1/kg, 1/(kg m²)].
+    angle
+        (n,), of the bodies at the start [rad].
+    rate
+        Steps a second [Hz].
+    reach
+        The largest ω h at which the scheme is stable; 2 for leapfrog.
+
+    Raises
+    ------
+    SimulationError
+        If the scene is not stable at that rate; it names the spring that asks for most.
+    """
+    needed, name = limit(springs, agility, angle)
+    needed *= 2 / reach
+    if needed > rate * CLOSE:
+        raise _refused(name, f"the spring '{name}'", needed, rate, ("joints", name))
+
+
+def _refused(subject: str, cause: str, needed: float, rate: float, path: Path) -> SimulationError:
+    told = f"{np.ceil(needed):,.0f}" if needed < READABLE else f"{needed:.3g}"
+    reason = f"{cause} needs a 'rate' of at least {told}, not {rate:g}"
+    return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
+
+
+def limit(springs: Mapping[str, SpringForce], agility: Array, angle: Array) -> tuple[float, str]:
+    """Return the rate at which springs are just stable [Hz], and the name of the stiffest.
+
+    See `check_springs` for what they are given.
+    """
+    if not springs:
+        return 0.0, ""
+    reply = _replies(list(springs.values()), agility, angle)
+    stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
+    damping = np.repeat([spring.damping for spring in springs.values()], 2)
+    with np.errstate(all="ignore"):  # what is more than a number holds is infinite
+        needed = just_stable(*(_largest(reply, weight) for weight in (stiffness, damping)))
+        own = reply.diagonal()
+        alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
+    return needed, list(springs)[int(np.argmax(alone)) // 2]
+
+
+def just_stable(stiffness: float, damping: float) -> float:
+    """Return the rate at which a mode is just stable [Hz].
+
+    At the limit velocities change sign each step. In that, x'' = −k x − c x' with the velocity
+    guessed from the two before, 3/2 and −1/2, gives k h² / 4 + c h = 1: ω h = 2 without damping.
+    """
+    return float(damping + np.sqrt(damping**2 + stiffness)) / 2
+
+
+def _largest(reply: Array, weight: Array) -> float:
+    """Return the largest eigenvalue of M⁻¹ K, by that of √k J M⁻¹ Jᵀ √k."""
+    root = np.sqrt(weight)
+    matrix = root[:, None] * reply * root
+    return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
+
+
+def _replies(springs: list[SpringForce], agility: Array, angle: Array) -> Array:
+    """Return how the ends of springs part by unit forces along others: J M⁻¹ Jᵀ, (2 s, 2 s).
+
+    Each counts in both directions of the plane, for it may come to point in any.
+    """
+    gradient = np.zeros((len(springs), 2, len(agility), 3))
+    for row, spring in zip(gradient, springs, strict=True):
+        for end, sign in zip(spring.ends, (-1.0, 1.0), strict=True):
+            if end.body is not None:
+                arm = end.point * np.exp(1j * angle[end.body])
+                row[0, end.body] += sign * np.array([1.0, 0.0, -arm.imag])
+                row[1, end.body] += sign * np.array([0.0, 1.0, arm.real])
+    flat = gradient.reshape(2 * len(springs), -1)
+    return np.asarray(flat * agility.ravel() @ flat.T)

@@ -1,0 +1,1 @@
+"""What moves, frozen: the state at a step, and how it is read."""

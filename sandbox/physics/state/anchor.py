@@ -1,0 +1,58 @@
+"""Where a joint holds on."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.expressions import Array
+from sandbox.physics.state.motion import Motion
+
+Plane = NDArray[np.complex128]
+"""Points or vectors of the plane, as x + iy."""
+
+_NOTHING: Plane = np.zeros((), dtype=complex)
+
+
+@dataclass(frozen=True, slots=True)
+class Anchor:
+    """A point of a body, from its centre of mass along its axes; of the plane if the body is None.
+
+    The plane is complex: x + iy [m].
+    """
+
+    body: int | None
+    point: complex = 0j
+
+    def look(self, motion: Motion) -> tuple[Plane, Plane, Plane]:
+        """Return where it is [m], how it moves [m/s], and its arm from the centre of mass [m]."""
+        place, arm = self.find(motion)
+        if self.body is None:
+            return place, _NOTHING, arm
+        moves = _plane(motion.velocity[..., self.body, :])
+        if self.point:
+            moves = moves + 1j * motion.angular_velocity[..., self.body] * arm
+        return place, moves, arm
+
+    def find(self, motion: Motion) -> tuple[Plane, Plane]:
+        """Return where it is [m], and its arm from the centre of mass [m]."""
+        if self.body is None:
+            return np.asarray(self.point), _NOTHING
+        place = _plane(motion.position[..., self.body, :])
+        if not self.point:  # the angle does not matter
+            return place, _NOTHING
+        arm = self.point * np.exp(1j * motion.angle[..., self.body])
+        return place + arm, arm
+
+
+def _plane(vectors: Array) -> Plane:
+    """Return vectors as x + iy: (...) of (..., 2)."""
+    return np.ascontiguousarray(vectors).view(complex)[..., 0][()]
+
+
+def length(path: Sequence[Anchor], motion: Motion) -> Array:
+    """Return how long it is from the first of some points to the last, through all others [m]."""
+    places = [anchor.find(motion)[0] for anchor in path]
+    return np.asarray(sum(np.abs(b - a) for a, b in pairwise(places)))

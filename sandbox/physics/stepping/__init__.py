@@ -1,0 +1,1 @@
+"""A scene that runs, step by step."""

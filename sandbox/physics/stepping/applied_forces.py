@@ -1,0 +1,115 @@
+"""The forces of a scene, given to its bodies before each kick."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.variable_mass import MassFlows
+from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.motion import Reading
+
+
+class Forces:
+    """Gravity and the force laws of a scene; n bodies.
+
+    Attributes
+    ----------
+    seen
+        What the laws saw in the last kick; None if there are none, or before it.
+    older
+        (n, 3), the velocities that the last kick began with, by which those at the next are known
+        [m/s, rad/s].
+
+    Parameters
+    ----------
+    scene
+        What moves, and the laws.
+    pulling
+        Joints whose last pull acts from the start of a kick; None if there are none.
+    leapfrog
+        Whether kicks are half a step from the velocities before them.
+    """
+
+    def __init__(self, scene: Scene, pulling: ExactJoints | None, *, leapfrog: bool) -> None:
+        self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
+        self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
+        self._bodies, self._pulling = list(scene.bodies.values()), pulling
+        self._guesses = leapfrog and any(law.needs_velocity for law in scene.laws)
+        self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
+        if scene.gravity:
+            self._field[scene.mass > 0, :2] = scene.gravity.acceleration
+        self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
+        self._agility = scene.agility
+        self.older: Array = np.zeros_like(self._field)
+        self.seen: Reading | None = None
+
+    @property
+    def acts(self) -> bool:
+        """Whether anything has to be given to bodies before a kick."""
+        return bool(self._laws or self._pulling)
+
+    @property
+    def smooth(self) -> Array:
+        """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²]."""
+        return self._field + self._wrench * self._agility
+
+    def start(self, begun: Array, after: Array) -> None:
+        """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""
+        if self._guesses:
+            self.older = begun + (begun - after)
+
+    @contextmanager
+    def tried(self) -> Iterator[None]:
+        """Let kicks be tried: what the last one before them saw and gave is known again after."""
+        kept = self.older, self.seen, self._wrench
+        self._wrench = self._wrench.copy()
+        yield
+        self.older, self.seen, self._wrench = kept
+
+    def apply(self, t: float, scale: float) -> None:
+        """Read all bodies once, add up the laws, and write all forces once.
+
+        Parameters
+        ----------
+        t
+            The time of the kick [s].
+        scale
+            What the forces are multiplied by.
+        """
+        self.seen = reading = self._read(t)
+        if isinstance(self._share, MassFlows):
+            self._weigh(self._share, reading.t)
+        wrench = self._wrench
+        wrench.fill(0.0)
+        for law in self._laws:
+            law.add(reading, wrench)
+        if self._pulling:
+            wrench = wrench.copy()
+            self._pulling.pull(wrench)
+        self._batch.set_force(wrench if scale == 1 else wrench * scale)
+
+    def _read(self, t: float) -> Reading:
+        """Return the motion that the laws see in a kick.
+
+        pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
+        less 1/2 of those another step ago.
+        """
+        state = self._batch.state()
+        if self._guesses:
+            velocity = state[:, 3:].copy()
+            state[:, 3:] = 1.5 * velocity - 0.5 * self.older
+            self.older = velocity
+        return Reading(np.asarray(t), state)
+
+    def _weigh(self, share: MassFlows, t: Array) -> None:
+        """Give the bodies whose mass changes that of a time [s], for the kick around it."""
+        now = share(t)
+        for row in share.bodies:
+            body = self._bodies[row]
+            body.mass = self._mass[row] * now[row]
+            if self._moment[row]:
+                body.moment = self._moment[row] * now[row]
+        self._agility = self._inverse / now[:, None]

@@ -1,0 +1,48 @@
+"""The grid in which pymunk finds who touches whom ends somewhere: nobody may come there."""
+
+from math import hypot
+
+import numpy as np
+
+from sandbox.physics.scene.scene import Scene
+
+LOOK = 16
+"""Steps between two looks at how far out bodies are."""
+
+FASTER = 1e4
+"""How many times as far as now, or as fast, none is after so many steps of impacts and springs."""
+
+
+class Fence:
+    """Looks whether all bodies of a scene stay within its grid, beyond which pymunk never returns.
+
+    Parameters
+    ----------
+    scene
+        Of a crowd, for which pairs are found in a grid.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self._scene = scene
+        self._look_again = 0  # at which step
+
+    def leaver(self, step: int, drift: float) -> str | None:
+        """Return who would leave it in a drift [s] after so many steps."""
+        if step < self._look_again:
+            return None
+        extent, reach, field = self._scene.batch.extent(), self._scene.reach, self._scene.gravity
+        gains = hypot(*field.acceleration) if field else 0.0
+        if not self._scene.hooked and (extent + gains) * FASTER < reach:  # laws may do anything
+            self._look_again = step + LOOK
+            return None
+        return None if extent * (1 + drift) < reach else self._outermost(drift)
+
+    def _outermost(self, drift: float) -> str | None:
+        state, reach = self._scene.batch.state(), self._scene.reach
+        with np.errstate(all="ignore"):  # what is not a number is told later, by name
+            beyond = (np.abs(state[:, :2] + state[:, 3:5] * drift) >= reach).any(axis=1)
+        return list(self._scene.bodies)[int(beyond.argmax())] if beyond.any() else None
+
+    def keeps_in(self, position: tuple[float, float]) -> bool:
+        """Whether a point of the plane is within it [m]."""
+        return max(map(abs, position)) < self._scene.reach

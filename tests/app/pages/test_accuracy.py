@@ -1,0 +1,355 @@
+"""The page of the accuracy, driven by events."""
+
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pygame
+import pytest
+
+from sandbox.app import theme, wording
+from sandbox.app.load import FRAME, Load
+from sandbox.app.pages.accuracy import diagram
+from sandbox.app.pages.accuracy.panel import AccuracyPage
+from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.physics.accuracy import cache, study
+from sandbox.physics.accuracy.study import Here, Point
+from sandbox.physics.run import build
+from tests.app import scenes, work
+from tests.app.person import Person
+from tests.app.test_background import alive
+
+PATIENCE = 240.0  # s
+DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
+
+
+def page(person: Person) -> AccuracyPage:
+    assert person.window.panels.side is not None
+    found = person.window.panels.side.page
+    assert isinstance(found, AccuracyPage)
+    return found
+
+
+def busy(person: Person) -> bool:
+    return person.window.studying.running
+
+
+def waits(person: Person) -> bool:
+    return person.session.waiting
+
+
+def until(person: Person, true: Callable[[], bool]) -> None:
+    """Look on, frame by frame, until something is the case."""
+    deadline = time.monotonic() + PATIENCE
+    while not true():
+        assert time.monotonic() < deadline
+        person.wait()
+        time.sleep(0.05)  # the other process needs the time
+
+
+@pytest.fixture
+def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
+    """Somebody who has turned to the accuracy of a ball that falls with drag."""
+    monkeypatch.setattr(study, "study", work.short_study)
+    person.open(tmp_path, scenes.falling(effects=DRAG, ghosts={}))
+    person.press(pygame.K_a, "a")
+    yield person
+    person.window.close()
+
+
+@pytest.fixture
+def informed(player: Person) -> Person:
+    """Somebody who knows what the schemes cost already, and now also what the run's error is."""
+    studying = player.window.studying
+    studying.points.append(Point("leapfrog", 60, 1e-4, 1e-3))
+    until(player, lambda: studying.here is not None and not studying.running)
+    return player
+
+
+def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
+    studying = player.window.studying
+    until(player, lambda: studying.here is not None and not studying.running)
+
+    assert {"leapfrog", "symplectic-euler"} <= {point.scheme for point in studying.points}
+    side = player.window.surface.subsurface(player.window.panels.layout.side)
+    pixels = pygame.surfarray.array3d(side)
+    for scheme in ("leapfrog", "symplectic-euler"):
+        assert (pixels == diagram.COLORS[scheme]).all(axis=2).sum() > 60
+    assert set(studying.splits(player.session)) == {0, 1}
+
+
+def test_nothing_is_measured_where_nobody_looks(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, scenes.falling())
+    person.wait(2)
+
+    assert not person.window.studying.running
+
+
+def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> None:
+    player.wait(1)
+    assert busy(player)
+    assert page(player).button.text == "Cancel"
+
+    player.click(page(player).button.rect)
+    assert not busy(player)
+    assert page(player).button.text == "Measure"
+    player.wait(1)
+    assert not busy(player)
+    player.click(page(player).button.rect)
+
+    assert busy(player)
+
+
+def test_looking_for_a_setting_is_not_cut_short_by_measuring(player: Person) -> None:
+    player.window.studying.seek(player.session, 1e-12)
+    pid = player.window.studying.pid
+    player.wait(1)
+
+    assert pid is not None
+    assert player.window.studying.pid == pid
+
+
+def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> None:
+    player.window.studying.seek(player.session, 1e-3)
+    player.press(pygame.K_o, "o")
+
+    player.press(pygame.K_DOWN)
+
+    assert not busy(player)
+    assert player.session.world.stepping == player.session.original.stepping
+
+
+def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> None:
+    studying = informed.window.studying
+    assert studying.points
+    assert studying.splits(informed.session)
+
+    informed.session.restart({"g": 5})
+    informed.wait()
+
+    assert studying.points == []
+    assert studying.here is None
+    assert studying.splits(informed.session) == {}
+
+
+def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person) -> None:
+    studying = player.window.studying
+    knob = page(player).dial.sliding_button
+    assert knob is not None
+    start = knob.rect.center
+
+    player.drag(start, (start[0] + 70, start[1]))
+    asked = studying.target
+    until(player, lambda: player.session.world.stepping.rate != 60)
+
+    assert asked is not None
+    assert asked < 1e-6
+    assert studying.here is None or studying.here.error <= asked
+    level = player.session.level
+    assert player.session.companions == ()
+    exact = build(level, player.session.values).stepping
+    assert exact == player.session.world.stepping
+
+
+def test_the_dial_goes_back_when_another_level_asks_for_nothing(
+    player: Person, tmp_path: Path
+) -> None:
+    dial = page(player).dial
+    before = dial.get_current_value()
+    assert dial.sliding_button is not None
+    start = dial.sliding_button.rect.center
+    player.drag(start, (start[0] + 70, start[1]))
+    player.wait()
+    assert dial.get_current_value() > before
+
+    player.open(tmp_path, scenes.falling())
+    player.wait()
+
+    assert page(player).dial.get_current_value() == before
+
+
+ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})
+
+
+@pytest.fixture
+def in_the_background(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The process of the window finds out nothing, and nothing was found out before."""
+
+    def calibrate(*_: object, **__: object) -> None:
+        pytest.fail("the window waits")
+
+    monkeypatch.setattr(cache, "folder", lambda: tmp_path / "cache")
+    monkeypatch.setattr(cache, "_unkept", {})
+    monkeypatch.setattr(cache, "calibrate", calibrate)
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_a_level_that_asks_for_an_accuracy_waits_for_it_and_the_window_does_not(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, ASKING)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.3)
+    assert waits(person)
+    assert person.session.world.steps == 0
+
+    until(person, lambda: not waits(person))
+    person.wait(0.3)
+
+    assert person.session.setting is not None
+    assert person.session.world.stepping == person.session.setting.chosen.stepping
+    assert person.session.world.steps > 0
+    person.session.restart()  # it is known now
+    assert not waits(person)
+    person.session.restart({"g": 5})  # it is not known of this one
+    assert waits(person)
+    person.window.close()
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_an_accuracy_that_cannot_be_had_is_told_instead_of_a_run(
+    person: Person, tmp_path: Path
+) -> None:
+    pushed = {"type": "kinematic", "shape": {"type": "disc", "radius": 1}, "velocity": [1, 0]}
+    nothing: dict[str, object] = {"parameters": {}, "effects": {}, "checks": [], "ghosts": {}}
+    asks = scenes.falling(**nothing, bodies={"ball": pushed}, stepping={"accuracy": 1e-6})
+    person.open(tmp_path, asks)
+
+    until(person, lambda: person.session.failure is not None)
+
+    assert "nothing moves freely" in str(person.session.failure)
+    assert not person.session.playing
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_a_search_that_is_cancelled_is_no_setting(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, ASKING)
+    until(person, lambda: busy(person))
+
+    person.window.studying.cancel()
+    person.wait(0.1)
+
+    assert "cancelled" in str(person.session.failure)
+    assert not busy(person)
+
+
+@pytest.mark.usefixtures("in_the_background")
+def test_an_accuracy_that_was_asked_for_beside_the_level_outlives_a_reload(
+    person: Person, tmp_path: Path
+) -> None:
+    path = tmp_path / "level.json"
+    path.write_text(scenes.falling(), encoding="utf-8")
+    person.window.open_level(str(path), accuracy=1e-3)
+
+    person.press(pygame.K_F5)
+
+    assert person.session.level.stepping.accuracy == 1e-3
+
+
+def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person) -> None:
+    window = informed.window
+    informed.press(pygame.K_SPACE, " ")
+    informed.wait(1.2)
+    informed.press(pygame.K_o, "o")
+    with_digits = window.surface.subsurface(window.panels.layout.side).copy()
+
+    window.studying._splits.clear()
+    informed.press(pygame.K_o, "o")
+
+    side = window.surface.subsurface(window.panels.layout.side)
+    assert pygame.image.tobytes(side, "RGB") != pygame.image.tobytes(with_digits, "RGB")
+
+
+@pytest.mark.parametrize(
+    ("value", "off", "digits"),
+    [
+        (3.14159, 2e-4, 4),
+        (3.14159, 9e-4, 3),
+        (3.14159, 2e-9, 8),
+        (7.0, 1.0, 1),
+        (0.02, 1.0, 0),
+        (0.0, 1.0, 5),
+        (7.0, 0.0, 5),
+    ],
+)
+def test_digits_survive_that_are_larger_than_the_error(
+    value: float, off: float, digits: int
+) -> None:
+    assert wording.surviving(value, off) == digits
+
+
+def test_digits_survive_in_the_unit_that_is_read() -> None:
+    """0.1 rad to 4e-4 has three digits, 5.73° to 0.023 but two."""
+    assert wording.certain(0.1, 4e-4, "rad") == "5.7°"
+    assert wording.certain(1234.0, 40.0, "J") == "1.2e3 J"
+    assert wording.certain(0.02, 1.0, "m") == "0 m"
+
+
+def test_closing_the_window_ends_the_work(player: Person) -> None:
+    player.wait(1)
+    pid = player.window.studying.pid
+    assert pid is not None
+
+    player.window.close()
+
+    assert not alive(pid)
+
+
+def test_frames_go_on_while_it_is_measured(player: Person) -> None:
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.7)
+    assert player.window.studying.running
+
+    before = player.session.world.steps
+    player.wait(0.25)
+
+    assert player.session.world.steps == before + 15
+
+
+def test_a_load_is_smoothed_and_adds_up() -> None:
+    load = Load()
+    for _ in range(200):
+        load.stepped(0.5 * FRAME, 0.2 * FRAME)
+        load.drew(0.1 * FRAME)
+
+    assert load.shares == pytest.approx({"physics": 0.3, "hooks": 0.2, "drawing": 0.1})
+
+
+def test_hooks_are_timed_only_when_it_is_asked_for_and_change_no_bit() -> None:
+    plain, timed = (Session(scenes.level(effects=DRAG)) for _ in range(2))
+    timed.world.time_hooks()
+    for session in (plain, timed):
+        for _ in range(30):
+            session.step()
+
+    assert plain.world.hook_seconds == 0
+    assert timed.world.hook_seconds > 0
+    assert timed.world.snapshot.position.tobytes() == plain.world.snapshot.position.tobytes()
+
+
+def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
+    points = [Point("leapfrog", 60, 2e-4, 2e-3), Point("leapfrog", 120, 5e-5, 4e-3)]
+    here = Here("leapfrog", 240, 1e-5, 8e-3)
+
+    drawn = diagram.draw(pen, (278, 158), points, here)
+
+    across = diagram.axis([2.0, 4.0, 8.0], diagram.LEFT, 278 - diagram.RIGHT)
+    assert (across.low, across.high) == (0, 1)
+    x, y = across.pixel(2.0), diagram.axis([2e-4, 5e-5, 1e-5], 158 - diagram.BELOW, 8).pixel(2e-4)
+    color = drawn.get_at((round(x), round(y)))[:3]
+    assert color == pytest.approx(diagram.COLORS["leapfrog"], abs=3)
+    empty = pygame.surfarray.array3d(diagram.draw(pen, (278, 158), [], None))
+    assert (empty[:, :60] == theme.STAGE).all()
+    assert (empty[:, 60:100] != theme.STAGE).any()  # it says that nothing is measured yet
+
+
+def test_a_study_forgets_what_it_knew_of_another_run() -> None:
+    studying, session = Studying(), Session(scenes.level())
+    studying.follow(session, 0.0, watched=True)
+    studying._take(Here("leapfrog", 60, 1e-5, 1e-3))
+
+    studying.follow(Session(scenes.level()), 0.0, watched=False)
+
+    assert studying.here is None

@@ -1,0 +1,307 @@
+"""What if: effects switched off and on for a run, which is drawn over the level as it is."""
+
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme
+from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.effects.panel import EffectsPage
+from sandbox.app.session import Session
+from sandbox.app.stage import legend
+from sandbox.app.text import Pen
+from sandbox.model.catalog import find
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import load, parse
+from sandbox.model.variants import EffectError
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
+from tests.app import scenes
+from tests.app.person import Person
+from tests.app.scenes import play
+
+
+def page(person: Person) -> EffectsPage:
+    assert person.window.panels.side is not None
+    found = person.window.panels.side.page
+    assert isinstance(found, EffectsPage)
+    return found
+
+
+@pytest.fixture
+def player(person: Person, tmp_path: Path) -> Person:
+    """Somebody who has turned to the effects of a ball that is about to fall."""
+    person.open(tmp_path, scenes.falling())
+    person.press(pygame.K_x, "x")
+    return person
+
+
+def test_both_runs_are_in_lockstep_and_each_in_its_own_bits() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+
+    (original,) = session.companions
+    alone = build(scenes.level())
+    alone.advance(60)
+    assert original.world.steps == session.world.steps == 60
+    assert np.array_equal(original.world.snapshot.position, alone.snapshot.position)
+    assert session.world.snapshot.position[0, 1] > original.world.snapshot.position[0, 1] + 0.1
+
+
+def test_an_effect_is_switched_off_and_on_again() -> None:
+    session = Session(scenes.level())
+
+    whatif.toggle(session, "gravity")
+    assert session.level.effects.gravity is None
+    assert session.changes.told == "without gravity"
+    whatif.toggle(session, "gravity")
+
+    assert session.level == session.original
+    assert session.companions == ()
+
+
+def test_the_formulas_do_not_judge_what_they_do_not_describe() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+
+    assert session.readings() == ()
+    assert [r.result.verdict for r in session.companions[0].readings(hurried=False)] == [
+        "passed",
+        "passed",
+    ]
+
+
+def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    play(session)
+    found = whatif.compared(session)
+    told = whatif.told(session, found)
+
+    half_way = simulate(session.original).columns["ball.speed"][30]
+    assert found[1].before == pytest.approx(half_way)
+    assert found[1].after == pytest.approx(100 * (1 - np.exp(-0.05)), rel=1e-4)
+    assert told.startswith("with drag (linear 0.1): ")
+    assert "half way −2.4" in told
+    assert told.endswith("ms a step")
+
+
+def test_both_runs_take_turns_in_going_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Who comes second finds the caches warm: in a scene as short as this, 0.1 ms a step less."""
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+    (original,) = session.companions
+    order: list[World] = []
+    advance = World.advance
+
+    def noted(world: World) -> Snapshot:
+        order.append(world)
+        return advance(world)
+
+    monkeypatch.setattr(World, "advance", noted)
+    for _ in range(3):
+        session.step()
+
+    run, other = session.world, original.world
+    assert order == [run, other, other, run, run, other]
+
+
+@pytest.mark.parametrize("banner", [0, 72, 130])
+def test_the_legend_stands_below_a_banner_of_any_height(pen: Pen, banner: int) -> None:
+    """At the end of a run what differs is told, often in more lines than one."""
+    surface = pygame.Surface((600, 300))
+
+    legend.draw(surface, pen, [(None, "with drag"), (theme.GHOST, whatif.DECLARED)], banner)
+
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(0, 2)))
+    assert drawn[0] > banner
+
+
+def test_the_legend_ends_within_a_narrow_stage(pen: Pen) -> None:
+    surface = pygame.Surface((370, 300))
+    many = "with drag (linear 0.1), with contact, with restitution (coefficient 1)"
+
+    legend.draw(surface, pen, [(None, many), (theme.GHOST, whatif.DECLARED)])
+
+    drawn = np.flatnonzero(pygame.surfarray.array3d(surface).any(axis=(1, 2)))
+    assert drawn[-1] < surface.width - 1
+
+
+def test_a_change_of_a_parameter_changes_both_runs() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+
+    session.restart({"g": 2})
+
+    assert session.companions[0].world.values["g"] == session.world.values["g"] == 2
+    assert session.changes.on == ("drag",)
+
+
+FOURTH = {"rate": 60, "scheme": "fourth-order"}
+
+
+def test_where_the_scheme_is_not_for_an_effect_both_runs_go_by_leapfrog_until_it_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "drag")
+
+    (original,) = session.companions
+    assert session.level.stepping.scheme == original.world.stepping.scheme == "leapfrog"
+    assert session.changes.told == "with drag (linear 0.1), both by leapfrog"
+    play(session)
+    whatif.toggle(session, "drag")
+    assert session.level == session.original
+
+
+def test_where_the_scheme_is_for_an_effect_it_stays() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+
+    whatif.toggle(session, "attraction")
+
+    assert session.level.stepping.scheme == "fourth-order"
+    assert session.changes.left is None
+
+
+def test_a_setting_that_is_chosen_for_the_changed_run_is_kept_when_its_effect_is_gone() -> None:
+    session = Session(scenes.level(stepping=FOURTH))
+    whatif.toggle(session, "drag")
+    chosen = session.world.stepping.at(240)
+
+    whatif.repace(session, chosen)
+    whatif.toggle(session, "drag")
+
+    assert session.level.stepping == chosen
+
+
+def test_what_cannot_be_leaves_everything_as_it_was() -> None:
+    session = Session(scenes.level())
+    whatif.toggle(session, "drag")
+    world = session.world
+
+    with pytest.raises(EffectError, match="'friction' needs the effect 'contact'"):
+        whatif.toggle(session, "friction")
+
+    assert session.world is world
+    assert session.changes.on == ("drag",)
+
+
+def test_an_effect_takes_with_it_what_is_nothing_without_it_and_brings_it_back() -> None:
+    session = Session(load(find("momentum/bouncing-ball")))
+
+    whatif.toggle(session, "contact")
+    assert session.changes.told == "without contact (and so without restitution)"
+    assert session.level.effects.restitution is None
+    whatif.toggle(session, "contact")
+
+    assert session.level.effects.restitution is not None
+
+
+def test_a_companion_that_has_to_stop_lets_the_other_go_on() -> None:
+    session = Session(parse(scenes.runaway()))
+    whatif.toggle(session, "gravity")
+
+    play(session)
+
+    assert session.failure is None
+    assert session.at_end
+    assert isinstance(session.companions[0].failure, SandboxError)
+
+
+def test_a_switch_changes_the_run_and_shows_both(player: Person) -> None:
+    player.click(page(player).switch("gravity").rect)
+    assert not page(player).switch("gravity").is_selected
+    assert player.session.level.effects.gravity is None
+
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.7)
+
+    _, fallen = (float(x) for x in player.session.companions[0].world.snapshot.position[0])
+    x, y = player.on_screen((0.0, fallen))
+    around = [player.color_at((x + i, y + j)) for i in range(-26, 27) for j in range(-26, 27)]
+    still = player.on_screen((0.0, 5.0))
+    assert theme.GHOST in around
+    assert player.color_at((still[0] + 9, still[1] + 5)) == (255, 0, 0)
+
+
+def test_the_end_of_the_run_tells_what_is_different(player: Person) -> None:
+    player.click(page(player).switch("drag").rect)
+    player.press(pygame.K_SPACE, " ")
+    player.wait(0.5)
+    before = player.window.surface.copy()
+    player.wait(0.7)
+
+    stage = player.window.panels.layout.stage
+    assert player.session.at_end
+    row = [(x, 36) for x in range(stage.left, stage.right)]
+    assert theme.ACCENT in [player.color_at(pixel) for pixel in row]
+    assert any(before.get_at(pixel) != player.window.surface.get_at(pixel) for pixel in row)
+
+
+def test_reset_restores_the_level(player: Person) -> None:
+    player.click(page(player).switch("drag").rect)
+    player.click(page(player).switch("gravity").rect)
+    assert player.session.changes.off == ("gravity",)
+
+    player.click(page(player).reset.rect)
+
+    assert player.session.level == player.session.original
+    assert not page(player).reset.is_enabled
+
+
+def test_an_effect_that_is_on_can_be_made_stronger_and_weaker(player: Person) -> None:
+    assert not page(player).scale("drag", 2).is_enabled
+    player.click(page(player).switch("drag").rect)
+
+    player.click(page(player).scale("drag", 2).rect)
+    player.click(page(player).scale("drag", 2).rect)
+    assert player.session.changes.told == "with drag (linear 0.4)"
+    player.click(page(player).scale("drag", 0.5).rect)
+
+    assert player.session.changes.told == "with drag (linear 0.2)"
+    assert player.session.level.effects.drag is not None
+    assert player.session.level.effects.drag.linear({}) == 0.2
+
+
+def test_a_strength_that_cannot_be_changes_nothing() -> None:
+    session = Session(load(find("momentum/inelastic")))
+    whatif.toggle(session, "restitution")
+
+    with pytest.raises(EffectError, match="coefficient"):
+        whatif.strengthen(session, "restitution", 2)
+    whatif.strengthen(session, "restitution", 0.5)
+
+    assert session.changes.told == "with restitution (coefficient 0.5)"
+
+
+def test_where_an_effect_cannot_go_is_told(player: Person) -> None:
+    before = player.window.surface.copy()
+
+    player.click(page(player).switch("friction").rect)
+    player.wait()
+
+    stage = player.window.panels.layout.stage
+    column = [(x, 40) for x in range(stage.left, stage.right)]
+    assert theme.NOTICE in [player.color_at(pixel) for pixel in column]
+    assert theme.NOTICE not in [tuple(before.get_at(pixel))[:3] for pixel in column]
+    assert not page(player).switch("friction").is_selected
+
+
+def test_the_tabs_are_turned_by_mouse_and_keyboard(player: Person) -> None:
+    side = player.window.panels.side
+    assert side is not None
+
+    player.click(side.tab("level page").rect)
+    assert player.window.panels.side is not None
+    assert player.window.panels.side.parameters.row("g")
+    player.press(pygame.K_p, "p")
+    player.press(pygame.K_x, "x")
+
+    assert page(player).switch("gravity").is_selected

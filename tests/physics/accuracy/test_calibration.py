@@ -1,0 +1,577 @@
+"""An accuracy that is asked for is delivered, and what cannot be had is said."""
+
+import json
+import os
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from functools import partial
+from itertools import count
+from math import cos, pi, sin, sqrt
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.physics.accuracy import (
+    cache,
+    calibration,
+    candidates,
+    search,
+)
+from sandbox.physics.accuracy.cache import calibrated
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
+from sandbox.physics.accuracy.estimation import estimate
+from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.measuring import step_timing
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import SimulationError
+from tests.physics.scenes import GRAVITY, G, Spec, atwood, disc, fixed, floor, level, orbit
+
+PEG = fixed({"type": "disc", "radius": 0.1})
+
+
+def check(quantity: str, formula: str, at: object = None) -> Spec:
+    said: Spec = {"quantity": quantity, "formula": formula, "tolerance": 1.0}
+    return said if at is None else {**said, "at": at}
+
+
+def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
+    """A ball of 1 kg, let go 0.5 m from where its spring is slack."""
+    omega, gamma = sqrt(k - c * c / 4), c / 2
+    swing = f"exp(-{gamma!r}*t)*(cos({omega!r}*t) + {gamma / omega!r}*sin({omega!r}*t))"
+    spring = {"type": "spring", "ends": ["peg", "ball"], "stiffness": k, "length": 1, "damping": c}
+    return level(
+        {"ball": disc((1.5, 0)), "peg": PEG},
+        {},
+        joints={"s": spring},
+        checks=[check("ball.position.x", f"1 + 0.5*{swing}")],
+        duration=3,
+        **rest,
+    )
+
+
+def ticking(now: Callable[[], float]) -> float:
+    """Return what a clock says that ticks a hundred times a second."""
+    return int(100 * now()) / 100
+
+
+def leaping(count: Iterator[int]) -> float:
+    """Return what a clock says on a machine that stalls for a minute between two looks."""
+    return 60.0 * next(count)
+
+
+@pytest.mark.parametrize(
+    "clock",
+    [partial(ticking, time.perf_counter), partial(leaping, count())],
+    ids=["coarse", "leaps"],
+)
+def test_whatever_a_clock_says_the_search_comes_to_an_end(
+    monkeypatch: pytest.MonkeyPatch, clock: Callable[[], float]
+) -> None:
+    """No rate is beyond the highest, and each scheme gets there in a few doublings."""
+    monkeypatch.setattr(search, "thread_time", clock)
+    monkeypatch.setattr(step_timing, "perf_counter", clock)
+    begun = time.monotonic()
+
+    with suppress(AccuracyError):
+        setting = calibrate(orbit(0.8), target=1e-9)
+        assert setting.playable.stepping.rate <= HIGHEST_RATE
+    assert time.monotonic() - begun < 60  # 0.8; 15 if it stands still
+
+
+def delivered(scene: Level, stepping: Stepping) -> float:
+    """Return the largest error of a level's checks."""
+    errors = [result.error for result in grade(simulate(scene, stepping=stepping))]
+    return max(error for error in errors if error is not None)
+
+
+# Estimates
+
+
+@pytest.mark.parametrize("rate", [30, 60, 200])
+def test_an_estimate_is_the_error_against_the_closed_form(rate: float) -> None:
+    scene, stepping = oscillator(), Stepping(rate=rate)
+    [found] = estimate(scene, stepping=stepping)
+
+    assert found is not None
+    assert found.error == pytest.approx(delivered(scene, stepping), rel=0.03)  # 0.4 % to 1.9 %
+    assert found.difference == pytest.approx(1.5 * found.error, rel=0.01)  # 1.5 m at the most
+    assert found.order == pytest.approx(2, abs=0.02)
+    assert (found.quantity, found.unit) == ("ball.position.x", "m")
+
+
+def test_what_is_exact_is_off_by_rounding_and_shows_no_order() -> None:
+    scene = level({"ball": disc(velocity=[3, 8])}, GRAVITY, duration=1)
+    found = estimate(scene)
+
+    assert len(found) == 4  # places and velocities
+    for each in found:
+        assert each is not None
+        assert each.error < 1e-12
+        assert each.order is None
+
+
+def test_an_instant_that_never_comes_has_no_error() -> None:
+    never = {"event": "landing", "body": "ball", "height": -99}
+    scene = level({"ball": disc()}, GRAVITY, duration=1, checks=[check("ball.speed", "1", never)])
+
+    assert estimate(scene) == (None,)
+
+
+def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
+    """No error is relative to a place that is zero but for the error itself."""
+    scene = level(
+        {"planet": disc((1, 0), radius=0.05, velocity=[0, 1])},
+        {"attraction": [{"mu": 1}]},
+        checks=[check("planet.position.y", "0", 2 * pi)],
+        duration=6.4,
+    )
+    [found] = estimate(scene, stepping=Stepping(rate=60))
+
+    assert found is not None
+    assert found.error == found.difference
+    assert found.error == pytest.approx(delivered(scene, Stepping(rate=60)), rel=0.03)
+
+
+# Calibration
+
+
+@pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
+@pytest.mark.parametrize("damping", [0, 1])
+def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
+    """A third of the rate would not do, or it is the lowest that is ever taken."""
+    scene = oscillator(c=damping)
+    setting = calibrate(scene, target=target)
+    stepping = setting.chosen.stepping
+    coarser = stepping.at(stepping.rate / 3)
+
+    assert delivered(scene, stepping) <= target
+    assert setting.chosen.error <= target
+    assert delivered(scene, coarser) > target or coarser.rate < 30
+    assert stepping.scheme == "leapfrog" or not damping
+
+
+def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
+    """On an orbit by few of the steps, at five or six times the price each."""
+    assert calibrate(orbit(), target=1e-8).chosen.stepping.scheme == "fourth-order"
+    assert calibrate(orbit(), target=1e-2).chosen.stepping.scheme == "leapfrog"
+
+
+def test_what_is_exact_at_any_rate_gets_a_low_one() -> None:
+    made = atwood(1, 1.5, duration=1, checks=[check("left.position.y", f"{G}/5*t**2/2")])
+    setting = calibrate(made, target=1e-9)
+
+    assert setting.chosen.stepping == Stepping(rate=30)
+    assert setting.verified
+    assert delivered(made, setting.chosen.stepping) < 1e-12
+
+
+SPRINGS = st.builds(oscillator, st.floats(1, 200), st.floats(0, 1.5))
+
+
+@st.composite
+def orbits(draw: st.DrawFn) -> Level:
+    """An ellipse from its nearest point, to the farthest: half a turn."""
+    e, mu = draw(st.floats(0, 0.6)), draw(st.floats(1, 20))
+    speed, axis = sqrt(mu * (1 + e)), 1 / (1 - e)
+    half = pi * sqrt(axis**3 / mu)
+    planet = disc((1, 0), radius=0.05, velocity=[0, speed])
+    checks = [
+        check("planet.position.x", repr(-(1 + e) / (1 - e)), half),
+        check("planet.velocity.y", repr(-speed * (1 - e) / (1 + e)), half),
+        check("planet.energy", repr(speed**2 / 2 - mu)),
+    ]
+    effects = {"attraction": [{"mu": mu}]}
+    return level({"planet": planet}, effects, checks=checks, duration=half + 0.01)
+
+
+@st.composite
+def pendulums(draw: st.DrawFn) -> Level:
+    """A rod let go: at its lowest point, the speed is that of the height; energy is kept."""
+    angle, length = draw(st.floats(0.2, 2)), draw(st.floats(0.3, 3))
+    speed = sqrt(2 * G * length * (1 - cos(angle)))
+    low = {"event": "crossing", "quantity": "bob.position.x", "value": 0}
+    bob = disc((length * sin(angle), -length * cos(angle)), radius=0.05)
+    checks = [
+        check("bob.speed", repr(speed), low),
+        check("bob.energy", repr(-G * length * cos(angle))),
+    ]
+    rod = {"type": "rod", "ends": [[0, 0], "bob"]}
+    duration = 2 * pi * sqrt(length / G)
+    return level({"bob": bob}, GRAVITY, joints={"rod": rod}, checks=checks, duration=duration)
+
+
+@st.composite
+def throws(draw: st.DrawFn) -> Level:
+    """With linear drag: v = (v0 + g τ) exp(−t/τ) − g τ, τ = m/c."""
+    vx, vy, tau = draw(st.floats(1, 20)), draw(st.floats(1, 20)), draw(st.floats(0.3, 5))
+    fade = f"exp(-t/{tau!r})"
+    checks = [
+        check("ball.position.x", f"{vx * tau!r}*(1 - {fade})"),
+        check("ball.position.y", f"{(vy + G * tau) * tau!r}*(1 - {fade}) - {G * tau!r}*t"),
+    ]
+    effects = {**GRAVITY, "drag": {"linear": 1 / tau}}
+    return level({"ball": disc(velocity=[vx, vy])}, effects, checks=checks, duration=2)
+
+
+@st.composite
+def atwoods(draw: st.DrawFn) -> Level:
+    left, right = draw(st.floats(0.1, 10)), draw(st.floats(0.1, 10))
+    a = (right - left) * G / (left + right)
+    return atwood(left, right, checks=[check("left.position.y", f"{a!r}*t**2/2")], duration=0.7)
+
+
+@pytest.mark.parametrize("scenes", [SPRINGS, orbits(), pendulums(), throws(), atwoods()])
+@settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
+@given(st.data(), st.sampled_from([1e-3, 1e-5, 1e-7]))
+def test_random_scenes_get_what_they_ask_for(
+    scenes: st.SearchStrategy[Level], data: st.DataObject, target: float
+) -> None:
+    scene = data.draw(scenes)
+    stepping = calibrate(scene, target=target).chosen.stepping
+    if stepping.rate <= 5000:  # a finer one takes a test too long to look at
+        assert delivered(scene, stepping) <= target
+
+
+def test_runs_that_agree_on_missing_a_wall_are_not_believed() -> None:
+    """At 80 m/s a step of 120 Hz is 0.67 m: below 800 Hz a bullet of 0.1 m can pass a thin wall."""
+    wall = fixed({"type": "box", "width": 0.05, "height": 1}, (0.3, 0))
+    bullet = disc(radius=0.05, velocity=[80, 0])
+    scene = level({"bullet": bullet, "wall": wall}, {"contact": {}}, duration=0.2)
+
+    found = calibrate(scene, target=1e-2).chosen
+
+    run = simulate(scene, record=["bullet.position.x"], stepping=found.stepping)
+    assert run.columns["bullet.position.x"][-1] == pytest.approx(0.3 - 0.025 - 0.05, abs=1e-5)
+
+
+# What cannot be had
+
+
+def test_rounding_that_grows_with_the_rate_is_expected_to_grow_on() -> None:
+    """An acceleration is rounded by the square of the rate: a hundred times 60 Hz, 10,000 times."""
+    run = simulate(oscillator(), record=["ball.position.x"], stepping=Stepping(rate=60))
+    ladder = Ladder((run,), (1e-4,), ((1e-12, -2.0), (1e-4, 2.0)))
+
+    assert ladder.rate_for(1e-8) == pytest.approx(6000)
+    assert ladder.error_at(6000) == pytest.approx(1e-8)
+    assert ladder.error_at(60_000) == pytest.approx(1e-6)
+
+
+def test_what_pymunk_makes_of_impacts_as_it_comes_tells_nothing_of_other_rates() -> None:
+    naive = Stepping(rate=60, scheme="symplectic-euler")
+    run = simulate(oscillator(), record=["ball.position.x"], stepping=naive)
+    ladder = Ladder((run,), (1e-4,), ((1e-4, 1.0),))
+
+    assert ladder.rate_for(1e-5) == ladder.error_at(600) == float("inf")
+
+
+def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> None:
+    """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 4e-4 is had at 85 Hz."""
+    steppings = (Stepping(rate=rate, scheme="fourth-order") for rate in (60, 120, 240))
+    runs = [simulate(oscillator(), record=["ball.position.x"], stepping=s) for s in steppings]
+    ladder = Ladder(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),))
+
+    assert ladder.between(4e-4) == pytest.approx(120 / sqrt(2), rel=2e-3)
+    assert ladder.between(1.01e-4) is None  # hardly lower
+    assert ladder.between(2e-3) is None  # nothing is known of lower ones
+
+
+def test_an_accuracy_below_rounding_is_refused() -> None:
+    with pytest.raises(AccuracyError, match="1e-15 is below rounding; 1e-14 is the least"):
+        calibrate(oscillator(), target=1e-15)
+
+
+def test_what_cannot_be_reached_says_what_can() -> None:
+    with pytest.raises(AccuracyError, match=r"1e-14 cannot be had; there is leapfrog at .* error"):
+        calibrate(oscillator(c=1), target=1e-14)
+
+
+def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    for module in (calibration, candidates):  # as if the rest went elsewhere
+        monkeypatch.setattr(module, "REAL_TIME", 0.1)
+    scene = oscillator(c=1)  # no fourth order with a damper
+    setting = calibrate(scene, target=1e-10)
+
+    assert setting.chosen.price > 0.1
+    assert setting.in_real_time is not None
+    assert setting.in_real_time.price <= 0.101
+    assert 1e-10 < setting.in_real_time.error < 1e-6
+    assert "not in real time, in which there is leapfrog" in str(setting)
+
+
+def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
+    """Two rods that whip about for 40 s: no step is small enough to say where they end."""
+    rods = {
+        "upper": {"type": "rod", "ends": [[0, 0], "a"]},
+        "lower": {"type": "rod", "ends": ["a", "b"]},
+    }
+    bodies = {"a": disc((1, 0.5), radius=0.1), "b": disc((2, 1), radius=0.1)}
+    scene = level(bodies, GRAVITY, joints=rods, duration=40)
+    setting = calibrate(scene, target=1e-2, budget=4.0)  # enough for a sixth of the speed
+
+    assert "its energy, for it is chaotic" in str(setting)
+    energy = simulate(scene, record=["system.energy"], stepping=setting.chosen.stepping)
+    off = np.abs(energy.columns["system.energy"] - energy.columns["system.energy"][0])
+    assert off.max() <= 1e-2 * np.abs(energy.columns["system.energy"]).max()
+
+
+def test_nothing_that_moves_has_no_accuracy() -> None:
+    scene = level({"floor": floor()}, {})
+
+    with pytest.raises(AccuracyError, match="nothing moves freely"):
+        calibrate(scene)
+
+
+@pytest.mark.usefixtures("boundless")
+def test_a_level_that_never_runs_says_why() -> None:
+    force = [{"body": "ball", "force": ["1e100*exp(200*t)", 0]}]
+    scene = level({"ball": disc()}, {"force": force}, duration=2)
+
+    with pytest.raises(SimulationError, match="its energy is no finite number"):
+        calibrate(scene, target=1e-6, budget=0.2)
+
+
+def test_a_singular_motion_is_stopped_by_the_watchdog_at_any_rate() -> None:
+    scene = orbit(0.0)  # it falls into the centre
+
+    with pytest.raises(SimulationError, match="have come from nowhere"):
+        calibrate(scene, target=1e-6, budget=0.2)
+
+
+def test_a_calibration_can_be_cancelled() -> None:
+    asked: list[None] = []
+
+    def stop() -> bool:
+        asked.append(None)
+        return len(asked) > 3
+
+    with pytest.raises(Cancelled, match="cancelled"):
+        calibrate(oscillator(), stop=stop)
+
+    assert len(asked) == 4
+
+
+def test_progress_is_told() -> None:
+    told: list[tuple[float, str]] = []
+    calibrate(oscillator(), target=1e-3, progress=lambda *said: told.append(said))
+
+    shares = [share for share, _ in told]
+    assert shares == sorted(shares)
+    assert 0 <= shares[0] < 0.1
+    assert shares[-1] < 1
+    assert [scheme in str(told) for scheme in ("fourth-order at", "leapfrog at")] == [True, True]
+
+
+# Memory
+
+
+@pytest.fixture
+def counted(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[float]:
+    """Keep settings in a folder of the test's own, and count how often one is found out."""
+    calls: list[float] = []
+    real: Callable[..., Setting] = calibrate
+
+    def counting(scene: Level, values: Values, target: float, **rest: object) -> Setting:
+        calls.append(target)
+        return real(scene, values, target, **rest)
+
+    monkeypatch.setattr(cache, "calibrate", counting)
+    monkeypatch.setattr(cache, "folder", lambda: tmp_path / "cache" / "accuracy")
+    monkeypatch.setattr(cache, "_unkept", {})
+    return calls
+
+
+def kept() -> list[Path]:
+    return sorted(cache.folder().glob("*.json"))
+
+
+def test_a_setting_is_found_out_once(counted: list[float]) -> None:
+    first = calibrated(oscillator(), target=1e-3)
+    again = calibrated(oscillator(), target=1e-3)
+
+    assert first == again
+    assert counted == [1e-3]
+
+
+def test_another_level_or_target_or_code_is_another_setting(
+    counted: list[float], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calibrated(oscillator(), target=1e-3)
+    calibrated(oscillator(k=11), target=1e-3)
+    calibrated(oscillator(), target=2e-3)
+    monkeypatch.setattr(cache, "_code", lambda: "other")
+    calibrated(oscillator(), target=1e-3)
+
+    assert len(counted) == len(kept()) == 4
+
+
+@pytest.mark.parametrize(
+    "mangle",
+    [
+        lambda _: "",
+        lambda text: text[:-20],
+        lambda text: text.replace('"price":', '"prize":'),
+        lambda text: text.replace('"target":0.001', '"target":0'),
+        lambda text: text.replace(text[2:10], "00000000"),
+        lambda text: text.replace('"leapfrog"', '"magic"').replace('"fourth-order"', '"magic"'),
+        lambda _: "[" * 100_000,
+    ],
+)
+def test_a_spoilt_file_is_not_used(counted: list[float], mangle: Callable[[str], str]) -> None:
+    found = calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    file.write_text(mangle(file.read_text()))
+
+    again = calibrated(oscillator(), target=1e-3)
+
+    assert found.chosen.error <= again.target
+    assert again.chosen.error <= again.target
+    assert len(counted) == 2
+    assert calibrated(oscillator(), target=1e-3) == again  # mended
+    assert len(counted) == 2
+
+
+def _edited(text: str) -> str:
+    """Let an entry say 1 Hz and explicit Euler, at the error that was found for something else."""
+    entry = json.loads(text)
+    entry[2]["chosen"]["stepping"] |= {"rate": 1.0, "scheme": "explicit-euler"}
+    return json.dumps(entry)
+
+
+@pytest.mark.parametrize("edit", [_edited, lambda text: text.replace('"rate":', '"rate":1')])
+def test_a_setting_that_a_hand_has_changed_is_not_believed(
+    counted: list[float], edit: Callable[[str], str]
+) -> None:
+    found = calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    assert edit(file.read_text()) != file.read_text()
+    file.write_text(edit(file.read_text()))
+
+    assert calibrated(oscillator(), target=1e-3).chosen.stepping == found.chosen.stepping
+    assert len(counted) == 2
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_setting_is_not_written_through_a_link(counted: list[float], tmp_path: Path) -> None:
+    other = tmp_path / "another's file"
+    calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    content = file.read_bytes()
+    other.write_bytes(content)
+    file.unlink()
+    file.symlink_to(other)
+
+    calibrated(oscillator(), target=1e-3)
+
+    assert len(counted) == 2  # nor is it read through one
+    assert other.read_bytes() == content
+    assert not file.is_symlink()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need a privilege there")
+def test_a_setting_is_not_written_into_a_folder_that_is_a_link(
+    counted: list[float], tmp_path: Path
+) -> None:
+    (tmp_path / "elsewhere").mkdir()
+    (tmp_path / "cache").mkdir()
+    cache.folder().symlink_to(tmp_path / "elsewhere")
+    told: list[str] = []
+
+    calibrated(oscillator(), target=1e-3, tell=told.append)
+
+    assert "is a link, which may lead anywhere" in told[0]
+    assert list((tmp_path / "elsewhere").iterdir()) == []
+    assert len(counted) == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no such pipes there")
+def test_a_pipe_in_the_place_of_a_setting_is_not_waited_for(counted: list[float]) -> None:
+    calibrated(oscillator(), target=1e-3)
+    [file] = kept()
+    file.unlink()
+    os.mkfifo(file)
+
+    assert calibrated(oscillator(), target=1e-3).chosen.error <= 1e-3
+    assert len(counted) == 2
+
+
+def test_a_folder_that_cannot_be_written_costs_only_the_memory(
+    counted: list[float], tmp_path: Path
+) -> None:
+    (tmp_path / "cache").write_text("no folder")
+    told: list[str] = []
+
+    setting = calibrated(oscillator(), target=1e-3, tell=told.append)
+
+    assert setting.chosen.error <= 1e-3
+    assert "not kept for the next time" in told[0]
+    assert calibrated(oscillator(), target=1e-3) == setting  # while the process lives
+    assert len(counted) == len(told) == 1
+
+
+@pytest.mark.usefixtures("counted")
+def test_a_full_disk_costs_only_the_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, os.strerror(28))
+
+    monkeypatch.setattr(cache, "write_atomically", full)
+    told: list[str] = []
+
+    assert calibrated(oscillator(), target=1e-3, tell=told.append).chosen.error <= 1e-3
+    assert "No space left" in told[0]
+
+
+@pytest.mark.usefixtures("counted")
+def test_what_is_cancelled_is_not_kept() -> None:
+    with pytest.raises(Cancelled):
+        calibrated(oscillator(), stop=lambda: True)
+
+    assert kept() == []
+
+
+# Levels that ask
+
+
+def test_a_level_may_ask_for_its_accuracy(counted: list[float]) -> None:
+    scene = oscillator(stepping={"accuracy": 1e-5})
+    world = build(scene)
+
+    assert world.stepping == calibrated(scene, target=1e-5).chosen.stepping
+    assert world.stepping.accuracy is None
+    assert len(counted) == 1
+    assert np.isfinite(world.advance(10).position).all()
+    assert delivered(scene, world.stepping) <= 1e-5
+
+
+@pytest.mark.parametrize("chosen", [{"rate": 60}, {"iterations": 4}, {"scheme": "leapfrog"}])
+def test_a_setting_is_chosen_or_asked_for(chosen: Spec) -> None:
+    with pytest.raises(LevelError, match="leave one of the two out") as refused:
+        oscillator(stepping={"accuracy": 1e-5, **chosen})
+
+    [mistake] = refused.value.mistakes
+    assert mistake.path == f"stepping.{next(iter(chosen))}"
+
+
+@pytest.mark.parametrize("accuracy", [0, -1e-3, 1, "small"])
+def test_an_accuracy_is_a_number_between_0_and_1(accuracy: object) -> None:
+    with pytest.raises(LevelError, match=r"stepping\.accuracy"):
+        oscillator(stepping={"accuracy": accuracy})
+
+
+def test_asking_survives_a_round_trip() -> None:
+    said = Stepping(accuracy=1e-5)
+
+    assert said.model_dump(mode="json") == {"accuracy": 1e-5}
+    assert Stepping.model_validate_json(said.model_dump_json()) == said
+    assert "accuracy" not in Stepping().model_dump()

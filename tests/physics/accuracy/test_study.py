@@ -1,0 +1,105 @@
+"""What the accuracy of a level is, what it is made of, and what more of it costs."""
+
+import pytest
+
+from sandbox.model.catalog import find
+from sandbox.model.loading import load, parse
+from sandbox.physics.accuracy import study
+from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
+from tests.app import scenes
+from tests.physics.scenes import small_swings
+
+
+def splits(found: list[Finding]) -> dict[int, Split]:
+    return {each.check: each for each in found if isinstance(each, Split)}
+
+
+def test_an_exact_run_owes_nothing_to_its_step() -> None:
+    level = scenes.level()
+
+    found = list(study.split(level, level.defaults))
+
+    assert len(splits(found)) == 2
+    assert all(split.numerical < 1e-13 for split in splits(found).values())
+    assert all(split.model == 0 for split in splits(found).values())
+    (here,) = (each for each in found if isinstance(each, Here))
+    assert (here.scheme, here.rate) == ("leapfrog", 60)
+    assert here.price > 0
+
+
+def test_the_error_of_a_step_is_told_as_numerical() -> None:
+    level = load(find("energy/kepler-ellipse"))
+    errors = [result.error for result in grade(simulate(level))]
+
+    found = splits(list(study.split(level, level.defaults)))
+
+    for index in (0, 1, 2):
+        assert found[index].numerical == pytest.approx(errors[index], rel=0.05)
+        assert found[index].model == 0
+        assert found[index].remaining == pytest.approx(0, abs=1e-7)
+
+
+def test_an_approximation_is_told_as_the_models() -> None:
+    level = small_swings()
+
+    split = splits(list(study.split(level, level.defaults)))[0]
+
+    assert split.model is not None
+    assert split.model > 5 * split.numerical
+    assert split.model + split.numerical == pytest.approx(split.total, rel=0.1)
+
+
+def test_a_formula_out_of_its_range_has_no_error() -> None:
+    level = scenes.level(
+        checks=[
+            {
+                "quantity": "ball.position.y", "formula": "5 - g*t**2/2",
+                "tolerance": 1e-12, "valid_if": "g < 1",
+            }
+        ]
+    )  # fmt: skip
+
+    split = splits(list(study.split(level, level.defaults)))[0]
+
+    assert split.total is split.model is split.remaining is None
+    assert split.numerical < 1e-13
+
+
+def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(study, "CLIMB", 0.1)
+    level = scenes.level(effects={"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}})
+
+    found = list(study.study(level, level.defaults))
+
+    points = [each for each in found if isinstance(each, Point) and not isinstance(each, Here)]
+    assert {point.scheme for point in points} == {"leapfrog", "symplectic-euler", "explicit-euler"}
+    for scheme in ("leapfrog", "symplectic-euler"):
+        own = [point for point in points if point.scheme == scheme]
+        assert len(own) >= 3
+        assert [point.price for point in own] == sorted(point.price for point in own)
+    coarse = {point.scheme: point.error for point in points if point.rate == 30}
+    assert coarse["leapfrog"] < 0.01 * coarse["symplectic-euler"]
+    shares = [each.share for each in found if isinstance(each, Progress)]
+    assert shares == sorted(shares)
+
+
+def test_a_setting_is_looked_for() -> None:
+    level = load(find("energy/circular-orbit"))
+
+    (setting,) = (s for s in study.seek(level, level.defaults, 1e-4, 0.4) if isinstance(s, Setting))
+
+    assert setting.chosen.error <= 1e-4
+
+
+def test_why_there_is_nothing_to_find_is_told() -> None:
+    level = parse(scenes.runaway())
+
+    found = list(study.split(level, level.defaults))
+
+    assert isinstance(found[-1], Failed)
+    assert "string" in found[-1].told

@@ -1,0 +1,91 @@
+"""Advice is tried before it is given."""
+
+import pickle
+from time import perf_counter
+
+import pytest
+
+from sandbox.model.level import Level
+from sandbox.physics.advising.preflight import refusal
+from sandbox.physics.advising.remedies import advise, findings, tried
+from sandbox.physics.run import simulate
+from sandbox.physics.state.errors import SimulationError
+from tests.physics.scenes import GRAVITY, box, disc, floor, level, orbit
+
+
+def strut(load: float = 100) -> Level:
+    """A load on a rod on a box of 1 kg, by forces that are found in turn."""
+    rod = {"type": "rod", "ends": ["box", "load"]}
+    rail = {"type": "rail", "ends": [[0, 0], "load"], "direction": [0, 1]}
+    return level(
+        {"box": box((0, 0.25)), "load": disc((0, 1.5), radius=0.2, mass=load), "floor": floor()},
+        {**GRAVITY, "contact": {"solver": "iterative"}},
+        joints={"rod": rod, "rail": rail},
+        stepping={"rate": 480},
+        duration=0.3,
+    )
+
+
+def stop(scene: Level) -> SimulationError:
+    """Run until it stops, and return why."""
+    with pytest.raises(SimulationError) as told:
+        simulate(scene, duration=10)
+    return told.value
+
+
+def test_a_higher_rate_that_does_not_help_is_not_advised() -> None:
+    """The load hops at any rate; solved together it stands."""
+    scene = strut()
+    found = tried(stop(scene), scene, scene.defaults, scene.stepping)
+
+    assert "take a higher 'rate'" not in str(found)
+    assert "a higher rate does not help (1,920 and 3,840 Hz)" in str(found)
+    assert 'with "contact": {"solver": "direct"} it holds to its end, t = 0.3 s' in str(found)
+    assert found.rate is None
+
+
+def test_a_rate_is_advised_with_how_far_it_held() -> None:
+    scene = orbit(speed=0.05)
+    found = advise(stop(scene), scene, scene.defaults, scene.stepping, 1.5)
+
+    assert found.rate is not None
+    assert found.text == f"tried: at {found.rate:,.0f} Hz it holds to its end, t = 1.5 s"
+
+
+def test_trying_ends_in_time_and_says_so() -> None:
+    scene = strut()
+    why, start = stop(scene), perf_counter()
+    found = advise(why, scene, scene.defaults, scene.stepping, 1e6, seconds=0.05)
+
+    assert perf_counter() - start < 1
+    assert "to its end" not in found.text
+    assert found.rate is None or "until t" in found.text
+
+
+def test_eulers_scheme_is_advised_against() -> None:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 900, "length": 1}
+    scene = level(
+        {"bob": disc((1.1, 0))}, {}, joints={"k": spring},
+        stepping={"rate": 60, "scheme": "explicit-euler"}, duration=2,
+    )  # fmt: skip
+    found = advise(stop(scene), scene, scene.defaults, scene.stepping)
+
+    assert found.text == "tried: with the scheme 'leapfrog' it holds to its end, t = 2 s"
+
+
+def test_advice_goes_to_and_fro_between_processes() -> None:
+    scene = orbit(speed=0.05)
+    why = stop(scene)
+    [found] = findings(why, scene, scene.defaults, scene.stepping, 1.3)
+    told = pickle.loads(pickle.dumps(why.advised(found.text, found.rate)))
+
+    assert str(told).endswith(found.text)
+    assert told.rate == found.rate
+
+
+def test_the_rate_that_a_check_tells_has_been_tried() -> None:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 1e5, "length": 1}
+    scene = level({"bob": disc((1.1, 0))}, {}, joints={"k": spring}, duration=0.2)
+    told = refusal(scene, advised=True)
+
+    assert str(told).endswith("; tried: at 633 Hz it holds to its end, t = 0.2006 s")

@@ -1,0 +1,46 @@
+"""What stands on its corners at the start is in touch, whichever way it leans."""
+
+from math import cos, hypot, radians, sin
+
+import pytest
+
+from sandbox.physics.run import build as make
+from sandbox.physics.scene import scene
+from sandbox.physics.stepping.world import World
+from tests.physics.scenes import GRAVITY, G, box, fixed, floor, level
+
+LENGTH, WIDTH = 4.0, 0.1
+
+
+def ladder(angle: float) -> World:
+    """Lean a ladder on a smooth wall, by its corners: the floor is rough enough."""
+    a = radians(angle)
+    height = (LENGTH * sin(a) + WIDTH * cos(a)) / 2
+    reach = (LENGTH * cos(a) + WIDTH * sin(a)) / 2
+    wall = fixed({"type": "box", "width": 1, "height": 20}, (reach + 0.5, 0), friction=0)
+    bodies = {
+        "ladder": box((0, height), size=(LENGTH, WIDTH), angle=a, friction=1, mass=10),
+        "wall": wall,
+        "floor": floor(friction=2),
+    }
+    effects = {**GRAVITY, "contact": {}, "friction": {}, "rotation": {}}
+    return make(level(bodies, effects, stepping={"rate": 240}))
+
+
+@pytest.mark.parametrize("angle", [50, 57, 63, 71, 80, 88])
+def test_a_ladder_stands_from_the_first_step_on(angle: float) -> None:
+    world = ladder(angle)
+    start = world.snapshot
+    for _ in range(5):
+        now = world.advance()
+        moved = hypot(*(now.position[0] - start.position[0]))
+        assert moved <= 1e-12
+        assert now.normal[2] == pytest.approx(10 * G, rel=1e-9)
+
+
+def test_without_prouder_corners_it_falls(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(scene, "reach_out", lambda _space: None)
+    world = ladder(63)
+    start = world.snapshot.position[0, 1]
+
+    assert start - world.advance().position[0, 1] > 5e-5
