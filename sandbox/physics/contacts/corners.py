@@ -1,31 +1,41 @@
-"""Corners that stand on something at the start, and fall short of it.
+"""Corners that touch something at the start, and fall short of it.
 
 The inset of polygons rounds their corners off: one that stands on a floor by its corner, as a
-ladder does, would be out of touch by some 1e-9 m, and fall freely in the first step.
+ladder does, would be out of touch by some 1e-9 m, and fall freely in the first step; the sharper
+the corner, the further.
 """
+
+from collections.abc import Iterator
 
 import pymunk
 
-from sandbox.physics.contacts.shapes import DIRECT_HAIR
+from sandbox.physics.contacts.shapes import HAIR
+
+REACH = 1e-7
+"""m, by which a corner may fall short: one of 20° does so by 9.5e-8 at the most."""
 
 
 def reach_out(space: pymunk.Space) -> None:
-    """Let polygons that fall short of what they stand on stand as proud as corners need."""
-    short = {
-        shape
-        for body in space.bodies
-        if body.body_type == pymunk.Body.DYNAMIC
-        for shape in body.shapes
-        if isinstance(shape, pymunk.Poly) and _falls_short(space, shape)
-    }
-    for shape in short:
-        shape.unsafe_set_radius(shape.radius + DIRECT_HAIR)
+    """Let polygons that fall short of what they touch stand as much prouder."""
+    short: dict[pymunk.Poly, float] = {}
+    for body in space.bodies:
+        for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
+            for polygon, gap in _gaps(space, shape):
+                short[polygon] = max(gap, short.get(polygon, 0.0))
+    for polygon, gap in short.items():
+        polygon.unsafe_set_radius(polygon.radius + gap + HAIR)
 
 
-def _falls_short(space: pymunk.Space, shape: pymunk.Poly) -> bool:
-    """Whether a polygon touches something only if it stands prouder."""
+def _gaps(space: pymunk.Space, shape: pymunk.Shape) -> Iterator[tuple[pymunk.Poly, float]]:
+    """Yield by how much a shape falls short of others [m], and which polygon can give way."""
+    if not isinstance(shape, pymunk.Poly | pymunk.Circle):
+        return
     own = shape.radius
-    shape.unsafe_set_radius(own + DIRECT_HAIR)
-    hits = [hit.contact_point_set.points for hit in space.shape_query(shape)]
+    shape.unsafe_set_radius(own + REACH)
+    hits = [(hit.shape, hit.contact_point_set.points) for hit in space.shape_query(shape)]
     shape.unsafe_set_radius(own)
-    return any(0 < -min(p.distance for p in points) <= DIRECT_HAIR for points in hits if points)
+    for other, points in hits:
+        gap = REACH + min((point.distance for point in points), default=0.0)
+        polygon = shape if isinstance(shape, pymunk.Poly) else other
+        if 0 <= gap < REACH and isinstance(polygon, pymunk.Poly):
+            yield polygon, gap

@@ -252,10 +252,11 @@ def _make_contacts(
     else:
         given = give_coefficients(space, level, values, hollows)
         pairs = _Pairs(*given, None, reach, hollows)
+    if ours:
+        reach_out(space)
     if direct:
         leave_contacts(space)
     elif ours:
-        reach_out(space)
         choose_correction(space, level, values, 1 / stepping.rate)
     return pairs
 

@@ -1,6 +1,6 @@
 """What stands on its corners at the start is in touch, whichever way it leans."""
 
-from math import cos, hypot, radians, sin
+from math import cos, hypot, radians, sin, tan
 
 import pytest
 
@@ -36,6 +36,24 @@ def test_a_ladder_stands_from_the_first_step_on(angle: float) -> None:
         moved = hypot(*(now.position[0] - start.position[0]))
         assert moved <= 1e-12
         assert now.normal[2] == pytest.approx(10 * G, rel=1e-9)
+
+
+@pytest.mark.parametrize("solver", ["iterative", "direct"])
+@pytest.mark.parametrize("angle", [20, 34, 90, 150])
+def test_what_lies_on_edges_presses_on_them_at_once(angle: float, solver: str) -> None:
+    half, height = radians(angle) / 2, 0.5
+    foot = height * tan(half)
+    edge = {"type": "polygon", "vertices": [[-foot, 0], [foot, 0], [0, height]]}
+    bodies = {
+        "block": box((0, height + 0.1), size=(4, 0.2), mass=10),
+        "left": fixed(edge, (-1, 0)),
+        "right": fixed(edge, (1.5, 0)),
+    }
+    effects = {**GRAVITY, "contact": {"solver": solver}, "rotation": {}}
+    world = make(level(bodies, effects, stepping={"rate": 240}))
+
+    assert world.snapshot.normal[1:] == pytest.approx([60 * G / 10, 40 * G / 10], rel=1e-6)
+    assert abs(world.advance(3).position[0, 1] - height - 0.1) <= 1e-9
 
 
 def test_without_prouder_corners_it_falls(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,6 +10,9 @@ from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.state.errors import JointFailure, NoForces
 
+NOTHING = 1e-12
+"""m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
+
 
 def part(kick: Kick, surfaces: Surfaces, known: WarmStart, leaving: Array) -> Array | None:
     """Return the way, (3 N,) [m, rad], that takes back a share of what overlaps too much.
@@ -37,7 +40,7 @@ def part(kick: Kick, surfaces: Surfaces, known: WarmStart, leaving: Array) -> Ar
     parts = here.gradient[layout.gaps] @ leaving
     parts[known.pressed(kick)] = 0.0  # what rolls on parts a little, by the bend of its way
     back = surfaces.correction * deep - np.maximum(parts, 0.0)
-    back = np.where(known.met(kick), np.maximum(back, 0.0), 0.0)
+    back = np.where(known.met(kick) & (back > NOTHING), back, 0.0)
     if not back.any():
         return None
     wanted = kick.targets()
