@@ -23,7 +23,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test lint check-levels pytest validate quick fuzz report format docs clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz report format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -31,7 +31,7 @@ help: ## list the targets
 run: $(FOR_RUN) ## start the sandbox (set up first, once); ARGS="play newton/atwood" passes arguments
 	$(PY) -m sandbox $(ARGS)
 
-test: lint check-levels pytest validate ## every check (set up first, once); with -k, go on after a failure
+test: lint check-levels pytest ## the quick checks (set up first, once); with -k, go on after a failure
 
 lint: $(FOR_TEST) ## style, format, types and the direction of imports
 	$(PY) -m ruff check .
@@ -42,8 +42,11 @@ lint: $(FOR_TEST) ## style, format, types and the direction of imports
 check-levels: $(FOR_TEST) ## is every level well formed
 	$(HEADLESS) $(PY) -m sandbox check levels/*/*.json
 
-pytest: $(FOR_TEST) ## the tests
-	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal
+pytest: $(FOR_TEST) ## the tests, but for those that go through all levels at length
+	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal -m "not sweep"
+
+sweep: validate ## every case, and all levels over their parameters and for ten durations: some minutes
+	$(HEADLESS) $(PY) -m pytest -n $(WORKERS) --dist worksteal -m sweep
 
 validate: $(FOR_TEST) ## every case against its closed form
 	$(HEADLESS) $(PY) -m validation run

@@ -15,6 +15,7 @@ from tests.app import scenes
 from validation.case import textbook
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("name", catalog.names())
 def test_every_level_is_drawn(name: str) -> None:
     """Those of the textbook at their telling moment, the hard ones soon after their start."""

@@ -125,6 +125,7 @@ def test_a_level_is_opened_by_a_click_in_the_list(player: Person) -> None:
     assert player.session.level.title == "Free fall"
 
 
+@pytest.mark.sweep
 @pytest.mark.all_levels
 @pytest.mark.steps(100_000)  # it takes as long as so many
 def test_every_level_can_be_walked_to_and_stepped_by_keyboard(player: Person) -> None:

@@ -86,6 +86,12 @@ def test_stays_finite_and_keeps_its_time(level: Level, played: Played) -> None:
     assert world.t == world.steps * world.dt
 
 
+def test_passes_its_checks(played: Played) -> None:
+    for result in grade(played.trace):
+        assert result.verdict in ("passed", "not applicable"), result
+
+
+@pytest.mark.sweep
 def test_passes_its_checks_at_the_corners_of_its_parameters(level: Level, played: Played) -> None:
     """The first corner is the defaults."""
     applied: set[int] = set()
@@ -149,6 +155,7 @@ def test_runs_the_same_however_it_is_stepped(level: Level, played: Played) -> No
         assert np.array_equal(getattr(played.states, field)[count], getattr(then, field))
 
 
+@pytest.mark.sweep
 def test_runs_the_same_in_another_process(name: str, played: Played, elsewhere: Popen[str]) -> None:
     assert elsewhere.stdin
     assert elsewhere.stdout
@@ -208,6 +215,7 @@ def test_every_account_can_be_kept(level: Level) -> None:
     assert all(np.isfinite(column).all() for column in trace.columns.values())
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_passes_its_checks_inside_its_ranges(level: Level, seed: int) -> None:
     """Anywhere: no corner, and no two parameters at the same share of the way. Its ghosts, too."""

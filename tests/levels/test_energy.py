@@ -127,6 +127,7 @@ def test_there_are_conservative_levels() -> None:
     assert len(NAMES) >= 60
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "name", [marked(n, lambda level: steps(level, [level.defaults] * TIMES)) for n in NAMES]
 )

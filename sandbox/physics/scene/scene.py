@@ -254,11 +254,16 @@ def _make_contacts(
         pairs = _Pairs(*given, None, reach, hollows)
     if ours:
         reach_out(space)
-    if direct:
-        leave_contacts(space)
-    elif ours:
-        choose_correction(space, level, values, 1 / stepping.rate)
+        _choose_solver(space, level, values, 1 / stepping.rate)
     return pairs
+
+
+def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
+    """Leave contacts to what solves them directly, or say how pymunk is to take overlaps back."""
+    if is_direct(level):
+        leave_contacts(space)
+    else:
+        choose_correction(space, level, values, dt)
 
 
 def _hair(*, ours: bool, direct: bool) -> float:

@@ -98,6 +98,7 @@ def late(start: float, rate: float, solver: str, *, rough: bool, share: float) -
     return abs(quarter(on(PARALLEL, place, solver, rate, rough=rough)) / exact - 1)
 
 
+@pytest.mark.sweep
 @pytest.mark.steps(6000)
 @pytest.mark.parametrize(
     ("start", "solver"),
@@ -129,6 +130,7 @@ def test_a_circle_that_is_close_to_a_curve_does_not_do_for_a_step(
     assert late(2.5, 480, "direct", rough=False, share=0.0) > 3e-5  # 1e-6 on the curve itself
 
 
+@pytest.mark.sweep
 @pytest.mark.steps(7000)
 @SOLVERS
 @pytest.mark.parametrize("rough", [False, True])
