@@ -208,20 +208,15 @@ class _Scaled:
         rows = np.flatnonzero(active.on)
         gives = self._gives(active.slip)[:, rows]
         free = null(self._matrix[rows] @ gives)
-        ways, own = gives @ free, impulse
+        ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)
         held = np.flatnonzero(active.on[self._row])
-        bounds = np.zeros((len(held), len(own)))
-        for side in (0, 1):
-            some = np.flatnonzero(self._contact[held, side] >= 0)
-            which = held[some]
-            bounds[some, self._contact[which, side]] += self._sticks[which, side]
-        along = np.zeros_like(bounds)
-        along[np.arange(len(held)), self._row[held]] = 1.0
-        limits = np.concatenate((np.eye(len(own))[pushes], bounds - along, bounds + along))
+        unit, bounds = np.eye(len(impulse)), self._shares(self._sticks)[held]
+        along = unit[self._row[held]]
+        limits = np.concatenate((unit[pushes], bounds - along, bounds + along))
         least = np.concatenate((np.zeros(len(pushes)), -self._least[held], -self._least[held]))
-        way = least_distance(limits @ ways, least - limits @ own)
-        return own if way is None else own + ways @ way
+        way = least_distance(limits @ ways, least - limits @ impulse)
+        return impulse if way is None else impulse + ways @ way
 
     def _constant(self, slip: Integers) -> Array:
         """Return the impulses of what slips that do not depend on others: (m,)."""
@@ -232,11 +227,15 @@ class _Scaled:
     def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
         gives, slipping = np.eye(len(self._rate)), np.flatnonzero(slip)
-        for side in (0, 1):
-            bound = self._contact[slipping, side] >= 0
-            some = slipping[bound]
-            gives[self._row[some], self._contact[some, side]] = slip[some] * self._slips[some, side]
+        gives[self._row[slipping]] += slip[slipping, None] * self._shares(self._slips)[slipping]
         return gives
+
+    def _shares(self, coefficients: Array) -> Array:
+        """Return how large friction may be by each impulse: (f, m); of no contact it is 0."""
+        shares, slip = np.zeros((len(self._row), len(self._rate))), np.arange(len(self._row))
+        for side in (0, 1):
+            shares[slip, self._contact[:, side]] += coefficients[:, side]
+        return shares
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
@@ -301,10 +300,7 @@ class _Scaled:
         rows = np.concatenate((pushes, self._row))
         count, rubs = len(pushes), len(self._row)
         both, one = matrix[np.ix_(rows, rows)] + soft * np.eye(len(rows)), rate[rows]
-        bounds = np.zeros((rubs, len(self._rate)))
-        for side in (0, 1):
-            some = np.flatnonzero(self._contact[:, side] >= 0)
-            bounds[some, self._contact[some, side]] += self._slips[some, side]
+        bounds = self._shares(self._slips)
         way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
         whole = np.zeros((count + 3 * rubs, count + 3 * rubs))
         signed = count + 2 * rubs

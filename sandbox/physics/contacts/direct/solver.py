@@ -33,12 +33,8 @@ from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
-from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.exact.shake import GROWS, ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-GROWS = 1.1
-"""How many times its kinetic energy a kick may leave with joints and contacts, of what it would
-leave without them. They give none but for what a step is too long for."""
 
 
 class Stage(NamedTuple):
