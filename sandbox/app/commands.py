@@ -4,9 +4,11 @@ import pygame
 
 from sandbox.app.keys import PLAYING, SHOWING, WINDOW, Binding
 from sandbox.app.pages.register import PAGES
+from sandbox.app.stage.overlays.register import OVERLAYS
 
 BINDINGS: tuple[Binding, ...] = (
     *PLAYING,
+    *(overlay.binding for overlay in OVERLAYS),
     *SHOWING,
     *(binding for page in PAGES for binding in page.bindings),
     *WINDOW,

@@ -29,11 +29,6 @@ PLAYING = (
 )
 
 SHOWING = (
-    Binding("arrows", "V", "arrows of velocities and given forces", (), "vV"),
-    Binding("trail", "T", "trail", (), "tT"),
-    Binding("ghosts", "G", "ghost of the closed form", (), "gG"),
-    Binding("names", "N", "names", (), "nN"),
-    Binding("components", "C", "components of the velocities", (), "cC"),
     Binding("fit", "F", "fit the view", (), "fF"),
     Binding("zoom in", "Z", "zoom in", (), "z"),
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),

@@ -22,6 +22,7 @@ from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
 from sandbox.app.session import Session
+from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.parameters import Change
@@ -84,7 +85,7 @@ class Window:
         self._lay_out()
 
     def _make_commands(self) -> Mapping[str, Callable[[], None]]:
-        stage, shown = self.stage, self.stage.shown
+        stage = self.stage
         return {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
@@ -96,11 +97,6 @@ class Window:
             "page down": lambda: self._turn(0.5),
             "page up": lambda: self._turn(-0.5),
             "reload": self._reload,
-            "arrows": lambda: setattr(shown, "arrows", not shown.arrows),
-            "trail": lambda: setattr(shown, "trail", not shown.trail),
-            "ghosts": lambda: setattr(shown, "ghosts", not shown.ghosts),
-            "names": lambda: setattr(shown, "names", not shown.names),
-            "components": lambda: setattr(shown, "components", not shown.components),
             "fit": lambda: self._with_session(lambda _: stage.fit()),
             "zoom in": lambda: stage.camera.zoom(1.25),
             "zoom out": lambda: stage.camera.zoom(0.8),
@@ -111,6 +107,7 @@ class Window:
             "find": self._find,
             "help": self._toggle_help,
             "leave": self._leave,
+            **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
             **self._page_commands(),
         }
 
@@ -140,6 +137,10 @@ class Window:
             self._refuse(None, str(error))
             return
         self._open(path, settings or {}, accuracy)
+
+    def _switch(self, overlay: str) -> None:
+        """Draw an overlay from now on, or draw it no more."""
+        self.stage.shown[overlay] = not self.stage.shown[overlay]
 
     def do(self, command: str) -> None:
         """Do what a command asks for, as if its key was pressed."""

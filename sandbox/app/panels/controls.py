@@ -1,5 +1,7 @@
 """The bar below: playing, speed, time, and what is shown."""
 
+from collections.abc import Mapping
+
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import ObjectID
@@ -8,7 +10,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app import theme, wording
 from sandbox.app.commands import tip
 from sandbox.app.session import Session
-from sandbox.app.stage.stage import Shown
+from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import press
 
@@ -23,10 +25,8 @@ TIGHT = 560  # px, the width below which the clock takes the place of the speed
 LEFT: tuple[tuple[str, str, int], ...] = (
     ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
 )  # fmt: skip
-RIGHT: tuple[tuple[str, str, int], ...] = (
-    ("arrows", "Arrows", 68), ("trail", "Trail", 54), ("ghosts", "Ghost", 60),
-    ("names", "Names", 64), ("fit", "Fit", 40), ("help", "Help", 52),
-)  # fmt: skip
+WAYS: tuple[tuple[str, str, int], ...] = (("fit", "Fit", 40), ("help", "Help", 52))
+PADDING = 22  # px, beside the caption of an overlay's button
 
 
 class Controls:
@@ -43,11 +43,16 @@ class Controls:
             x = self._button("slower", "−", x + GAP, 32)
             self._speed = pygame.Rect(x, 0, SPEED, 0)
             x = self._button("faster", "+", x + SPEED, 32)
-        shown = RIGHT if rect.width >= ROOMY else RIGHT[-1:]
+        shown = (*self._overlays(), *WAYS) if rect.width >= ROOMY else WAYS[-1:]
         right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
         self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
         for command, text, width in shown:
             right = self._button(command, text, right, width)
+
+    def _overlays(self) -> list[tuple[str, str, int]]:
+        """Return the overlays that have buttons, their captions and the buttons' widths."""
+        captions = [(each.name, each.caption) for each in OVERLAYS if each.caption]
+        return [(name, text, self._pen.write(text).width + PADDING) for name, text in captions]
 
     def _button(self, command: str, text: str, x: int, width: int) -> int:
         """Make a button, and return where the next one begins."""
@@ -69,17 +74,13 @@ class Controls:
         """Return the button of a command."""
         return self._buttons[command]
 
-    def update(self, session: Session | None, shown: Shown) -> None:
+    def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
         """Let the buttons say what is the case."""
         playing = session is not None and session.playing
         text = "Pause" if playing else "Play"
         if self._buttons["play"].text != text:
             self._buttons["play"].set_text(text)
-        states: dict[str, bool] = {
-            "arrows": shown.arrows, "trail": shown.trail,
-            "ghosts": shown.ghosts, "names": shown.names,
-        }  # fmt: skip
-        for command, on in states.items():
+        for command, on in shown.items():
             if command in self._buttons:
                 press(self._buttons[command], on)
 
