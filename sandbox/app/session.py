@@ -5,6 +5,7 @@ be paid for within its budget is dropped and shown as a lower pace, never stretc
 """
 
 from collections.abc import Mapping, Sequence
+from math import inf
 from time import perf_counter
 from typing import Literal, NamedTuple
 
@@ -288,6 +289,11 @@ class Session:
         if self.sought < self.world.steps:
             self._begin_again(self.sought)
         self._seek(AT_ONCE)
+
+    def do_again(self, actions: Sequence[Action], steps: int) -> None:
+        """Take a run from its start to a step, with what a hand did to it then."""
+        self._script, self.sought = actions, steps
+        self._seek(inf)
 
     def _begin_again(self, sought: int) -> None:
         """Start anew with the same parameters, to do again what was done before a step."""
