@@ -72,11 +72,24 @@ def replay(run: Run) -> Session:
     SandboxError
         If its level is not well formed, or it cannot be run.
     """
-    level = parse(json.dumps(run.level), "the level of the run")
-    session = Session(level, choose(level, run.parameters))
+    session = session_of(run)
     session.do_again(run.actions, run.steps)
     if session.failure is not None:
         raise session.failure
+    return session
+
+
+def session_of(run: Run) -> Session:
+    """Return a session at the start of a run, which does again, step by step, what a hand did.
+
+    Raises
+    ------
+    SandboxError
+        If its level is not well formed, or cannot be built.
+    """
+    level = parse(json.dumps(run.level), "the level of the run")
+    session = Session(level, choose(level, run.parameters))
+    session.do_again(run.actions, 0)
     return session
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages import accuracy, challenge, effects, level, race
+from sandbox.app.pages import accuracy, challenge, effects, level, race, share
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -13,6 +13,7 @@ PAGES: tuple[Page, ...] = (
     effects.PAGE,
     race.PAGE,
     accuracy.PAGE,
+    share.PAGE,
 )
 """In the order of their tabs; the first is shown first."""
 
