@@ -103,17 +103,17 @@ def read(phenomenon: str) -> tuple[Case, ...]:
     """
     path = FOLDER / f"{phenomenon}.toml"
     tables = tomllib.loads(path.read_text(encoding="utf-8"))["table"]
-    names = {**NAMES, **_own(phenomenon)}
-    return tuple(case for table in tables for case in _expanded(path, table, names))
+    return tuple(case for table in tables for case in _expanded(path, table))
 
 
-def _own(phenomenon: str) -> Mapping[str, object]:
-    """Return the module of a phenomenon's own functions, if it has one."""
+@cache
+def _names(phenomenon: str) -> Mapping[str, object]:
+    """Return what the formulas of a phenomenon may call, its own module included."""
     name = f"validation.cases.{phenomenon}"
-    return {"own": import_module(name)} if find_spec(name) else {}
+    return {**NAMES, "own": import_module(name)} if find_spec(name) else NAMES
 
 
-def _expanded(path: Path, table: Mapping[str, Any], names: Mapping[str, object]) -> Iterator[Case]:
+def _expanded(path: Path, table: Mapping[str, Any]) -> Iterator[Case]:
     """Yield a case for each row of a table, each choice of parameters, and each of `each`."""
     if odd := set(table) - TABLE - {*NEEDED, *FREE}:
         raise TableError(f"{path}: a table has no {', '.join(sorted(odd))}")
@@ -126,7 +126,7 @@ def _expanded(path: Path, table: Mapping[str, Any], names: Mapping[str, object])
             for row in table.get("case", ()):
                 told = {**defaults, **row}
                 said = {name: _filled(value, item) for name, value in told.items()}
-                yield _case(path, table["level"], parameters, said, names)
+                yield _case(path, table["level"], parameters, said)
 
 
 def _choices(level: str, over: Sequence[Mapping[str, Any]]) -> Iterator[Parameters]:
@@ -150,17 +150,14 @@ def _filled(said: object, item: Mapping[str, object]) -> object:
             return said
 
 
-def _case(
-    path: Path, level: str, parameters: Parameters, said: Mapping[str, Any],
-    names: Mapping[str, object],
-) -> Case:  # fmt: skip
+def _case(path: Path, level: str, parameters: Parameters, said: Mapping[str, Any]) -> Case:
     where = f"{path}: case '{said.get('name', '?')}'"
     if missing := [name for name in NEEDED if name not in said]:
         raise TableError(f"{where} lacks {', '.join(missing)}")
     if odd := set(said) - {*NEEDED, *FREE}:
         raise TableError(f"{where}: a case has no {', '.join(sorted(odd))}")
-    expected = ClosedForm(said["formula"], names)
-    if unknown := expected.unknown(list(textbook(level).parameters)):
+    expected, unknown = _formula(path.stem, level, said["formula"])
+    if unknown:
         raise TableError(f"{where}: its formula has an unknown name: {', '.join(unknown)}")
     order = _number(said.get("order"))
     return Case(
@@ -171,11 +168,23 @@ def _case(
         tolerance=float(said["tolerance"]),
         because=said["because"],
         parameters=parameters,
-        at=_INSTANT.validate_json(json.dumps(said["at"])) if "at" in said else None,
+        at=_instant(json.dumps(said["at"])) if "at" in said else None,
         duration=said.get("duration"),
         naive_misses=_number(said.get("misses")),
         order=None if order is None else ORDERS[int(order)],
     )
+
+
+@cache
+def _formula(phenomenon: str, level: str, source: str) -> tuple[ClosedForm, list[str]]:
+    """Return a formula, and the names in it that nobody knows."""
+    formula = ClosedForm(source, _names(phenomenon))
+    return formula, formula.unknown(list(textbook(level).parameters))
+
+
+@cache
+def _instant(text: str) -> Instant:
+    return _INSTANT.validate_json(text)
 
 
 def _number(said: float | str | None) -> float | None:

@@ -82,6 +82,7 @@ def test_an_event_that_never_came_is_null_in_the_json() -> None:
     assert json.loads(text)["cases"][0]["measured"] is None
 
 
+@pytest.mark.sweep
 def test_processes_that_share_the_cases_find_what_one_finds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
