@@ -6,10 +6,20 @@ commands has to be there at once.
 
 import typer
 
-from sandbox.cli.commands import check, effects, generate, play, render, simulate, tour
+from sandbox.cli.commands import (
+    check,
+    describe,
+    effects,
+    generate,
+    play,
+    render,
+    replay,
+    simulate,
+    tour,
+)
 from sandbox.cli.commands import list as listing
 
-COMMANDS = (play, listing, check, simulate, effects, render, generate, tour)
+COMMANDS = (play, listing, check, simulate, describe, effects, render, replay, generate, tour)
 """In the order of the help; a command is called as its module."""
 
 app = typer.Typer(
