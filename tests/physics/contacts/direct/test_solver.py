@@ -418,3 +418,23 @@ def test_a_hand_pulls_what_stands_on_the_ground() -> None:
 
     assert last.position[1, 0] == pytest.approx(1, abs=0.1)
     assert worst(last.position[2:, 1], 0.25) <= 1e-6
+
+
+def test_what_is_pushed_out_of_an_overlap_into_a_wall_meets_it_in_the_same_kick() -> None:
+    """A box lies 20 mm in a block and comes out at 1 m/s; a wall is 5 mm away.
+
+    It goes by 4 mm in a step, and half of the 20 mm is taken back, with that way: at the start it
+    is pushed by 6 mm, 1 mm into the wall, which it had not touched.
+    """
+    wall = {"type": "box", "width": 1, "height": 2}
+    scene = {
+        "block": fixed(wall, (-0.73, 0)),
+        "box": box((0, 0), velocity=[1, 0]),
+        "wall": fixed(wall, (0.755, 0)),
+    }
+    effects: Spec = {"contact": {"solver": "direct", "overlaps": True}, "rotation": {}}
+    world = build(level(scene, effects, stepping={"rate": 240}))
+
+    pushed = world.snapshot.position[1, 0]
+    assert pushed == pytest.approx(0.01 - 1 / 240, abs=1e-6)
+    assert world.advance().position[1, 0] <= pushed
