@@ -121,4 +121,4 @@ def lost(kick: Kick, row: int) -> JointFailure | NoForces:
     if row < gaps.start:
         return kick.joints.lost(row)
     gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
-    return NoForces(int(touching.a[gap]), int(touching.b[gap]))
+    return NoForces(*touching.bodies[:, gap].tolist())

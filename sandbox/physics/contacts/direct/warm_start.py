@@ -82,7 +82,7 @@ class WarmStart:
         """Return which gaps pushed in the last kick: (k,)."""
         if known := self._recalled(kick):
             return np.asarray(known.force > 0)
-        force = np.zeros(len(kick.layout.touching.a))
+        force = np.zeros(len(kick.layout.touching.pair))
         for gap, old in self._same(kick):
             assert self._known
             force[gap] = self._known.force[old]
@@ -91,8 +91,8 @@ class WarmStart:
     def met(self, kick: Kick) -> Booleans:
         """Return which gaps there were in the last kick: (k,)."""
         if self._recalled(kick):
-            return np.ones(len(kick.layout.touching.a), dtype=bool)
-        found = np.zeros(len(kick.layout.touching.a), dtype=bool)
+            return np.ones(len(kick.layout.touching.pair), dtype=bool)
+        found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
         found[[gap for gap, _ in self._same(kick)]] = True
         return found
 
@@ -131,7 +131,7 @@ def _keys(touching: Touching) -> list[tuple[int, int, int]]:
     """Return by what the gaps are known again in the next step."""
     seen: dict[tuple[int, int], int] = {}
     keys = []
-    for a, b in zip(touching.a.tolist(), touching.b.tolist(), strict=True):
+    for a, b in touching.bodies.T.tolist():
         both = (a, b) if a < b else (b, a)
         number = seen.get(both, 0)
         seen[both] = number + 1
