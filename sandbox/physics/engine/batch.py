@@ -245,7 +245,8 @@ class Batch:
         impulse, direction = floats[:, :2], floats[:, 2:4]
         on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
-        depth = np.einsum("kpc,kc->kp", overlap, direction)
+        across = overlap * direction[:, None]
+        depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
         impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
@@ -259,7 +260,7 @@ class Batch:
     def _read_pairs(self, integer: bytes) -> Pairs:
         """Return which pairs pymunk has written down."""
         integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
-        live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for some steps after they part
+        live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for a while after they part
         bodies = self._order[self._ids.searchsorted(integers[live, :2])]
         order = np.lexsort((bodies[:, 1], bodies[:, 0]))
         rows, bodies = live[order], bodies[order]

@@ -28,7 +28,6 @@ from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
-
 FROM_TO = np.array([[-1.0], [1.0]])
 """How a way from the first body to the second counts for each."""
 
@@ -46,8 +45,8 @@ class Touching(NamedTuple):
         (f,), those with friction: the two points of a side share that of the first.
     rows
         (k + f,), which points the gaps are of, and then the friction.
-    sliding
-        (2, f), the bodies of the friction.
+    held
+        (2, k + f), the bodies of these.
     into
         Where in the gradients of gaps and friction the bodies stand: x and y of the first ones, of
         the second ones, and then the angles.
@@ -65,14 +64,16 @@ class Touching(NamedTuple):
     point: Integers
     rubs: Integers
     rows: Integers
-    sliding: Integers
+    held: Integers
     into: Integers
     figures: Figures
     outlines: Outlines
     yields: Booleans
 
     @classmethod
-    def between(cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans) -> "Touching":
+    def between(
+        cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans
+    ) -> "Touching":
         """Return the points of contacts: the first of all, then the second ones.
 
         Parameters
@@ -89,14 +90,17 @@ class Touching(NamedTuple):
         point = np.repeat((0, 1), (count, len(two)))
         bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(rubs)
         rows = np.concatenate((np.arange(len(pair)), rubbing))
-        into, everything = _into(bodies[:, rows], len(moves) + 1), figures.of(bodies)
-        yields, sliding = moves[bodies[0]] & ~moves[bodies[1]], bodies[:, rubbing]
-        return cls(
-            bodies, pair, point, rubbing, rows, sliding, into, figures, everything, yields
-        )
+        held, everything = bodies[:, rows], figures.of(bodies)
+        into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]
+        return cls(bodies, pair, point, rubbing, rows, held, into, figures, everything, yields)
+
+    @property
+    def sliding(self) -> Integers:
+        """The bodies of the friction: (2, f)."""
+        return self.held[:, len(self.pair) :]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # not frozen: made in every step
 class Features:
     """The points at which bodies touch, of N bodies with the plane.
 
@@ -105,13 +109,13 @@ class Features:
     touching
         Which.
     points
-        A and B above, (2, k), along their bodies' axes [m].
+        A and B above, (2, k + f), along their bodies' axes [m].
     normal
         (k,), n above, along the axes of the body whose side it is; 0 of round things.
     owns
-        Whether it is the first body's, or the second's, (2, k): 0 or 1.
+        Whether it is the first body's, or the second's, (2, k + f): 0 or 1.
     is_round
-        (k,), whether there is no side.
+        (k,), whether there is no side; None if there is one everywhere.
     sign
         (k,), s above.
     rolls
@@ -126,7 +130,7 @@ class Features:
     points: Plane
     normal: Plane
     owns: Array
-    is_round: Booleans
+    is_round: Booleans | None
     sign: Array
     rolls: Array
     apart: Plane
@@ -137,25 +141,27 @@ class Features:
 
         What of the gradients is not written is 0.
         """
-        bodies, rubs, rows = self.touching.bodies, self.touching.rubs, self.touching.rows
-        where, turned, owns = place.plane, place.turned, self.owns
-        turns = turned[bodies]
-        arms = self.points * turns
-        first, second = where[bodies] + arms
+        held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
+        turned = place.turned[held]
+        arms = self.points * turned
+        first, second = place.plane[held[:, :count]] + arms[:, :count]
         d = second - first
-        along = self.normal * (owns * turns).sum(axis=0)
+        spins = (self.owns * turned)[:, :count]
+        along = self.normal * (spins[0] + spins[1])
         across, beside = 1j * along, along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
-        if self.is_round.any():
+        if self.is_round is not None:
             along, across, gap, off = self._of_round(d, self.is_round, along, gap, off)
-        follow_curves(self.curved, (where, turned), arms, (gap, off, along, across))
-        total[: len(gap)] = gap
-        rolled = self.rolls * place.angle[self.touching.sliding]
-        total[len(gap) :] = off[rubs] + rolled[0] + rolled[1]
-        way = FROM_TO * np.concatenate((along, across[rubs]))
-        spin = (way * arms[:, rows].conj()).imag
-        spin += owns[:, rows] * np.concatenate((off, -gap[rubs]))
-        spin[:, len(gap) :] += self.rolls
+        if self.curved:
+            rows = gap, off, along, across
+            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            arms[:, count:] = arms[:, rubs]
+        rolled = self.rolls * place.angle[held[:, count:]]
+        total[:count], total[count:] = gap, off.take(rubs) + rolled[0] + rolled[1]
+        way = FROM_TO * np.concatenate((along, across.take(rubs)))
+        spin = (way * arms.conj()).imag
+        spin += self.owns * np.concatenate((off, -gap.take(rubs)))
+        spin[:, count:] += self.rolls
         slopes = np.concatenate((way.view(float).ravel(), spin.ravel()))
         gradient.reshape(-1)[self.touching.into] = slopes
 
@@ -175,8 +181,8 @@ class Features:
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
-        bodies = self.touching.bodies
-        first, second = place.plane[bodies] + self.points * place.turned[bodies]
+        held = self.touching.held
+        first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
         return replace(self, apart=second - first)
 
 
@@ -196,10 +202,11 @@ def features(
     """
     bodies, pair, point, rubs = touching[:4]
     figures, outlines = touching.figures, touching.outlines
-    n = contacts.direction.view(complex)[pair, 0]
-    middle = np.ascontiguousarray(contacts.points).view(complex)[pair, point, 0] - origin
+    where_of = 2 * pair + point
+    n = contacts.direction.view(complex).take(pair)
+    middle = np.ascontiguousarray(contacts.points).view(complex).take(where_of) - origin
     out = -FROM_TO * n  # of each body
-    surfaces = middle + out * (contacts.depths[pair, point] / 2)
+    surfaces = middle + out * (contacts.depths.take(where_of) / 2)
     where, turned = place.plane[bodies], place.turned[bodies]
     is_round, center = outlines.round(place, n, middle)
     owns = outlines.faces(out * turned.conj())
@@ -216,14 +223,15 @@ def features(
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
     within = corner & ((d.conj() * n).real < 0)
+    spins = owns * turned
     rolls = _rolls(touching, is_round, owns, corner, within)
     roll_on_curves(curved, ~corner, rubs, figures, rolls)
     return Features(
         touching=touching,
-        points=(at - where) * turned.conj(),
-        normal=n * (owns * turned).sum(axis=0).conj(),
-        owns=owns.astype(float),
-        is_round=corner,
+        points=((at - where) * turned.conj()).take(touching.rows, axis=1),
+        normal=n * (spins[0] + spins[1]).conj(),
+        owns=owns.take(touching.rows, axis=1).astype(float),
+        is_round=corner if corner.any() else None,
         sign=np.where(within, -1.0, 1.0),
         rolls=rolls,
         apart=d,
@@ -253,9 +261,9 @@ def _rolls(
         inner = within & (outlines.inner > 0)
         inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
         inner[0] &= ~inner[1]
-    radius = outlines.rolls(is_round, corner, inner)[:, rubs]
-    own = -radius if inner is None else np.where(inner[:, rubs], radius, -radius)
-    return np.where(owns[:, rubs], radius[::-1], own)
+    radius = outlines.rolls(is_round, corner, inner).take(rubs, axis=1)
+    own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
+    return np.where(owns.take(rubs, axis=1), radius[::-1], own)
 
 
 def _into(bodies: Integers, count: int) -> Integers:

@@ -12,7 +12,7 @@ from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # not frozen: made in every step
 class Kick:
     """The rows of a kick; r of them, N bodies with the plane.
 
@@ -111,11 +111,9 @@ class Kick:
         normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float)
         friction = np.zeros(number)
         friction[touching.rubs] = impulse[layout.slips]
-        x, y = self.contacts.direction.T
+        push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
         return self.contacts._replace(
-            normal=normal,
-            friction=np.abs(friction),
-            impulse=np.stack((x * normal - y * friction, y * normal + x * friction), axis=1),
+            normal=normal, friction=np.abs(friction), impulse=push.view(float)
         )
 
 

@@ -1,5 +1,6 @@
 """The rows of a step: which points touch, and what each row asks for."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -95,7 +96,7 @@ class Layout(NamedTuple):
     def smooth(self) -> "Layout":
         """Return the same rows without friction."""
         none = np.zeros(len(self.touching.rubs))
-        friction = self.problem.friction._replace(sticks=none, slips=none)
+        friction = replace(self.problem.friction, sticks=none, slips=none)
         return self.asking(self.problem._replace(friction=friction))
 
 

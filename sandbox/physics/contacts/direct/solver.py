@@ -36,7 +36,6 @@ from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import GROWS, ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
-
 Key = tuple[Integers, Integers, int]
 """What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
 
@@ -154,7 +153,7 @@ class Direct:
             self._solve_joints(until)
         after = self._batch.velocity()
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
-        if self.stages:
+        if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
 
@@ -190,7 +189,8 @@ class Direct:
         self._joints.check()
         begun, pull, change = self._spread(self._begun, self._pull, self._change)
         kick = self._look(begun * self._dt)
-        at_step, lead, total = begun + pull * self._lead, self._lead, 0.0
+        at_step, lead = begun + pull * self._lead, self._lead
+        total = np.zeros(len(kick.reply))
         strikes = impacts.struck(kick, at_step, pull * self._dt, change, looks=self._strikes)
         if strikes.any() or self._joints.added.any():
             came, total = impacts.come(kick, at_step, strikes)
