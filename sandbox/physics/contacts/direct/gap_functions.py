@@ -124,6 +124,8 @@ class Features:
         (k,), d where the drift begins [m].
     curved
         The points on curves; their places among the first ones are those of the closest circles.
+    corners
+        (k,), where corners meet corners, as if one was a side of the first body; None if nowhere.
     """
 
     touching: Touching
@@ -135,6 +137,7 @@ class Features:
     rolls: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
+    corners: Booleans | None = None
 
     def look(self, place: Coordinates, total: Array, gradient: Array) -> None:
         """Write down the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N).
@@ -219,6 +222,9 @@ def features(
         is_round[own, one.point] = True
         owns[1 - own, one.point] &= one.arched
     corner = ~(owns[0] | owns[1])
+    corners = None
+    if corner.any() and (sharp := corner & outlines.sharp & ~is_round.any(axis=0)).any():
+        corners, corner, owns[0] = sharp, corner & ~sharp, owns[0] | sharp
     core = surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
@@ -236,6 +242,7 @@ def features(
         rolls=rolls,
         apart=d,
         curved=tuple(one for one in curved if corner[one.point]),
+        corners=corners,
     )
 
 

@@ -14,6 +14,10 @@ PARALLEL = 1e-6
 """rad, by which a side and a contact may differ in direction and the contact be on that side."""
 
 
+SHARP = 1e-7
+"""m, a corner that is rounded by no more than this is one."""
+
+
 class Figure(NamedTuple):
     """What the outline of a body is to its contacts.
 
@@ -76,7 +80,7 @@ class Figures:
             self._normals[row, : len(figure.normals)] = figure.normals
 
     def of(self, body: Integers) -> "Outlines":
-        """Return those of some bodies: of any shape."""
+        """Return those of two bodies each: (2, k)."""
         return Outlines(
             self,
             body,
@@ -84,6 +88,7 @@ class Figures:
             self.rounding[body],
             self.inner[body],
             self._normals[body],
+            np.asarray(((self.radius[body] == 0) & (self.rounding[body] <= SHARP)).all(axis=0)),
         )
 
 
@@ -96,6 +101,8 @@ class Outlines(NamedTuple):
         Of all bodies.
     body
         (2, k), which.
+    sharp
+        (k,), whether both have corners.
     """
 
     figures: Figures
@@ -104,6 +111,7 @@ class Outlines(NamedTuple):
     rounding: Array
     inner: Array
     normals: Plane
+    sharp: Booleans
 
     def faces(self, direction: Plane) -> Booleans:
         """Return whether they have a side that faces there, along their own axes: (2, k)."""

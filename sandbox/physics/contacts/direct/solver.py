@@ -24,6 +24,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
+from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.direct.newton import newton
@@ -111,7 +112,7 @@ class Direct:
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
-        self._known, self._belief = WarmStart(), Belief()
+        self._known, self._belief, self._corners = WarmStart(), Belief(), CornerPairs()
         self.contacts: Contacts = NO_CONTACTS
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
@@ -165,6 +166,7 @@ class Direct:
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._belief.forget()
+        self._corners.forget()
         self._known.forget()
         self._change = self._shift = self._calm.jump
 
@@ -213,10 +215,12 @@ class Direct:
 
         They know how far bodies go in a step by themselves, (3 N,) [m, rad].
         """
-        contacts, surfaces = self.contacts, self._surfaces
-        place, _ = self._joints.coordinates()
+        joints, surfaces = self._joints, self._surfaces
+        place, _ = joints.coordinates()
+        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
         layout = self._lay_out()
-        kick = Kick.at(place, self._joints, contacts, layout, surfaces.running, self._lengths)
+        kick = Kick.at(place, joints, self.contacts, layout, surfaces.running, self._lengths)
+        self._corners.note(kick)
         way = part(kick, surfaces, self._known, leaving)
         if way is None:
             return kick
