@@ -46,7 +46,7 @@ def simulate(
     source, level = usage.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    stepping = settled(asking(level, accuracy, choice), values, choice)
+    stepping = settled(asking(level, accuracy, choice), values, choice, record and names)
     varied = vary(level, off, on, stepping)
     if duration is not None:
         usage.payable(duration, stepping, "--duration")

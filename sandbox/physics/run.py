@@ -80,7 +80,10 @@ def simulate(
     SimulationError
         If the run had to stop.
     """
-    world = build(level, values, stepping)
+    values = level.defaults if values is None else values
+    record = None if record is None else list(record)
+    chosen = resolved(level, values, stepping or level.stepping, record or ())
+    world = build(level, values, chosen)
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
