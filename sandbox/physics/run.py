@@ -14,6 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.accuracy.runs import lasting
 from sandbox.physics.energy.closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.measuring.step_timing import step_costs
@@ -82,7 +83,8 @@ def simulate(
     """
     values = level.defaults if values is None else values
     record = None if record is None else list(record)
-    chosen = resolved(level, values, stepping or level.stepping, record or ())
+    asked = lasting(level, values, duration)
+    chosen = resolved(asked, values, stepping or level.stepping, record or ())
     world = build(level, values, chosen)
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name

@@ -12,7 +12,7 @@ from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
 
 REPEATS = 3
-"""How often each part is timed at the most; the quickest counts, for whatever else runs only adds."""
+"""How often a run is timed at the most; the quickest counts, for whatever else runs only adds."""
 
 MOST = 1.0
 """s, about, for the timing of a level."""

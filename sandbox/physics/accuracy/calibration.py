@@ -129,15 +129,14 @@ def _setting(found: Found, judged_by: str) -> Setting:
 
 def _refused(found: Found, target: float, judged_by: str, until: str) -> AccuracyError:
     """Say that an accuracy cannot be had, and what can."""
+    decided = f", of which {found.decided_by} decided" if found.decided_by else ""
     return AccuracyError(
         f"an accuracy of {target:g} cannot be had; there is {found.priced()}, judged by "
-        f"{judged_by}, of which {found.decided_by} decided; to {target:g} it is {until}"
+        f"{judged_by}{decided}; to {target:g} it is {until}"
     )
 
 
-def _judges(
-    level: Level, values: Values, also: Sequence[str]
-) -> tuple[tuple[Watched, ...], str]:
+def _judges(level: Level, values: Values, also: Sequence[str]) -> tuple[tuple[Watched, ...], str]:
     """Return whose errors count, and what that is in words."""
     wanted = watched(level, values, also)
     if not wanted:

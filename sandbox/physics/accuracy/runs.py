@@ -6,6 +6,7 @@ from math import log2
 
 import numpy as np
 
+from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
 from sandbox.model.quantities import quantity
@@ -118,6 +119,13 @@ def motion(level: Level) -> Iterator[Watched]:
     for name, body in level.bodies.items():
         if body.type == "dynamic":
             yield from (Watched(f"{name}.{part}", motion=True) for part in parts)
+
+
+def lasting(level: Level, values: Values, duration: float | None) -> Level:
+    """Return a level that lasts as long as it is run [s], if that is longer than its own."""
+    if duration is None or duration <= level.duration(values):
+        return level
+    return level.model_copy(update={"duration": Duration(duration)})
 
 
 def never() -> bool:

@@ -25,7 +25,7 @@ FEWEST = 3
 """Runs of a scheme before it tells how far it has to go."""
 
 DEARER = 2.0
-"""How many times as much work as another, as far as both tell how far they have to go, is too much."""
+"""How many times as much work as another, as far as both tell what they need, is too much."""
 
 PATIENCE = 6.0
 """How many times as long as counted the runs may take."""

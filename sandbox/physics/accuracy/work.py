@@ -46,7 +46,8 @@ def step_work(level: Level, values: Values, stepping: Stepping) -> float:
             world.advance(before)
         with ThreadPoolExecutor(1) as thread:  # of its own: one that is profiled stays so
             calls = thread.submit(_calls, world, STEPS).result() / STEPS
-        touches = len(world.advance() and world.contacts.bodies)
+        world.advance()
+        touches = len(world.contacts.bodies)
     except SimulationError:
         return CALL
     own = len(world.parts) * (BODY * len(level.bodies) + TOUCH * touches * stepping.iterations)
