@@ -12,7 +12,7 @@ from time import thread_time
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
-from sandbox.physics.accuracy.refinement import Ladder, held_against, judged
+from sandbox.physics.accuracy.refinement import SLOWEST, Ladder, held_against, judged
 from sandbox.physics.accuracy.runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.work import LOOK, step_work
 from sandbox.physics.measuring.recording import Trace
@@ -98,7 +98,7 @@ class Climber:
         if not ladder or len(self._traces) < FEWEST:
             return inf
         rate = ladder.rate_for(self.target) if ladder.believable(self.target) else inf
-        return rate if rate <= HIGHEST_RATE else inf
+        return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
         """Whether it does not tell yet how far it has to go, and may be cheaper than enough [s]."""
