@@ -33,7 +33,7 @@ from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
 from sandbox.physics.accuracy.estimation import estimate
 from sandbox.physics.accuracy.refinement import Ladder
-from sandbox.physics.accuracy.runs import never
+from sandbox.physics.accuracy.runs import apart, checked, never, record
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
@@ -148,6 +148,20 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
     assert found is not None
     assert found.error == found.difference
     assert found.error == pytest.approx(delivered(scene, Stepping(rate=60)), rel=0.03)
+
+
+def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
+    """A run that is looked at every second step does not end with half a look: 8e-5 it was off."""
+    scene = catalog_level("energy/figure-eight")
+    wanted = [item for item in checked(scene, scene.defaults) if item.at is not None]
+    stepping = Stepping(rate=600, scheme="fourth-order")
+    seldom = record(scene, scene.defaults, stepping, wanted, seen=240)
+    always = record(scene, scene.defaults, stepping, wanted, seen=600)
+
+    assert wanted
+    for item in wanted:
+        assert apart(seldom, always, item) == pytest.approx(0, abs=1e-8)
+    assert np.ptp(np.diff(seldom.t)) < 1e-12
 
 
 # Calibration
