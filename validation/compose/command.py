@@ -12,7 +12,7 @@ from validation import output
 from validation.compose.outcome import Outcome, judged, playable
 from validation.compose.report import by_family, complaints
 from validation.environment import environment
-from validation.processes import spread
+from sandbox.processes import spread
 
 
 def measure(

@@ -13,7 +13,7 @@ from validation.cost.run import sweeps
 from validation.cost.summary import failed
 from validation.cost.sweep import QUICK, Budget, Sweep
 from validation.environment import environment
-from validation.extras import needed_for
+from sandbox.extras import needed_for
 
 
 def measure(

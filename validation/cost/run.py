@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 
 from validation.cost.sweep import Budget, Sweep, errors, timed
-from validation.processes import spread
+from sandbox.processes import spread
 
 
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:

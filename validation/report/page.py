@@ -10,7 +10,7 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from sandbox.model.errors import SandboxError
-from validation import plots
+from sandbox.reporting import plots
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach
@@ -20,7 +20,7 @@ from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 from validation.effects.tables import rows
 from validation.report import digest, parts
-from validation.report.svg import inline
+from sandbox.reporting.svg import inline
 from validation.stability import report as stability_report
 
 SHOWN = 4

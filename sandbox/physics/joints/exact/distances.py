@@ -1,12 +1,14 @@
 """Rods, ropes, strings and pivots: sums of lengths, all of a scene in a few array operations."""
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.constraints import Coordinates, Rows
 from sandbox.physics.state.anchor import Anchor, Plane
 
@@ -88,28 +90,55 @@ class Reaches:
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there."""
-        gradient = np.zeros(self._shape)
+        """Return what the rows add up to somewhere, and their gradients there.
+
+        Places may have leading dimensions, as those of many runs.
+        """
+        many = place.values.shape[:-1]
+        gradient = np.zeros((*many, *self._shape))
         if not self._half:
-            return Rows(np.zeros(self._shape[0]), gradient)
-        ends = place.plane[self._body]
+            return Rows(np.zeros((*many, self._shape[0])), gradient)
+        ends = place.plane[..., self._body]
         if self._turns:
-            arm = self._point * np.exp(1j * place.angle)[self._body]
+            arm = self._point * np.exp(1j * place.angle)[..., self._body]
             ends += arm
-            length, unit = self._measure(ends[self._half :] - ends[: self._half])
-            both = np.concatenate((-unit, unit))
-            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag))
+            length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
+            both = np.concatenate((-unit, unit), axis=-1)
+            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
         else:
-            length, unit = self._measure(ends[self._half :] - ends[: self._half] + self._offset)
-            slopes = np.concatenate((-unit, unit)).view(float)
+            reach = ends[..., self._half :] - ends[..., : self._half]
+            length, unit = self._measure(reach + self._offset)
+            slopes = np.concatenate((-unit, unit), axis=-1).view(float)
+        self._spread(slopes, gradient.reshape(*many, -1))
+        return Rows(self._added_up(length), gradient)
+
+    def of_many(self, others: Sequence["Reaches"]) -> "Reaches":
+        """Return the pieces of many runs at once, which differ only in where they hold on."""
+        found = copy(self)
+        found._point = np.array([other._point for other in others])
+        found._offset = np.array([other._offset for other in others])
+        return found
+
+    def some(self, rows: Booleans) -> "Reaches":
+        """Return those of some of many runs: (N,)."""
+        found = copy(self)
+        found._point, found._offset = self._point[rows], self._offset[rows]
+        return found
+
+    def _spread(self, slopes: Array, gradient: Array) -> None:
+        """Add what changes with the ends to the gradients, laid out in a row."""
         if self._apart:
-            gradient.reshape(-1)[self._into] = slopes
+            gradient[..., self._into] = slopes
         else:
-            np.add.at(gradient.reshape(-1), self._into, slopes)
-        total: Array = length
-        if not self._single:
-            total = np.bincount(self._row, length, self._shape[0]).astype(float)
-        return Rows(total, gradient)
+            np.add.at(gradient, (..., self._into), slopes)
+
+    def _added_up(self, length: Array) -> Array:
+        """Return what the pieces of each row add up to."""
+        if self._single:
+            return length
+        total = np.zeros((*length.shape[:-1], self._shape[0]))
+        np.add.at(total, (..., self._row), length)
+        return total
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:
         """Return the lengths or components of the pieces, and the directions they change in."""

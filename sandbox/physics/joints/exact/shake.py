@@ -177,6 +177,21 @@ class ExactJoints:
         _, shares = copy(cast("Equation", equation)).look(self.place())
         return np.array([share.body for share in shares], dtype=np.intp)
 
+    @property
+    def plain(self) -> bool:
+        """Whether all are sums of lengths that stay as they are, and are solved together."""
+        return not (self._others or self._changing or self._unilateral or self._rods)
+
+    @property
+    def reaches(self) -> Reaches:
+        """The pieces whose lengths add up."""
+        return self._reaches
+
+    @property
+    def past(self) -> list[Array]:
+        """The forces of the last kicks without impacts, newest first: (m,) each [N]."""
+        return self._past
+
     def expected(self) -> tuple[Array, Booleans]:
         """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
         last = self._past[0] if self._past else self._cold
@@ -366,7 +381,7 @@ class ExactJoints:
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
-            expected = _parabola([tension[i] for tension in past]) if past else 0.0
+            expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm[i]
             try:
                 impulse = rod.solve(length[i], guess, self.drift)
@@ -476,7 +491,7 @@ class ExactJoints:
     ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
         past = self._past[self.parts - 1 :: self.parts]
-        expected = _parabola(past) if past else self._cold
+        expected = parabola(past) if past else self._cold
         guess = expected * self.kick - self._warm
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
@@ -606,7 +621,7 @@ def _coordinates(rows: Array) -> Coordinates:
     return Coordinates(values)
 
 
-def _parabola(past: list[Number]) -> Number:
+def parabola(past: list[Number]) -> Number:
     """Return what comes next: on the parabola through the last three, newest first, or fewer."""
     match past:
         case [last, before, first]:
