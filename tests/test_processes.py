@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from sandbox.interrupts import ENDED, INTERRUPTED
-from tests.elsewhere import PATIENCE, ROOT
 from sandbox.processes import spread
+from tests.elsewhere import PATIENCE, ROOT
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
 

@@ -7,12 +7,12 @@ from typing import Annotated
 
 import typer
 
+from sandbox.extras import needed_for
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.files import check_writable
 from sandbox.physics.state.errors import SimulationError
 from validation import output, suite
 from validation.cases import all_cases
-from sandbox.extras import needed_for
 
 app = typer.Typer(
     name="validation",

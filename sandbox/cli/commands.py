@@ -325,7 +325,8 @@ def experiment(
     jobs: Annotated[
         int | None,
         typer.Option(
-            metavar="N", help="Processes that share the runs; one a core if left out.",
+            metavar="N",
+            help="Processes that share the runs; one a core if left out.",
             show_default=False,
         ),
     ] = None,

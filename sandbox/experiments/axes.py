@@ -1,17 +1,17 @@
 """What is varied: the values of a grid, or a distribution from which values are drawn.
 
-    0:90:91          a grid: from, to, and how many values
-    1:1000:31:log    the same with equal ratios
-    1, 2, 5          these values
-    0..1             drawn, all of them as likely as each other
-    1..100:log       the same for their logarithms
-    1.00±0.01        drawn from the normal distribution: mean and standard deviation (or 1.00+-0.01)
+0:90:91          a grid: from, to, and how many values
+1:1000:31:log    the same with equal ratios
+1, 2, 5          these values
+0..1             drawn, all of them as likely as each other
+1..100:log       the same for their logarithms
+1.00±0.01        drawn from the normal distribution: mean and standard deviation (or 1.00+-0.01)
 """
 
 import re
 from dataclasses import dataclass
 from math import exp, isfinite, log
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -115,6 +115,7 @@ class Normal:
 
 Drawn = Uniform | Normal
 Axis = Grid | Listed | Drawn
+Range = TypeVar("Range", Grid, Uniform)
 
 
 def parse(text: str) -> Axis:
@@ -176,7 +177,7 @@ def _grid(parts: list[str]) -> Grid:
     return _checked(Grid(low, high, int(count), _scale(parts[3] if len(parts) > 3 else "")))
 
 
-def _checked(axis: "Grid | Uniform") -> "Grid | Uniform":
+def _checked(axis: Range) -> Range:
     if axis.scale == "log" and min(axis.low, axis.high) <= 0:
         raise AxisError("a logarithmic range begins and ends above 0")
     if isinstance(axis, Uniform) and not axis.low < axis.high:

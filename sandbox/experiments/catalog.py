@@ -36,11 +36,11 @@ def find(experiment: str) -> Path:
     if experiment in names():
         return root() / f"{experiment}.json"
     path = Path(experiment)
-    if experiment.endswith(".json"):
-        if not path.is_file():
-            refuse(brief(experiment), "there is no such file")
-        return path
-    refuse(brief(experiment), f"is no experiment{suggestion(experiment, names(), most=20)}")
+    if not experiment.endswith(".json"):
+        refuse(brief(experiment), f"is no experiment{suggestion(experiment, names(), most=20)}")
+    if not path.is_file():
+        refuse(brief(experiment), "there is no such file")
+    return path
 
 
 def open_plan(path: Path) -> Plan:

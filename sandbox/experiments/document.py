@@ -18,7 +18,7 @@ from sandbox.model.document import Document, refuse
 from sandbox.model.errors import brief
 from sandbox.model.expressions import MAX_LENGTH
 from sandbox.model.files import read_ordinary
-from sandbox.model.level import Finite
+from sandbox.model.level import Finite, Name
 from sandbox.model.parts import Fault
 from sandbox.model.suggest import suggestion
 
@@ -41,7 +41,7 @@ class Experiment(Model):
     """what it shows, in a few sentences"""
     level: Text
     """a level's name, such as `newton/atwood`, or the path of its file, from this one"""
-    vary: Annotated[Mapping[Text, Annotated[str, Field(max_length=100_000)]], Field(max_length=20)]
+    vary: Annotated[Mapping[Name, Annotated[str, Field(max_length=100_000)]], Field(max_length=20)]
     """what is varied, and over what: a parameter of the level, `without` (names of effects, or
     `none`, joined by +), `scheme` or `rate`. `0:90:91` is a grid from 0 to 90 of 91 values,
     `1:1000:31:log` one with equal ratios, `1, 2, 5` lists values, `0..1` and `1..100:log` are drawn
@@ -51,7 +51,7 @@ class Experiment(Model):
     `@contact(BODY, BODY)`, `@crossing(QUANTITY, VALUE, up)` or `@until`; `min`, `max`, `largest`,
     `amplitude`, `mean` or `integral` of `(QUANTITY)`; `error(CHECK)`. A quantity may be arithmetic
     over several"""
-    set: Mapping[Text, Finite] = {}
+    set: Mapping[Name, Finite] = {}
     """parameters that have other values than the level's own"""
     draws: Annotated[int, Field(ge=1, le=10**9)] | None = None
     """how many times is drawn at each point of the grid; of `sobol-indices` how many base points"""

@@ -32,9 +32,7 @@ class Executor(Protocol):
         """How much is worked on at a time."""
         ...
 
-    def results(
-        self, work: Callable[[Item], Result], items: Iterable[Item]
-    ) -> Iterator[Result]:
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield what comes of each item, as it comes.
 
         Raises
@@ -46,13 +44,11 @@ class Executor(Protocol):
 
 
 class Here:
-    """This process."""
+    """The process itself, which does one thing after the other."""
 
     jobs = 1
 
-    def results(
-        self, work: Callable[[Item], Result], items: Iterable[Item]
-    ) -> Iterator[Result]:
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield what comes of each item, one after the other."""
         return map(work, items)
 
@@ -63,9 +59,7 @@ class Cores:
     def __init__(self, jobs: int) -> None:
         self.jobs = jobs
 
-    def results(
-        self, work: Callable[[Item], Result], items: Iterable[Item]
-    ) -> Iterator[Result]:
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield what comes of each item, as it comes."""
         try:
             for _, result in spread(work, items, self.jobs):
@@ -89,9 +83,7 @@ class Cluster:
             )
         self._refuse_others()
 
-    def results(
-        self, work: Callable[[Item], Result], items: Iterable[Item]
-    ) -> Iterator[Result]:
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """Yield what comes of each item, as it comes; a worker that is lost is replaced."""
         from distributed import as_completed
 

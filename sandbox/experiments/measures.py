@@ -119,7 +119,7 @@ class Measure:
                 return None
             return value_at(trace.t, column, until, smooth=trace.smooth), until
         whole = replace(trace, columns={**trace.columns, self.text: column})
-        found = samples(whole, self.text, self.at)  # type: ignore[arg-type] # no place is left
+        found = samples(whole, self.text, self.at)
         return None if found is None else (float(found[1][0]), float(found[0][0]))
 
     def expected(self, trace: Trace, t: float | None) -> float | None:
@@ -206,8 +206,10 @@ def _check(text: str, level: Level) -> Check:
 
 
 def _instant(text: str, level: Level) -> Instant | Place:
-    if text == "end" or text == "until":
-        return text
+    if text == "end":
+        return "end"
+    if text == "until":
+        return "until"
     call = _CALL.fullmatch(text)
     name, inside = (call[1], call[2]) if call else (text, "")
     given = [part.strip() for part in inside.split(",")] if inside.strip() else []
@@ -275,5 +277,7 @@ def _body(given: list[str], level: Level, text: str) -> str:
         return given[0]
     moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
     if len(moving) != 1:
-        raise MeasureError(f"'{text}' must say which body: {text}({moving[0] if moving else '...'})")
+        raise MeasureError(
+            f"'{text}' must say which body: {text}({moving[0] if moving else '...'})"
+        )
     return moving[0]

@@ -1,6 +1,6 @@
 """Some rows of an experiment, run and measured: the same bits wherever, and in whatever company."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 from time import perf_counter
 from typing import TYPE_CHECKING, NamedTuple
@@ -12,7 +12,7 @@ from sandbox.experiments.plan import Plan, Row
 from sandbox.experiments.table import Cell, columns, schema
 from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
+from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.ensemble.flight import Flight, accepts, suits
 from sandbox.physics.measuring.meter import Meter
@@ -103,9 +103,11 @@ def _measured(plan: Plan, trace: Trace, *, stopped: bool) -> Iterator[Cell]:
         yield value
         if measure.of is not None and measure.check is not None:
             expected = measure.expected(trace, t)
-            known = value is not None and expected is not None
             yield expected
-            yield measure.error(value, expected, trace) if known else None
+            if value is None or expected is None:
+                yield None
+            else:
+                yield measure.error(value, expected, trace)
 
 
 def _runs(plan: Plan, rows: Iterator[Row]) -> Iterator[_Run]:
@@ -162,9 +164,9 @@ def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
         return
     stop = _Stop(plan.until) if plan.until else None
     steps = [_steps(plan, world) for world in flying]
-    flown = iter(Flight(flying, plan.quantities, steps, stop and stop.first).fly())
-    for setting, world in zip(flock, worlds, strict=True):
-        found = next(flown) if world else None
+    flights = iter(Flight(flying, plan.quantities, steps, stop.first if stop else None).fly())
+    for setting, start in zip(flock, worlds, strict=True):
+        found = next(flights) if start else None
         if found is None or found.trace is None:
             yield _alone(plan, setting)
         else:
@@ -192,7 +194,7 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
             duration,
             plan.quantities,
             setting.stepping,
-            until=stop and stop.now,
+            until=stop.now if stop else None,
         )
     except SandboxError as error:
         told = error.told("") if isinstance(error, SimulationError) else str(error)
@@ -204,18 +206,19 @@ class _Stop:
     """The condition that ends a run."""
 
     def __init__(self, condition: Observable) -> None:
-        self._condition, self._meter = condition, None
+        self._condition = condition
+        self._meter: Meter | None = None
         self.held = False
 
     def now(self, world: World) -> bool:
         """Return whether a world has come to it."""
         if self._meter is None:
-            self._meter: Meter | None = Meter(world, ["t", *self._condition.quantities])
+            self._meter = Meter(world, ["t", *self._condition.quantities])
         columns = self._meter(world.snapshot)
         found = self._condition.over(columns, world.snapshot.t, world.values)
         self.held = bool(np.nan_to_num(found))
         return self.held
 
-    def first(self, columns: "dict[str, np.ndarray]", t: np.ndarray, world: World) -> int | None:
+    def first(self, columns: Mapping[str, Array], t: Array, world: World) -> int | None:
         """Return the first of some instants at which it holds; None if it does at none."""
         return holds_at(self._condition, columns, t, world.values)

@@ -1,9 +1,9 @@
 """The folder of an experiment: what came of each row, kept as it comes, whole or not at all.
 
-    experiment.json    the experiment, its level, and what it was made with
-    parts/             rows that are done, a file for each batch, while it runs
-    results.parquet    all rows in their order, once they are done
-    report.html        the page of it
+experiment.json    the experiment, its level, and what it was made with
+parts/             rows that are done, a file for each batch, while it runs
+results.parquet    all rows in their order, once they are done
+report.html        the page of it
 """
 
 import json
@@ -181,7 +181,9 @@ def _difference(there: str, text: str) -> str:
             for key in {**old, **new}:
                 if old.get(key) != new.get(key):
                     was = brief(json.dumps(old.get(key), ensure_ascii=False))
-                    return f"its {key} is {was}" if part == "experiment" else f"made with {key} {was}"
+                    return (
+                        f"its {key} is {was}" if part == "experiment" else f"made with {key} {was}"
+                    )
     except (ValueError, LookupError, TypeError, AttributeError):
         return f"its {DESCRIPTION} cannot be read"
     return "its level says something else"

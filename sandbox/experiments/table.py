@@ -51,9 +51,8 @@ def schema(plan: Plan) -> "pa.Schema":
         words = isinstance(axis, Listed) and isinstance(axis.values[0], str)
         kind = pa.string() if words else pa.float64()
         fields.append(pa.field(name, kind, metadata=_unit(axis_unit(plan, name))))
-    for column in columns(plan):
-        fields.append(pa.field(column.name, pa.float64(), metadata=_unit(column.unit)))
-    return pa.schema([*fields, pa.field(FAILURE, pa.string())])
+    measured = (pa.field(c.name, pa.float64(), metadata=_unit(c.unit)) for c in columns(plan))
+    return pa.schema([*fields, *measured, pa.field(FAILURE, pa.string())])
 
 
 def axis_unit(plan: Plan, name: str) -> str:

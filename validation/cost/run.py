@@ -4,8 +4,8 @@ import os
 from collections.abc import Iterator, Sequence
 from functools import partial
 
-from validation.cost.sweep import Budget, Sweep, errors, timed
 from sandbox.processes import spread
+from validation.cost.sweep import Budget, Sweep, errors, timed
 
 
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:

@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.model.quantities import Quantity, quantity
-from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.many import ManyJoints
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace
@@ -138,7 +138,7 @@ class Flight:
             velocity[:, i] = (before + self._velocity) / 2
             acceleration[:, i] = (self._velocity - before) / self._dt
         doubted |= self._energies.doubt(self._flying, place, velocity)
-        t = np.arange(taken + 1, taken + count + 1) * self._dt
+        t = self._times(taken + 1, taken + count)
         for at, run in enumerate(self._flying):
             columns = _measured(self._meters[run], t, place[at], velocity[at], acceleration[at])
             self._columns[run].append(columns)
@@ -176,7 +176,7 @@ class Flight:
         parts, world = self._columns[run], self._worlds[run]
         if self._stop and len(parts) > 1:
             last = parts[-1]
-            t = np.arange(taken - len(next(iter(last.values()))) + 1, taken + 1) * self._dt
+            t = self._times(taken - len(next(iter(last.values()))) + 1, taken)
             at = self._stop(last, t, world)
             if at is not None and (end := taken - len(t) + at + 1) <= self._steps[run]:
                 return Flown(self._trace(run, end), stopped=True)
@@ -184,11 +184,15 @@ class Flight:
             return None
         return Flown(self._trace(run, int(self._steps[run])), stopped=False)
 
+    def _times(self, first: int, last: int) -> Array:
+        """Return the times of some steps, as a world counts them [s]."""
+        return np.asarray(np.arange(first, last + 1) * self._dt, dtype=float)
+
     def _trace(self, run: int, steps: int) -> Trace:
         world, parts = self._worlds[run], self._columns[run]
         columns = {n: np.concatenate([part[n] for part in parts])[: steps + 1] for n in parts[0]}
         units = {name: found.unit for name, found in self._meters[run].quantities.items()}
-        t = np.arange(steps + 1) * self._dt
+        t = self._times(0, steps)
         self._columns[run] = []
         return Trace(world.level, world.values, world.stepping, t, columns, units, {}, {})
 
@@ -202,7 +206,7 @@ class _Energies:
         self._gravity = np.array([_gravity(world) for world in worlds])
         self._least, self._lowest = np.full(len(worlds), np.inf), np.full(len(worlds), np.inf)
 
-    def doubt(self, runs: Array, place: Array, velocity: Array) -> Booleans:
+    def doubt(self, runs: Integers, place: Array, velocity: Array) -> Booleans:
         """Return which of some runs must be run alone, from (N, T, n, 3) of each: (N,)."""
         mass, moment = self._mass[runs, None], self._moment[runs, None]
         fall = np.einsum("ntbc,nc->ntb", place[..., :2], self._gravity[runs])

@@ -3,12 +3,12 @@
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.constraints import Coordinates, Rows
 from sandbox.physics.state.anchor import Anchor, Plane
 
@@ -65,11 +65,10 @@ class Reaches:
         self._shape = shape[0], 3 * count
         reaches = [(i, a, b) for i, row in enumerate(rows) for a, b in row.reaches]
         self._row = np.array([i for i, _, _ in reaches], dtype=np.intp)
-        self._body, self._point = _ends(
-            [a for _, a, _ in reaches] + [b for _, _, b in reaches], count
-        )
         self._half = len(reaches)
-        self._offset = self._point[self._half :] - self._point[: self._half]
+        held = [a for _, a, _ in reaches] + [b for _, _, b in reaches]
+        self._body, points = _ends(held, count)
+        self.hold(points)
         self._single = self._half == len(rows) == shape[0]
         self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
         self._across = self._along.conj()
@@ -112,32 +111,37 @@ class Reaches:
         self._spread(slopes, gradient.reshape(*many, -1))
         return Rows(self._added_up(length), gradient)
 
-    def of_many(self, others: Sequence["Reaches"]) -> "Reaches":
-        """Return the pieces of many runs at once, which differ only in where they hold on."""
+    @property
+    def points(self) -> Plane:
+        """Where the pieces hold on to their bodies, first all beginnings, then all ends [m]."""
+        return self._point
+
+    def holding(self, points: Plane) -> "Reaches":
+        """Return the same pieces, held elsewhere: those of many runs are (N, 2 k)."""
         found = copy(self)
-        found._point = np.array([other._point for other in others])
-        found._offset = np.array([other._offset for other in others])
+        found.hold(points)
         return found
 
-    def some(self, rows: Booleans) -> "Reaches":
-        """Return those of some of many runs: (N,)."""
-        found = copy(self)
-        found._point, found._offset = self._point[rows], self._offset[rows]
-        return found
+    def hold(self, points: Plane) -> None:
+        """Let the pieces hold on at these points of their bodies."""
+        self._point = points
+        self._offset = points[..., self._half :] - points[..., : self._half]
 
     def _spread(self, slopes: Array, gradient: Array) -> None:
         """Add what changes with the ends to the gradients, laid out in a row."""
         if self._apart:
             gradient[..., self._into] = slopes
         else:
-            np.add.at(gradient, (..., self._into), slopes)
+            where: Any = (..., self._into)
+            np.add.at(gradient, where, slopes)
 
     def _added_up(self, length: Array) -> Array:
         """Return what the pieces of each row add up to."""
         if self._single:
             return length
         total = np.zeros((*length.shape[:-1], self._shape[0]))
-        np.add.at(total, (..., self._row), length)
+        where: Any = (..., self._row)
+        np.add.at(total, where, length)
         return total
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:

@@ -37,7 +37,7 @@ class ManyJoints:
     def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
         first = joints[0]
         self._order, self._step = order(len(first.inverse) // 3 - 1), step
-        self._reaches = first.reaches.of_many([one.reaches for one in joints])
+        self._reaches = first.reaches.holding(np.array([one.reaches.points for one in joints]))
         self._inverse = np.array([one.inverse for one in joints])
         some = self._inverse > 0
         self._inertia = np.where(some, 1 / np.where(some, self._inverse, 1.0), 0.0)
@@ -48,7 +48,7 @@ class ManyJoints:
 
     def keep(self, rows: Booleans) -> None:
         """Go on with some of the runs: (N,)."""
-        self._reaches = self._reaches.some(rows)
+        self._reaches = self._reaches.holding(self._reaches.points[rows])
         for name in ("_inverse", "_inertia", "_length", "_origin"):
             setattr(self, name, getattr(self, name)[rows])
         self._past = [tension[rows] for tension in self._past]
@@ -112,4 +112,4 @@ def _solved(slope: Array, excess: Array) -> Array:
     """Solve a linear system each: (N, m)."""
     if excess.shape[1] == 1:
         return excess / slope[:, 0]
-    return np.linalg.solve(slope, excess[:, :, None])[:, :, 0]
+    return np.asarray(np.linalg.solve(slope, excess[:, :, None])[:, :, 0], dtype=float)
