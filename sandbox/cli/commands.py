@@ -338,6 +338,25 @@ def experiment(
             show_default=False,
         ),
     ] = None,
+    fit_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fit",
+            metavar="NAME",
+            help="In place of an experiment, find this parameter of the level from --data, with"
+            " its uncertainty. Can be repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    data: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            help="What was measured: a column t [s], and columns called as quantities, such as"
+            " bob.position.x; 'bob.position.x ±' has their standard uncertainties.",
+            show_default=False,
+        ),
+    ] = None,
 ) -> None:
     """Run a level many times, over a grid or over draws of its parameters, and measure each run.
 
@@ -345,7 +364,7 @@ def experiment(
     and experiment.json with all that is needed to run it again. An experiment that was ended goes
     on where it was when it is given once more.
     """
-    from sandbox.cli.experiment import Asked, experiment
+    from sandbox.cli.experiment import Asked, experiment, fit
 
     others = {
         "until": until, "draws": draws, "method": method, "seed": seed,
@@ -353,7 +372,10 @@ def experiment(
     }  # fmt: skip
     given = {name: value for name, value in others.items() if value is not None}
     asked = Asked(subject, vary or [], measure or [], set_ or [], given)
-    experiment(asked, output, jobs, cluster)
+    if fit_ or data:
+        fit(asked, fit_ or [], data, output)
+    else:
+        experiment(asked, output, jobs, cluster)
 
 
 @app.command()

@@ -5,16 +5,18 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
 from sandbox.cli import usage
+from sandbox.cli.accuracy import Choice, settled
 from sandbox.cli.usage import UsageError
 from sandbox.extras import needed_for
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.loading import choose
 from sandbox.model.parts import Fault
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ class Asked(NamedTuple):
     vary: Sequence[str]
     measure: Sequence[str]
     set: Sequence[str]
-    others: Mapping[str, object]
+    others: Mapping[str, Any]
     """draws, method, seed, duration, until, rate and scheme, as far as they are given"""
 
 
@@ -68,6 +70,33 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
     for line in page.told:
         typer.echo(line)
     typer.echo(f"{page.path}: the page of it")
+
+
+def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> None:
+    """Fit parameters of a level to measured data, and write what was found."""
+    if asked.vary or asked.measure or set(asked.others) - {"rate", "scheme"}:
+        raise UsageError("--fit: nothing is varied, drawn or measured beside it")
+    if not names or data is None:
+        raise UsageError(
+            "--fit NAME and --data FILE.csv: both are needed, what to find and from what"
+        )
+    with needed_for("a fit", "experiment"):
+        from sandbox.experiments import data as measured
+        from sandbox.experiments import fit_report
+        from sandbox.experiments.fitting import fit
+    source, level = usage.open_level(asked.argument)
+    values = choose(level, usage.settings(asked.set))
+    choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))
+    stepping = settled(level, values, choice)
+    folder = usage.output_folder(output)
+    found_data = measured.read(data, level)
+    with Console(stderr=True).status(f"Fitting {source} ..."):
+        found = fit(level, values, names, found_data, stepping)
+    page = fit_report.write(level, source, found_data, found, folder)
+    for parameter in found.parameters:
+        bound = ": the end of the level's range" if parameter.bound else ""
+        typer.echo(f"{parameter.name} = {fit_report.said(parameter)}{bound}")
+    typer.echo(f"{page}: the page of it")
 
 
 def _plan(asked: Asked) -> "Plan":

@@ -108,10 +108,17 @@ def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
     found = results.read(path, texts)
     if found.runs != len(found.numbers):
         raise SandboxError(f"Sobol's indices are computed of at most {results.MOST:,} runs")
-    return [_sensitivity(text, found.number(text), names) for text in texts]
+    return [sensitivity(text, found.number(text), names) for text in texts]
 
 
-def _sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivity:
+def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivity:
+    """Return Sobol's indices of an outcome, (R,), from the rows of Saltelli's scheme.
+
+    Raises
+    ------
+    SandboxError
+        If a row has no number, or all have the same.
+    """
     from scipy.stats import sobol_indices
 
     if missing := int((~np.isfinite(column)).sum()):

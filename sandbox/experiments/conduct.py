@@ -5,7 +5,7 @@ from time import perf_counter
 
 from sandbox.experiments.executors import Executor
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.running import Done, Task, run
+from sandbox.experiments.running import Done, Task, run, together
 from sandbox.experiments.storage import Store
 
 FIRST = 8
@@ -29,10 +29,18 @@ Tell = Callable[[int], None]
 
 
 class Pace:
-    """How many rows a batch has."""
+    """How many rows a batch has.
 
-    def __init__(self, jobs: int) -> None:
-        self._jobs, self._began = jobs, perf_counter()
+    Parameters
+    ----------
+    jobs
+        How many batches are worked on at a time.
+    least
+        How many rows a batch is to have at the least, while as many are left.
+    """
+
+    def __init__(self, jobs: int, least: int = 1) -> None:
+        self._jobs, self._began, self._least = jobs, perf_counter(), least
         self._largest, self._cost = 0, 0.0
 
     def note(self, done: Done) -> None:
@@ -44,12 +52,13 @@ class Pace:
 
     def rows(self, left: int) -> int:
         """Return how many rows the next batch has, of those that are left."""
+        fewest = min(self._least, -(-left // self._jobs))
         if not self._largest:
-            return min(FIRST, left)
+            return max(min(FIRST, left), fewest)
         length = min(max((perf_counter() - self._began) / SHARE, SHORTEST), LONGEST)
         rows = min(int(length / max(self._cost, 1e-9)), GROWTH * self._largest, MOST)
         least = int(SHORTEST / max(self._cost, 1e-9))  # so that all end at about the same time
-        return max(min(rows, max(left // (2 * self._jobs), least)), 1)
+        return max(min(rows, max(left // (2 * self._jobs), least)), fewest)
 
     def tasks(self, plan: Plan, missing: Iterable[tuple[int, int]]) -> Iterator[Task]:
         """Yield what is missing of a plan, each as large as it may be when it is asked for."""
@@ -73,7 +82,7 @@ def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
     """
     if store.complete:
         return
-    pace, rows = Pace(executor.jobs), 0
+    pace, rows = Pace(executor.jobs, together(plan)), 0
     for done in executor.results(run, pace.tasks(plan, store.missing())):
         store.add(done.start, done.stop, done.rows)
         pace.note(done)

@@ -5,7 +5,7 @@ Dask's part is imported where a cluster is asked for.
 
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
@@ -133,13 +133,15 @@ def _versions() -> dict[str, str]:
 
 
 @contextmanager
-def cluster(address: str) -> Iterator[Cluster]:
+def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
     """Use a Dask cluster.
 
     Parameters
     ----------
     address
         Of its scheduler, such as `tcp://127.0.0.1:8786`.
+    workers
+        How many workers are waited for, as long as a scheduler may take to answer.
 
     Raises
     ------
@@ -156,6 +158,8 @@ def cluster(address: str) -> Iterator[Cluster]:
             " workers with 'dask worker ADDRESS'"
         ) from error
     try:
+        with suppress(TimeoutError):  # it is told by what there is
+            client.wait_for_workers(workers, timeout=3 * PATIENCE)
         yield Cluster(client, address)
     finally:
         client.close(timeout=PATIENCE)

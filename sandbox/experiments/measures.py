@@ -33,7 +33,13 @@ from sandbox.model.level import (
 from sandbox.model.quantities import quantity
 from sandbox.model.suggest import suggestion
 from sandbox.physics.measuring.event_interpolation import value_at
-from sandbox.physics.measuring.grading import applies, grade, least_scale, relative_error, samples
+from sandbox.physics.measuring.grading import (
+    applies,
+    grade_check,
+    least_scale,
+    relative_error,
+    samples,
+)
 from sandbox.physics.measuring.recording import Trace, needed_at
 
 Place = Literal["end", "until"]
@@ -106,8 +112,9 @@ class Measure:
             When the condition came to hold that ends the run [s]; None if it did not.
         """
         if self.reduction == "error":
-            result = next(r for r in grade(trace) if r.check == self.check)
-            return None if result.error is None else (result.error, None)
+            assert self.check
+            found_error = grade_check(self.check, trace).error
+            return None if found_error is None else (found_error, None)
         assert self.of
         column = self.of.over(trace.columns, trace.t, trace.values)
         if self.reduction:

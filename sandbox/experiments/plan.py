@@ -308,19 +308,26 @@ def _faulty_measures(plan: Plan) -> Iterator[Fault]:
 
 def _faulty_runs(plan: Plan) -> Iterator[Fault]:
     """Yield what is wrong with the number of runs, once everything can be read."""
-    experiment = plan.experiment
-    if plan.drawn and experiment.draws is None:
+    if plan.drawn and plan.experiment.draws is None:
         name = next(iter(plan.drawn))
         yield Fault(("draws",), f"is missing: '{name}' is drawn, but how many times?")
-    if not plan.drawn and experiment.draws is not None:
+    if not plan.drawn and plan.experiment.draws is not None:
         yield Fault(("draws",), "nothing is drawn: no axis is LOW..HIGH or MEAN±SD")
     if plan.runs > MOST_RUNS:
-        told = " × ".join(f"{axis.count:,}" for axis in plan.grids.values())
-        if plan.drawn:
-            told = " × ".join(part for part in (told, f"{plan.draws:,} draws") if part)
+        parts = [f"{axis.count:,}" for axis in plan.grids.values()]
+        told = " × ".join([*parts, *([f"{plan.draws:,} draws"] if plan.drawn else [])])
         yield Fault(("vary",), f"makes {told} = {plan.runs:,} runs; {MOST_RUNS:,} are the most")
-    if experiment.method == "latin-hypercube" and plan.draws > MOST_IN_A_HYPERCUBE:
-        told = f"{plan.draws:,} draws; a Latin hypercube has at most {MOST_IN_A_HYPERCUBE:,}"
+    yield from _faulty_draws(plan)
+
+
+def _faulty_draws(plan: Plan) -> Iterator[Fault]:
+    """Yield what the way of drawing does not allow."""
+    method, base = plan.experiment.method, plan.experiment.draws or 1
+    if method == "latin-hypercube" and base > MOST_IN_A_HYPERCUBE:
+        told = f"{base:,} draws; a Latin hypercube has at most {MOST_IN_A_HYPERCUBE:,}"
         yield Fault(("draws",), f"{told}; 'sobol' has no such bound")
-    if experiment.method == "sobol-indices" and plan.grids:
-        yield Fault(("method",), "Sobol's indices need everything that is varied to be drawn")
+    if method == "sobol-indices":
+        if plan.grids:
+            yield Fault(("method",), "Sobol's indices need everything that is varied to be drawn")
+        if base < 2 or base & (base - 1):
+            yield Fault(("draws",), f"{base:,}: of Sobol's indices it must be a power of two")

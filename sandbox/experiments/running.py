@@ -81,6 +81,14 @@ def run(task: Task) -> Done:
     return Done(task.start, task.stop, rows, perf_counter() - began)
 
 
+def together(plan: Plan) -> int:
+    """Return how many rows of a plan are best run at once: 1 where each runs alone."""
+    setting = next(_settings(plan, plan.rows(0, 1)))
+    if isinstance(setting, _Run) or _kind(plan, setting) is None:
+        return 1
+    return _most(plan, setting)
+
+
 def _cells(plan: Plan, found: _Run) -> list[Cell]:
     """Return the cells of a row."""
     cells: list[Cell] = [found.row.number, *found.row.varied]
