@@ -89,7 +89,7 @@ class Cluster:
 
         coming = iter(items)
         first = [self._submit(work, item) for item in islice(coming, AHEAD * self.jobs)]
-        waiting = as_completed(first)
+        waiting = as_completed(first, loop=self._client.loop)
         try:
             for future in waiting:
                 yield future.result()

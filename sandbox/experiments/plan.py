@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from math import prod
 from typing import NamedTuple, get_args
 
@@ -16,12 +16,14 @@ from sandbox.experiments.draws import MOST_IN_A_HYPERCUBE, points
 from sandbox.experiments.measures import Measure, MeasureError
 from sandbox.experiments.observables import Observable
 from sandbox.model import variants, wording
+from sandbox.model.conditions.condition import Condition
 from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.parts import Fault
+from sandbox.model.rules import depending
 from sandbox.model.suggest import suggestion
 
 MOST_RUNS = 10**9
@@ -40,6 +42,13 @@ class Row(NamedTuple):
     """from 0"""
     varied: tuple[float | str, ...]
     """what each axis has there"""
+
+
+class Variant(NamedTuple):
+    """A level with effects less, and what must hold in it for each choice of its parameters."""
+
+    level: Level
+    conditions: list[Condition]
 
 
 @dataclass(frozen=True)
@@ -153,8 +162,8 @@ class Plan:
         varied = dict(zip(self.axes, row.varied, strict=True))
         chosen = {n: float(v) for n, v in varied.items() if n in self.level.parameters}
         others = {n: v for n, v in varied.items() if n not in self.level.parameters}
-        level = self.variant(str(others.get("without", NONE)))
-        values = choose(level, {**self.experiment.set, **chosen})
+        level, conditions = self.variant(str(others.get("without", NONE)))
+        values = choose(level, {**self.experiment.set, **chosen}, conditions)
         return level, values, self._stepping(others)
 
     def _stepping(self, varied: Mapping[str, float | str]) -> Stepping:
@@ -165,7 +174,7 @@ class Plan:
             return own
         return Stepping.model_validate({**own.at(own.rate).model_dump(), **given})
 
-    def variant(self, without: str) -> Level:
+    def variant(self, without: str) -> Variant:
         """Return the level without some effects, whose names are joined by +.
 
         Raises
@@ -173,28 +182,16 @@ class Plan:
         EffectError
             If it makes no sense without them.
         """
-        return _variant(self.level, without) if without != NONE else self.level
+        if without not in self._variants:
+            names = [] if without == NONE else [name.strip() for name in without.split("+")]
+            level = variants.vary(self.level, names, {})[0]
+            self._variants[without] = Variant(level, depending(level))
+        return self._variants[without]
 
-
-@lru_cache(maxsize=64)
-def _without(level: "_Identified", without: str) -> Level:
-    return variants.vary(level.level, [name.strip() for name in without.split("+")], {})[0]
-
-
-class _Identified(NamedTuple):
-    """A level that is looked up by what it is, not by what it says."""
-
-    level: Level
-
-    def __hash__(self) -> int:
-        return id(self.level)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Identified) and other.level is self.level
-
-
-def _variant(level: Level, without: str) -> Level:
-    return _without(_Identified(level), without)
+    @cached_property
+    def _variants(self) -> dict[str, Variant]:
+        """The variants that were asked for, by what they are without."""
+        return {}
 
 
 def _axis(name: str, text: str, level: Level) -> Axis:

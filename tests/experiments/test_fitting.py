@@ -20,14 +20,16 @@ def fallen(seed: int) -> np.ndarray:
     return 20 - G * T**2 / 2 + np.random.default_rng(seed).normal(0, NOISE, T.size)
 
 
+def known(seed: int) -> Data:
+    height = "ball.position.y"
+    return Data(T, {height: fallen(seed)}, {height: np.full(T.size, NOISE)})
+
+
 def test_g_lies_within_its_own_uncertainty_in_95_of_100_draws() -> None:
     """Of a normal distribution 95.4 % lie within two standard uncertainties, 68 % within one."""
     off = []
     for seed in range(100):
-        data = Data(
-            T, {"ball.position.y": fallen(seed)}, {"ball.position.y": np.full(T.size, NOISE)}
-        )
-        [g] = fit(FALL, FALL.defaults, ["g"], data, RATE).parameters
+        [g] = fit(FALL, FALL.defaults, ["g"], known(seed), RATE).parameters
         off.append(abs(g.value - G) / g.uncertainty)
     assert sum(z < 2 for z in off) >= 95
     assert 55 <= sum(z < 1 for z in off) <= 80  # nor is it too large
@@ -35,8 +37,7 @@ def test_g_lies_within_its_own_uncertainty_in_95_of_100_draws() -> None:
 
 def test_the_uncertainty_is_that_of_the_linear_problem() -> None:
     """y is linear in g: σ² = σ_y² / Σ (t²/2)²."""
-    data = Data(T, {"ball.position.y": fallen(1)}, {"ball.position.y": np.full(T.size, NOISE)})
-    [g] = fit(FALL, FALL.defaults, ["g"], data, RATE).parameters
+    [g] = fit(FALL, FALL.defaults, ["g"], known(1), RATE).parameters
     assert g.uncertainty == pytest.approx(NOISE / np.sqrt((T**4 / 4).sum()), rel=1e-4)
 
 
