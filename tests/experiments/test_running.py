@@ -12,7 +12,7 @@ import pyarrow as pa
 import pytest
 
 from sandbox.experiments.conduct import conduct
-from sandbox.experiments.executors import Cores
+from sandbox.experiments.executors import Cores, Here
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.running import Task, run
 from sandbox.experiments.storage import PARTS, RESULTS, Store
@@ -140,9 +140,9 @@ def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
     monkeypatch.setattr("sandbox.experiments.storage.write_atomically", full)
     with pytest.raises(SandboxError, match="No space left on device"):
-        conduct(found, store, Cores(1), lambda _: None)
+        conduct(found, store, Here(), lambda _: None)
     monkeypatch.undo()
-    conduct(found, store, Cores(1), lambda _: None)
+    conduct(found, store, Here(), lambda _: None)
     assert store.complete
 
 
