@@ -65,8 +65,9 @@ format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .
 	$(PY) -m ruff format .
 
-docs: $(FOR_RUN) ## write anew what is generated: the levels' JSON Schema, the map of the chapter
+docs: $(FOR_RUN) ## write anew what is generated: the formats' JSON Schemas, the map of the chapter
 	$(PY) -m sandbox.model.schema
+	$(PY) -m sandbox.experiments.schema
 	$(PY) -m validation.chapter
 
 clean: ## remove the environment, caches and builds

@@ -4,7 +4,7 @@ A level may ask for an accuracy instead of a rate. The search for a setting runs
 what takes such a level stands above it.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
@@ -56,6 +56,7 @@ def simulate(
     stepping: Stepping | None = None,
     *,
     books: bool = False,
+    until: Callable[[World], bool] | None = None,
 ) -> Trace:
     """Run a level and record it.
 
@@ -73,6 +74,8 @@ def simulate(
         How time advances; as the level says if left out.
     books
         Whether to keep the books of its energy along, which costs about 0.1 ms a step.
+    until
+        Tells after each step whether that was the last.
 
     Raises
     ------
@@ -95,6 +98,8 @@ def simulate(
                 recorder.note()
                 if closer:
                     closer.note()
+                if until and until(world):
+                    break
             trace = recorder.trace
             return replace(trace, closing=closer.closing) if closer else trace
     except SandboxError:

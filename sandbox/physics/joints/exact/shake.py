@@ -186,6 +186,21 @@ class ExactJoints:
         _, shares = copy(cast("Equation", equation)).look(self.place())
         return np.array([share.body for share in shares], dtype=np.intp)
 
+    @property
+    def plain(self) -> bool:
+        """Whether all are sums of lengths that stay as they are, and are solved together."""
+        return not (self._others or self._changing or self._unilateral or self._rods)
+
+    @property
+    def reaches(self) -> Reaches:
+        """The pieces whose lengths add up."""
+        return self._reaches
+
+    @property
+    def past(self) -> list[Array]:
+        """The forces of the last kicks without impacts, newest first: (m,) each [N]."""
+        return self._past
+
     def expected(self) -> tuple[Array, Booleans]:
         """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
         last = self._past[0] if self._past else self._cold
@@ -392,7 +407,7 @@ class ExactJoints:
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
-            expected = _parabola([tension[i] for tension in past]) if past else 0.0
+            expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm[i]
             try:
                 impulse = rod.solve(length[i], guess, self.drift)
@@ -438,7 +453,7 @@ class ExactJoints:
     def _guess(self) -> Array:
         """Return the impulses that are still to be expected in this kick: (m,) [N s]."""
         past = self._past[self.parts - 1 :: self.parts]
-        return (_parabola(past) if past else self._cold) * self.kick - self._warm
+        return (parabola(past) if past else self._cold) * self.kick - self._warm
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
         """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
@@ -655,7 +670,7 @@ def _coordinates(rows: Array) -> Coordinates:
     return Coordinates(values)
 
 
-def _parabola(past: list[Number]) -> Number:
+def parabola(past: list[Number]) -> Number:
     """Return what comes next: on the parabola through the last three, newest first, or fewer."""
     match past:
         case [last, before, first]:

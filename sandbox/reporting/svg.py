@@ -6,7 +6,7 @@ from html import escape
 from markupsafe import Markup
 from matplotlib.figure import Figure
 
-from validation import plots
+from sandbox.reporting import plots
 
 
 def inline(figure: Figure, label: str) -> Markup:

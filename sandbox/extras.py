@@ -7,8 +7,15 @@ from sandbox.model.errors import SandboxError
 
 
 @contextmanager
-def needed_for(what: str) -> Iterator[None]:
+def needed_for(what: str, extra: str = "report") -> Iterator[None]:
     """Import within this what something needs: if it is not installed, say how to install it.
+
+    Parameters
+    ----------
+    what
+        What needs it, as the message begins.
+    extra
+        The extra of the package that brings it.
 
     Raises
     ------
@@ -19,6 +26,6 @@ def needed_for(what: str) -> Iterator[None]:
         yield
     except ModuleNotFoundError as error:
         raise SandboxError(
-            f"{what} needs the library {error.name!r}, which is not installed:"
-            " python -m pip install 'mechanics-sandbox[report]' (in a checkout: -e '.[report]')"
+            f"{what} needs the library {error.name!r}, which is not installed: python -m pip"
+            f" install 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')"
         ) from error

@@ -1,8 +1,9 @@
 """Work that is spread over processes, of which none outlives the one that has started it."""
 
 import os
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from itertools import islice
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from threading import Thread
@@ -13,9 +14,12 @@ from sandbox import interrupts
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
+AHEAD = 2
+"""How many items each process has at a time: the one it is at, and the next."""
+
 
 def spread(
-    work: Callable[[Item], Result], items: Sequence[Item], jobs: int
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int
 ) -> Iterator[tuple[int, Result]]:
     """Yield the number of each item and what came of it, as they come in.
 
@@ -27,18 +31,23 @@ def spread(
     work
         What is done with an item: a function of a module, where the other processes find it.
     items
-        They are begun in this order.
+        They are begun in this order, and asked for only when a process is about to need them.
     jobs
-        How many processes share them at the most.
+        How many processes share them at the most; each is started when there is work for it.
     """
-    jobs = max(min(jobs, len(items)), 1)
     context = get_context("spawn")
     ending, life = context.Pipe(duplex=False)
-    pool = ProcessPoolExecutor(jobs, context, _begin, (ending,))
+    pool = ProcessPoolExecutor(max(jobs, 1), context, _begin, (ending,))
+    coming = enumerate(items)
+    numbers: dict[Future[Result], int] = {}
     try:
-        numbers = {pool.submit(work, item): number for number, item in enumerate(items)}
-        for done in as_completed(numbers):
-            yield numbers[done], done.result()
+        while True:
+            for number, item in islice(coming, AHEAD * max(jobs, 1) - len(numbers)):
+                numbers[pool.submit(work, item)] = number
+            if not numbers:
+                break
+            for done in wait(numbers, return_when=FIRST_COMPLETED).done:
+                yield numbers.pop(done), done.result()
     except BaseException:
         life.close()  # nobody waits for what they are at
         raise

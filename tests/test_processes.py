@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from sandbox.interrupts import ENDED, INTERRUPTED
+from sandbox.processes import spread
 from tests.elsewhere import PATIENCE, ROOT
-from validation.processes import spread
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
 
@@ -37,7 +37,7 @@ def alive(pid: int) -> bool:
 @pytest.fixture
 def busy(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[bytes], list[int]]]:
     """Yield a process that shares its work with two others, and their numbers."""
-    command = [sys.executable, "-m", "tests.validation.patience", str(tmp_path)]
+    command = [sys.executable, "-m", "tests.patience", str(tmp_path)]
     with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.DEVNULL) as process:
         assert until(lambda: len(list(tmp_path.iterdir())) == 2)
         workers = [int(path.name) for path in tmp_path.iterdir()]
