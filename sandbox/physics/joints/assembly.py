@@ -130,15 +130,14 @@ class Joints:
             name: tuple(_anchor(end, index, values) for end in points(spec))
             for name, spec in level.joints.items()
         }
-        reaching = Rod | Rope | Pulley | Winding
-        self.lines = [n for n, spec in level.joints.items() if isinstance(spec, reaching)]
+        self.lines = [name for name, spec in level.joints.items() if spec.kind.swings]
         self.wires: dict[str, WireEquation] = {}
         self.springs: dict[str, SpringForce] = {}
         self.strings: dict[str, PulleyString] = {}
         self.together: ExactJoints | None = None
         self.touches = touches
         self.radii: dict[str, float] = {}
-        self._fixtures = any(isinstance(j, Weld | Motor) for j in level.joints.values())
+        self._fixtures = any("torque" in j.kind.quantities for j in level.joints.values())
         self._inverse_moment = agility[:, 2]
         self.own = self._take_own(level, bodies, lengths, values)
         origin = _origin(bodies)
@@ -348,7 +347,7 @@ def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> 
 
 def _ours(level: Level) -> dict[str, Joint]:
     """Return the joints that pymunk does not solve, by name."""
-    return {name: j for name, j in level.joints.items() if is_exact(j) or isinstance(j, Spring)}
+    return {name: j for name, j in level.joints.items() if is_exact(j) or j.kind.force}
 
 
 def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:

@@ -6,9 +6,10 @@ from dataclasses import replace
 from sandbox.app import theme, wording
 from sandbox.app.companions import Changes, Variant
 from sandbox.app.session import Session
+from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
-from sandbox.model.variants import DEFAULTS, Settings, vary
+from sandbox.model.variants import DEFAULTS, vary
 from sandbox.physics.measuring.comparison import Difference, differences
 
 DECLARED = "as the level declares it"
