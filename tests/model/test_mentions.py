@@ -97,7 +97,7 @@ def _told(place: Place) -> str:
 
 
 def _samples(wanted: Wanted) -> list[Any]:
-    found = dict((_told(place), (place, value)) for place, value in _wherever(SCHEMA, wanted))
+    found = {_told(place): (place, value) for place, value in _wherever(SCHEMA, wanted)}
     return [pytest.param(*sample, id=told) for told, sample in found.items()]
 
 

@@ -59,7 +59,9 @@ class Page(HTMLParser):
 def _small() -> Iterator[None]:
     """Two cases, two levels, a hard case and a frontier, two numbers of bodies."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(parts, "PHENOMENA", (atwood, circular_motion))
+        patch.setattr(
+            parts, "phenomena", lambda: [tuple(each.cases()) for each in (atwood, circular_motion)]
+        )
         patch.setattr(parts, "SAMPLE", LEVELS)
         patch.setattr(parts, "HARD", HARD)
         patch.setattr(catalog, "names", lambda: list(LEVELS))

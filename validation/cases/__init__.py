@@ -1,102 +1,28 @@
-"""The cases, one phenomenon a file. A new file joins by one line here."""
+"""The cases, one phenomenon a file. A new file joins by being there."""
 
 from collections.abc import Iterator
+from importlib import import_module
+from pkgutil import iter_modules
 
+from sandbox.model import catalog
 from validation.case import Case
-from validation.cases import (
-    atwood,
-    atwood_push,
-    beads,
-    belts,
-    bounces,
-    bumpers,
-    bursts,
-    center_of_mass,
-    changing_mass,
-    chapter_code,
-    circular_motion,
-    circular_orbit,
-    collisions,
-    cradles,
-    driven,
-    first_law,
-    free_fall,
-    free_rotation,
-    given_forces,
-    glancing,
-    gravitation,
-    hollows,
-    incline,
-    incline_limits,
-    least_action,
-    machines,
-    mechanisms,
-    orbits,
-    pendulums,
-    projectile,
-    repulsion,
-    rolling,
-    second_and_third_law,
-    springs,
-    static_friction,
-    sticking,
-    table_pulley,
-    throws,
-    torques,
-    uniform_acceleration,
-    wells,
-    wheels,
-    work,
-)
 
-PHENOMENA = (
-    free_fall,
-    projectile,
-    uniform_acceleration,
-    throws,
-    circular_motion,
-    first_law,
-    second_and_third_law,
-    changing_mass,
-    atwood,
-    atwood_push,
-    incline,
-    incline_limits,
-    static_friction,
-    table_pulley,
-    belts,
-    work,
-    circular_orbit,
-    orbits,
-    gravitation,
-    wells,
-    repulsion,
-    collisions,
-    glancing,
-    center_of_mass,
-    bounces,
-    cradles,
-    bumpers,
-    bursts,
-    sticking,
-    rolling,
-    hollows,
-    free_rotation,
-    wheels,
-    pendulums,
-    springs,
-    driven,
-    torques,
-    given_forces,
-    least_action,
-    chapter_code,
-    beads,
-    machines,
-    mechanisms,
-)
+
+def phenomena() -> list[tuple[Case, ...]]:
+    """Return the cases of each file, in the order of the levels.
+
+    Raises
+    ------
+    AttributeError
+        If a file of this folder has no function `cases`.
+    """
+    place = {level: i for i, level in enumerate(catalog.names())}
+    modules = (import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__))
+    found = [tuple(module.cases()) for module in modules]
+    return sorted(found, key=lambda cases: min(place.get(c.level, len(place)) for c in cases))
 
 
 def all_cases() -> Iterator[Case]:
     """Yield every case of every phenomenon."""
-    for phenomenon in PHENOMENA:
-        yield from phenomenon.cases()
+    for cases in phenomena():
+        yield from cases

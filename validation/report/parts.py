@@ -13,7 +13,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from validation import suite
 from validation.case import Case, Outcome
-from validation.cases import PHENOMENA, all_cases
+from validation.cases import all_cases, phenomena
 from validation.cost import command as cost
 from validation.cost.requests import Request
 from validation.cost.sweep import Sweep
@@ -79,7 +79,7 @@ def _cases(quick: bool) -> Content:
 
 def quick_cases() -> list[Case]:
     """Return the first case of every phenomenon."""
-    return [next(iter(phenomenon.cases())) for phenomenon in PHENOMENA]
+    return [cases[0] for cases in phenomena()]
 
 
 def _cost(quick: bool) -> Content:

@@ -5,7 +5,7 @@ level asks for pymunk's own. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal, get_args
 
 from pydantic import Discriminator, Field, Tag
 
@@ -21,7 +21,7 @@ from sandbox.model.bounds import (
 )
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Curve, Expression
-from sandbox.model.joints.contract import Kind
+from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.locating import Path
 from sandbox.model.mention import BodyName
 from sandbox.model.parts import expressions
@@ -214,6 +214,10 @@ Joint = Annotated[
     Rod | Rope | Pulley | Pivot | Rail | Weld | Motor | Winding | Wire | Spring,
     Field(discriminator="type"),
 ]
+
+
+KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
+"""What every kind of joint says of itself, by its type."""
 
 
 def is_exact(joint: Joint) -> bool:

@@ -10,10 +10,12 @@ Which fields name bodies is not said here, but by their type: `End` or `BodyName
 changes with time follows from its formulas.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from typing import get_args
 
-from sandbox.model.effects.contract import Effect
+from sandbox.model.base import Model
+from sandbox.model.effects.contract import Effect, IncompleteError
 
 
 def _of_a_line() -> Mapping[str, str]:
@@ -49,3 +51,28 @@ class Kind:
     swings: bool = False
     points_meet: bool = False
     quantities: Mapping[str, str] = field(default_factory=_of_a_line)
+
+
+def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
+    """Return what kinds of joints say of themselves, by their type in a level's file.
+
+    Raises
+    ------
+    IncompleteError
+        If one says nothing of itself.
+    """
+    return {_type(joint): _kind(joint) for joint in joints}
+
+
+def _type(joint: type[Model]) -> str:
+    (name,) = get_args(joint.model_fields["type"].annotation)
+    return str(name)
+
+
+def _kind(joint: type[Model]) -> Kind:
+    kind = getattr(joint, "kind", None)
+    if not isinstance(kind, Kind):
+        place = f"the class {joint.__name__} in {joint.__module__.replace('.', '/')}"
+        rule = f"add 'kind: ClassVar[Kind] = Kind(...)' to {place}"
+        raise IncompleteError(f"the joint '{_type(joint)}' says nothing of itself: {rule}")
+    return kind

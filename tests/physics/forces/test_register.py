@@ -36,7 +36,7 @@ SIGHTS: dict[Sight, str] = {
 }
 
 
-def named(effects: Sequence[Effect]) -> Any:  # noqa: ANN401 (pytest's own type)
+def named(effects: Sequence[Effect]) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("effect", effects, ids=[effect.name for effect in effects])
 
 
@@ -195,7 +195,7 @@ def test_a_law_without_its_parts_is_told_with_its_file() -> None:
 
     with pytest.raises(IncompleteError, match=r"Turn, but Drag in .*forces/drag.py has no 'rate'"):
         declared._require(turning, law)
-    with pytest.raises(IncompleteError, match="magnetic.py says that it is of 'drag'"):
+    with pytest.raises(IncompleteError, match=r"magnetic.py says that it is of 'drag'"):
         declared._require(MAGNETIC, law)
     with pytest.raises(IncompleteError, match=r"add a function 'flows' to .*forces/drag.py"):
         declared._part(EFFECTS["drag"], "flows")

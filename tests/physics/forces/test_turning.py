@@ -1,6 +1,5 @@
 """What turns velocities does no work: speeds are kept to rounding, however long it acts."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from math import log2
 
@@ -15,7 +14,6 @@ from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.forces import declared, turning
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.run import build
-from sandbox.physics.scene import scene as scenes
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Motion
 from sandbox.physics.stepping.world import World
@@ -38,17 +36,15 @@ class Field:
 
 
 @pytest.fixture
-def field(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Turn]]:
+def field(monkeypatch: pytest.MonkeyPatch) -> list[Turn]:
     """Something that turns velocities beside whatever a level declares."""
     turns: list[Turn] = [Field(OMEGA)]
-    made = scenes.laws
 
     def with_field(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
-        return made(effects, given)[0], tuple(turns)
+        return declared.laws(effects, given)[0], tuple(turns)
 
-    monkeypatch.setattr(scenes, "laws", with_field)
-    yield turns
-    assert declared.laws is made
+    monkeypatch.setattr("sandbox.physics.scene.scene.laws", with_field)
+    return turns
 
 
 def ball(effects: Spec | None = None, rate: float = 60, **rest: object) -> Level:
