@@ -1,12 +1,14 @@
 """What an effect says of itself is whole, or what is missing is told; the rest follows from it."""
 
+from importlib import import_module
+from pkgutil import iter_modules
 from types import GenericAlias
 from typing import Any, ClassVar
 
 import pytest
 from pydantic import create_model
 
-from sandbox.model import accounts
+from sandbox.model import accounts, effects
 from sandbox.model.base import Model
 from sandbox.model.bounds import Strength
 from sandbox.model.effects import EFFECTS, Effects
@@ -35,7 +37,13 @@ class Weak(Model):
     mu: Strength
 
 
-class Magnetic(Model):
+class Bookless(Model):
+    """Is a force, and does not say what becomes of energy."""
+
+    effect: ClassVar[Effect] = Effect(name="thing", sees=("position",))
+
+
+class Turning(Model):
     """A whole one."""
 
     effect: ClassVar[Effect] = Effect(name="thing", sees=("velocity",), strength=("mu",))
@@ -51,8 +59,8 @@ def listed(effect: type[Model]) -> type[Model]:
 
 
 def test_an_effect_that_is_whole_is_registered() -> None:
-    assert register(listed(Magnetic)) == {"thing": Magnetic.effect}
-    assert Magnetic.effect.turns, "what does no work though it sees velocities"
+    assert register(listed(Turning)) == {"thing": Turning.effect}
+    assert Turning.effect.turns, "what does no work though it sees velocities"
 
 
 @pytest.mark.parametrize(
@@ -73,6 +81,12 @@ def test_an_effect_that_is_whole_is_registered() -> None:
             "the effect 'thing' is not told in full: the class Weak in"
             " tests/model/test_register.py has no field 'strength', which it says its strength is",
         ),
+        (
+            Bookless,
+            "the effect 'thing' is not told in full: the class Bookless in"
+            " tests/model/test_register.py does not say 'book', what becomes of the energy that it"
+            " takes",
+        ),
     ],
 )
 def test_an_effect_that_is_not_whole_is_told_with_its_place(effect: type[Model], told: str) -> None:
@@ -82,9 +96,13 @@ def test_an_effect_that_is_not_whole_is_told_with_its_place(effect: type[Model],
     assert str(found.value) == told
 
 
-def test_an_effect_has_a_module_of_its_name() -> None:
+def test_an_effect_has_a_module_of_its_name_and_each_module_is_in_the_list() -> None:
     for name, field in Effects.model_fields.items():
         assert f"sandbox.model.effects.{name}." in str(field.annotation)
+    for found in iter_modules(effects.__path__):
+        module = import_module(f"{effects.__name__}.{found.name}")
+        declaring = [part for part in vars(module).values() if hasattr(part, "effect")]
+        assert not declaring or found.name in EFFECTS, f"add '{found.name}' to the class Effects"
 
 
 @pytest.mark.parametrize("name", DEFAULTS)

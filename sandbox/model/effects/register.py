@@ -34,6 +34,9 @@ def _declared(name: str, kind: Any) -> Effect:  # noqa: ANN401 (a type is any ob
         if field not in model.model_fields:
             rule = f"{place} has no field '{field}', which it says its strength is"
             raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
+    if effect.turns and not effect.sees_velocity:
+        rule = f"{place} does not say 'book', what becomes of the energy that it takes"
+        raise IncompleteError(f"the effect '{name}' is not told in full: {rule}")
     return effect
 
 

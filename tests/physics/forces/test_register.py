@@ -172,6 +172,24 @@ def test_what_is_not_smooth_or_sees_velocities_has_no_fourth_order(effect: Effec
             scene({effect.name: said}, stepping={"scheme": "fourth-order"})
 
 
+TURNS = [effect for effect in LAWS if effect.turns]
+
+
+def test_what_turns_velocities_keeps_speeds_and_looks_at_no_velocity() -> None:
+    """Such as a magnetic field; see also `test_turning`."""
+    for effect in TURNS:
+        for said in examples(effect.name, 1.5):
+            world = build(scene({effect.name: said}, stepping={"rate": 240}))
+            begun = np.hypot(*world.snapshot.velocity.T)
+            here, there = somewhere(1), somewhere(2)
+            for turn in world.scene.turns:
+                other = here._replace(velocity=there.velocity)
+                assert np.array_equal(turn.rate(here), turn.rate(other))
+                assert turn.rate(somewhere(4, times=3)).shape == (3, COUNT)
+
+            assert np.hypot(*world.advance(200).velocity.T) == pytest.approx(begun, rel=1e-13)
+
+
 @pytest.mark.parametrize("path", sorted(Path(str(forces.__file__)).parent.glob("*.py")))
 def test_what_makes_laws_is_of_an_effect(path: Path) -> None:
     module = import_module(f"{forces.__name__}.{path.stem}")
@@ -179,13 +197,13 @@ def test_what_makes_laws_is_of_an_effect(path: Path) -> None:
         assert path.stem in {effect.name for effect in LAWS}
 
 
-MAGNETIC = Effect(name="magnetic", book="potential")
+AETHER = Effect(name="aether", book="potential")
 
 
 def test_an_effect_without_a_law_is_told_with_the_file_that_is_missing() -> None:
-    assert list(declared.missing([*LAWS, MAGNETIC])) == [
-        "the effect 'magnetic' is declared in sandbox/model/effects/magnetic.py, but it has no law:"
-        " add sandbox/physics/forces/magnetic.py with a function 'laws'"
+    assert list(declared.missing([*LAWS, AETHER])) == [
+        "the effect 'aether' is declared in sandbox/model/effects/aether.py, but it has no law:"
+        " add sandbox/physics/forces/aether.py with a function 'laws'"
     ]
 
 
@@ -195,7 +213,7 @@ def test_a_law_without_its_parts_is_told_with_its_file() -> None:
 
     with pytest.raises(IncompleteError, match=r"Turn, but Drag in .*forces/drag.py has no 'rate'"):
         declared._require(turning, law)
-    with pytest.raises(IncompleteError, match=r"magnetic.py says that it is of 'drag'"):
-        declared._require(MAGNETIC, law)
+    with pytest.raises(IncompleteError, match=r"aether.py says that it is of 'drag'"):
+        declared._require(AETHER, law)
     with pytest.raises(IncompleteError, match=r"add a function 'flows' to .*forces/drag.py"):
         declared._part(EFFECTS["drag"], "flows")
