@@ -8,8 +8,9 @@ from collections.abc import Iterator
 
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Book
-from sandbox.model.joints import Joint, Spring, bodies_of, changes
+from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
+from sandbox.model.parts import names_in
 
 
 def potentials(level: Level) -> tuple[str, ...]:
@@ -60,7 +61,7 @@ def drives(joint: Joint, level: Level) -> bool:
     if joint.kind.drives or joint.kind.force:
         return joint.kind.drives
     told = any(level.bodies[body].type == "kinematic" for body in bodies_of(joint))
-    return told or changes(joint)
+    return told or "t" in names_in(joint)
 
 
 def damps(spring: Spring) -> bool:

@@ -7,8 +7,9 @@ rods, pins, rails and wires: it holds back in time as well.
 from collections.abc import Iterator
 
 from sandbox.model.errors import brief
-from sandbox.model.joints import Joint, Spring, changes, is_exact
+from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
+from sandbox.model.parts import names_in
 
 
 def bounds_the_rate(level: Level) -> bool:
@@ -45,7 +46,7 @@ def _unsmooth_joint(joint: Joint, name: str) -> str | None:
         return f"the {joint.type} {name}, which can go slack"
     if kind.drives:
         return f"the {joint.type} {name}, which drives what it holds"
-    if changes(joint):
+    if "t" in names_in(joint):
         return f"that {name} changes its length"
     if not (kind.force or is_exact(joint)):
         return f"the {joint.type} {name}, which is pymunk's own"

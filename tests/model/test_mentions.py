@@ -102,7 +102,7 @@ def _samples(wanted: Wanted) -> list[Any]:
 
 
 BODIES, QUANTITIES = _samples(_names("body")), _samples(_names("quantity"))
-FORMULAS = _samples(_is_formula)
+FORMULAS, PARAMETERS = _samples(_is_formula), _samples(_names("parameter"))
 
 
 def _with(place: Place, value: Data) -> Data:
@@ -137,7 +137,8 @@ def test_an_unknown_body_is_told_wherever_one_is_named(
 def test_an_unknown_joint_or_quantity_is_told_wherever_one_is_asked_for(
     place: Place, value: Data, name: str
 ) -> None:
-    data = hanging() | {"checks": json.loads(json.dumps(value["checks"]).replace(WRONG, name))}
+    part = str(place[0])
+    data = hanging() | {part: json.loads(json.dumps(value[part]).replace(WRONG, name))}
 
     told = [mistake.rule for mistake in mistakes(data) if mistake.path == _told(place)]
 
@@ -145,10 +146,8 @@ def test_an_unknown_joint_or_quantity_is_told_wherever_one_is_asked_for(
     assert told[0].startswith(f"'{name}' is not a quantity of this level")
 
 
-@pytest.mark.parametrize(("place", "value"), FORMULAS)
-def test_an_unknown_parameter_is_told_wherever_a_formula_may_stand(
-    place: Place, value: Data
-) -> None:
+@pytest.mark.parametrize(("place", "value"), [*FORMULAS, *PARAMETERS])
+def test_an_unknown_parameter_is_told_wherever_one_may_stand(place: Place, value: Data) -> None:
     found = mistakes(_with(place, value))
 
     told = [mistake.rule for mistake in found if mistake.path == _told(place)]

@@ -10,12 +10,11 @@ from sandbox.model.joints import (
     Wire,
     bodies_of,
     body_of,
-    changes,
     is_exact,
     points,
 )
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.parts import Fault, names_in
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
@@ -52,7 +51,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
         if not isinstance(joint, Own) or joint.exact:
             continue
         path = ("joints", name, "exact")
-        if changes(joint):
+        if "t" in names_in(joint):
             yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = f"'{brief(body)}' is held exactly, too; let all that holds it be exact, or none"

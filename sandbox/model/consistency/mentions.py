@@ -43,6 +43,11 @@ def named_quantities(level: Level) -> Iterator[tuple[Path, str]]:
     return ((path, name) for path, name, mention in mentions(level) if mention.of == "quantity")
 
 
+def named_parameters(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield every parameter that is named outside of a formula, and where."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.of == "parameter")
+
+
 def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
     """Yield the bodies that an effect acts on."""
     return ((path, name) for path, name, mention in mentions(level) if mention.acted_on)

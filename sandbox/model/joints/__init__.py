@@ -24,7 +24,6 @@ from sandbox.model.expressions import Curve, Expression
 from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.locating import Path
 from sandbox.model.mention import BodyName
-from sandbox.model.parts import expressions
 from sandbox.model.shapes import Point
 
 ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
@@ -223,11 +222,6 @@ KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
 def is_exact(joint: Joint) -> bool:
     """Whether a joint is solved exactly: it is no force, and none of pymunk's own."""
     return joint.kind.force is None and getattr(joint, "exact", True)
-
-
-def changes(joint: Joint) -> bool:
-    """Whether a joint changes with time."""
-    return any("t" in expression.names for _, expression in expressions(joint))
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:
