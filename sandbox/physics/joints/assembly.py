@@ -11,6 +11,8 @@ from typing import NamedTuple, cast
 import numpy as np
 import pymunk
 
+from sandbox.model.base import Model
+from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import (
     End,
@@ -163,6 +165,7 @@ class Joints:
         others: list[Equation] = []
         start = _coordinates(bodies, origin)
         for name, spec in _ours(level).items():
+            _require_made(spec)
             path = _from(origin, self.paths[name])
             if isinstance(spec, Wire):
                 curve = along(spec, values) - origin
@@ -335,6 +338,13 @@ class Joints:
                 elif self.together:
                     torque[i] = self.together.torque(name)
         return torque
+
+
+def _require_made(joint: Model) -> None:
+    """Refuse a joint that nothing here makes, which mypy tells before."""
+    if not isinstance(joint, Lengths | Turning | Wire | Spring):
+        rule = f"take up {type(joint).__name__} in sandbox/physics/joints/assembly.py"
+        raise IncompleteError(f"a joint is made by nothing: {rule}")
 
 
 def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:

@@ -8,6 +8,7 @@ import pytest
 from sandbox.model import accounts
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import IncompleteError
+from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
 from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.level import Level
@@ -109,6 +110,15 @@ class Whole(Model):
 
     kind: ClassVar[Kind] = Kind()
     type: Literal["whole"]
+    ends: tuple[str, str]
+
+
+def test_a_joint_that_nothing_makes_is_told_when_its_level_is_built() -> None:
+    unmade = Whole(type="whole", ends=("a", "b"))
+    this = scene("rod").model_copy(update={"joints": {"tie": unmade}})
+
+    with pytest.raises(SandboxError, match="a joint is made by nothing: take up Whole in"):
+        build(this)
 
 
 def test_a_joint_that_says_nothing_of_itself_is_told_with_its_place() -> None:
