@@ -19,6 +19,7 @@ class Binding:
 PLAYING = (
     Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),
     Binding("step", "→ or .", "pause and take a single step", (pygame.K_RIGHT,), "."),
+    Binding("step back", "← or ,", "pause and go a single step back", (pygame.K_LEFT,), ","),
     Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
     Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
@@ -50,6 +51,7 @@ MOUSE = (
     ("drag a body", "pull it, or put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),
+    ("click on the time's bar", "go there, back or ahead; drag along it to look through the run"),
     ("drop a file", "open a level of your own"),
 )
 

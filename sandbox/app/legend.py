@@ -14,6 +14,12 @@ SWATCH = 26  # px
 PADDING = 8  # px
 
 
+def earlier(told: Sequence[str]) -> Sequence[Row]:
+    """Return a row for the run that is played and one for each earlier one, if there are any."""
+    rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(told)]
+    return [(None, "this run"), *rows] if rows else []
+
+
 def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:
     """Draw a row for each run in the upper left corner, below where a banner ends [px].
 

@@ -16,7 +16,7 @@ from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.load import Load
 from sandbox.app.pages.page import Desk, PageCommand
-from sandbox.app.pages.register import PAGES, runs_beside
+from sandbox.app.pages.register import PAGES, opening, runs_beside
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
@@ -89,6 +89,7 @@ class Window:
         return {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
+            "step back": lambda: self._with_session(Session.step_back),
             "restart": self._restart,
             "faster": lambda: self._with_session(Session.faster),
             "slower": lambda: self._with_session(Session.slower),
@@ -154,6 +155,7 @@ class Window:
         rate: float | None = None,
     ) -> None:
         self._list(path)
+        another = path != self._path
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
             level = load(path)
@@ -171,6 +173,8 @@ class Window:
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
+        if another:
+            self.panels.show(opening(level, self.panels.page))
         pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
         self._lay_out()
 
@@ -285,7 +289,7 @@ class Window:
             self._run_as_advised()
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
-        elif self._click_side(event):
+        elif self._seek(event) or self._click_side(event):
             return
         elif self.session is not None:
             mouse = pygame.mouse.get_pos()
@@ -293,6 +297,17 @@ class Window:
                 self.hand.wheel(event.precise_y, mouse, self.panels.layout.stage)
             elif event.type in _MOUSE:
                 self.hand.process(event, self.panels.layout.stage, self.session)
+
+    def _seek(self, event: pygame.event.Event) -> bool:
+        """Go to the time that was clicked on or dragged to, and return whether one was."""
+        share = self.panels.controls.sought(event)
+        if share is None or self.session is None:
+            return share is not None
+        try:
+            self.session.go_to(round(share * self.session.end))
+        except SandboxError as error:
+            self._banner.tell(str(error))
+        return True
 
     def _run_as_advised(self) -> None:
         """Run again at the rate that was offered."""
@@ -435,11 +450,13 @@ class Window:
         if self.session is not None and area:
             view = surface.subsurface(area)
             session = self.session
-            self.stage.draw(view, session.trail, session.milestones(), session.companions)
+            earlier = [run.trail for run in session.earlier]
+            self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)
-            legend.draw(view, self._pen, runs_beside(session)[1], told)
+            runs = runs_beside(session)[1] or legend.earlier([r.told for r in session.earlier])
+            legend.draw(view, self._pen, runs, told)
         else:
             surface.fill(theme.STAGE, layout.stage)
         for column in (layout.levels, layout.side):

@@ -12,6 +12,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet, below
+from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
 """A colour, None for the run that is played, and what is drawn in it."""
@@ -118,6 +119,8 @@ class Page:
     worker: Callable[[], Worker] | None = None
     """makes what it finds out in the background"""
     commands: tuple[PageCommand, ...] = ()
+    suits: Callable[[Level], bool] | None = None
+    """which levels it is made for: with those it is opened, and with others the first page is"""
     beside: Callable[[Session], Sequence[Row]] | None = None
     """what runs over each other on the stage for its sake, the run that is played first; empty
     where nothing does. A still picture shows the page's card then, in place of the checks."""

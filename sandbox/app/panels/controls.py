@@ -26,6 +26,8 @@ LEFT: tuple[tuple[str, str, int], ...] = (
     ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
 )  # fmt: skip
 WAYS: tuple[tuple[str, str, int], ...] = (("fit", "Fit", 40), ("help", "Help", 52))
+KNOB = 7.0  # px, the radius of what is dragged along the time
+REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
 PADDING = 22  # px, beside the caption of an overlay's button
 
 
@@ -46,6 +48,7 @@ class Controls:
         shown = (*self._overlays(), *WAYS) if rect.width >= ROOMY else WAYS[-1:]
         right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
         self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
+        self._seeking = False
         for command, text, width in shown:
             right = self._button(command, text, right, width)
 
@@ -69,6 +72,23 @@ class Controls:
             return None
         pressed = (c for c, button in self._buttons.items() if button is event.ui_element)
         return next(pressed, None)
+
+    def sought(self, event: pygame.event.Event) -> float | None:
+        """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
+        track = self._track
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            self._seeking = track.inflate(8, REACH).collidepoint(event.pos)
+        elif event.type == pygame.MOUSEBUTTONUP:
+            self._seeking = False
+        if not self._seeking or event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION):
+            return None
+        return min(max((event.pos[0] - track.x) / max(track.width, 1), 0.0), 1.0)
+
+    @property
+    def _track(self) -> pygame.Rect:
+        """The bar that shows how much of the run is over."""
+        area = self._clock
+        return pygame.Rect(area.x, area.centery + 8, area.width, 5)
 
     def button(self, command: str) -> UIButton:
         """Return the button of a command."""
@@ -108,9 +128,14 @@ class Controls:
             note = pen.write(f"of {wording.seconds(session.duration)}", 13, theme.DIM)
         if now.width + note.width + 10 <= area.width:
             surface.blit(note, (area.right - note.width, middle - 18))
-        track = pygame.Rect(area.x, middle + 8, area.width, 5)
+        track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
         share = min(session.t / session.duration, 1.0)
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
+        knob = track.x + track.width * share, float(track.centery)
+        pygame.draw.aacircle(surface, theme.ACCENT, knob, KNOB)
+        if session.sought is not None:
+            goal = track.x + track.width * session.sought / session.end, float(track.centery)
+            pygame.draw.aacircle(surface, theme.NOTICE, goal, KNOB, 2)

@@ -16,6 +16,7 @@ from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
+from sandbox.app.progress import Progress
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.field import LONGEST, Field
 from sandbox.app.widgets.gui import press, scroll, scrolled
@@ -26,6 +27,8 @@ HEADING = 34  # px
 MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
+STAR = "•"
+"""Stands behind a title for each star that its challenge has earned."""
 
 
 class Entry(NamedTuple):
@@ -57,6 +60,20 @@ def entry(path: Path, chapter: str) -> Entry:
         title, more = path.stem, []  # why it cannot be read is told when it is opened
     words = " ".join((chapter, path.stem.replace("-", " "), title, *more)).casefold()
     return Entry(path, chapter, title, words)
+
+
+def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
+    """Return what orders levels that have all of some words: the least comes first.
+
+    A title says more than a summary, the whole phrase more than its words; of two titles that say
+    as much, the shorter one says less beside it.
+    """
+    title, phrase = entry.title.casefold(), " ".join(words)
+    if phrase in title:
+        return 0, len(title)
+    if all(word in title for word in words):
+        return 1, len(title)
+    return (2 if phrase in entry.words else 3), 0
 
 
 class LevelList:
@@ -95,6 +112,7 @@ class LevelList:
         self._none = self._image(manager, pen, "No level has these words.", theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
+        self._progress = Progress()
         for level in levels:
             if level.chapter not in self._headings:
                 self._headings[level.chapter] = self._image(
@@ -112,24 +130,30 @@ class LevelList:
         return UIImage(image.get_rect(x=MARGIN), image, manager, container=self._container)
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
-        shown = pen.shorten(level.title, self._width - 18, 13)
+        stars = self._progress.stars(level.title)
+        mark = f"   {stars * STAR}" if stars else ""
+        room = self._width - 18 - pen.write(mark, 13).width
+        shown = pen.shorten(level.title, room, 13)
+        earned = f"{stars} {'star' if stars == 1 else 'stars'} earned" if stars else None
         return UIButton(
-            pygame.Rect(MARGIN, 0, self._width, ROW), shown, manager, container=self._container,
-            object_id=ObjectID(class_id="@level"),
-            tool_tip_text=None if shown == level.title else level.title,
+            pygame.Rect(MARGIN, 0, self._width, ROW), shown + mark, manager,
+            container=self._container, object_id=ObjectID(class_id="@level"),
+            tool_tip_text=earned if shown == level.title else level.title,
         )  # fmt: skip
 
     def _show(self) -> None:
-        """Put what is sought for in rows, and hide the rest."""
+        """Put what is sought for in rows, and hide the rest; the chapters head all of them only."""
         found, y = self.found, 0
-        chapters = {level.chapter for level in found}
         self._put(self._none, y, shown=not found)
+        for element in (*self._headings.values(), *self._buttons):
+            self._put(element, y, shown=False)
+        buttons = {level: button for button, level in self._buttons.items()}
         headed: set[str] = set()
-        for button, level in self._buttons.items():
-            if level.chapter not in headed:
+        for level in found:
+            if level.chapter not in headed and not self.sought.strip():
                 headed.add(level.chapter)
-                y += self._put(self._headings[level.chapter], y, shown=level.chapter in chapters)
-            y += self._put(button, y, shown=level in found)
+                y += self._put(self._headings[level.chapter], y, shown=True)
+            y += self._put(buttons[level], y, shown=True)
         size = self._width + MARGIN, max(y, HEADING) + MARGIN
         self._container.set_scrollable_area_dimensions(size)
         scroll(self._container, 0)
@@ -150,9 +174,10 @@ class LevelList:
 
     @property
     def found(self) -> list[Entry]:
-        """The levels that have each of the words that are looked for."""
+        """The levels that have each of the words that are looked for, the likeliest first."""
         words = self.sought.casefold().split()
-        return [e for e in self._buttons.values() if all(word in e.words for word in words)]
+        found = [e for e in self._buttons.values() if all(word in e.words for word in words)]
+        return sorted(found, key=lambda e: rank(e, words)) if words else found
 
     def clear(self) -> None:
         """Look for nothing any more."""

@@ -77,14 +77,21 @@ class Stage:
     def draw(
         self, surface: pygame.Surface, trail: Trail | None = None,
         milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
+        earlier: Sequence[Trail] = (),
     ) -> None:  # fmt: skip
-        """Draw the world as it is now on a surface of the stage's size, and other runs over it."""
+        """Draw the world as it is now on a surface of the stage's size, and other runs over it.
+
+        Of earlier runs the trails are drawn.
+        """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         view.trail, view.labels = trail, Labels(surface.get_rect())
         view.labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
         self._draw_base()
         traced = view.few and any(each.draw_trail for each in self._overlays)
-        self._draw_trails(trail if traced else None, beside if traced else ())
+        others = [(each.trail, each.variant.color) for each in beside] or [
+            (trail, theme.LANES[i % len(theme.LANES)]) for i, trail in enumerate(earlier)
+        ]
+        self._draw_trails(trail if traced else None, others if traced else ())
         surface.blit(self._canvas, (0, 0))
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
@@ -180,10 +187,10 @@ class Stage:
             for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
                 lines.stroke(self._base, theme.STAGE, a, b, 2)
 
-    def _draw_trails(self, own: Trail | None, beside: Sequence[Companion]) -> None:
+    def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
         """Bring the trails on the canvas up to date, from the base if it must be."""
-        trails = [*(companion.trail for companion in beside), *([own] if own else [])]
-        colors = [*(companion.variant.color for companion in beside), *([None] if own else [])]
+        trails = [*(trail for trail, _ in others), *([own] if own else [])]
+        colors = [*(color for _, color in others), *([None] if own else [])]
         key = [(id(trail), trail.version) for trail in trails]
         counts = [len(trail) for trail in trails]
         fewer = any(a < b for a, b in zip(counts, self._trail_drawn, strict=False))
