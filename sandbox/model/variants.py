@@ -27,6 +27,9 @@ DEFAULTS: Mapping[str, Settings] = {
 }
 """What is switched on where nothing is said of it; other effects must be told what they are."""
 
+TOLD = ("parameters", "checks", "ghosts", "challenge")
+"""The parts of a level that tell what the scene should do, and may have lost their meaning."""
+
 _COEFFICIENTS: Mapping[str, type[Expression]] = {
     name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
 }
@@ -61,8 +64,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
     """Yield what contradicts itself in the scene; what is told of it may have lost its meaning."""
-    told = ("parameters", "checks", "ghosts")
-    return (fault for fault in inconsistencies(level) if fault.path[0] not in told)
+    return (fault for fault in inconsistencies(level) if fault.path[0] not in TOLD)
 
 
 def _dropped(level: Level, effect: str) -> Level:
@@ -116,7 +118,7 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
         changed = _with_coefficient(changed, effect, coefficient)
     known = set(faults(level))
     for fault in faults(changed):
-        if fault not in known and fault.path[0] not in ("parameters", "checks", "ghosts"):
+        if fault not in known and fault.path[0] not in TOLD:
             place = ".".join(map(str, fault.path))
             raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
     return changed
