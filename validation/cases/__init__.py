@@ -1,28 +1,27 @@
-"""The cases, one phenomenon a file. A new file joins by being there."""
+"""The cases: a file of tables a phenomenon, and beside it what its formulas call `own`."""
 
 from collections.abc import Iterator
-from importlib import import_module
-from pkgutil import iter_modules
+from pathlib import Path
 
-from sandbox.model import catalog
 from validation.case import Case
+from validation.tables import read
 
+_ORDER = (
+    "free_fall", "projectile", "uniform_acceleration", "throws", "circular_motion", "first_law",
+    "second_and_third_law", "changing_mass", "atwood", "atwood_push", "incline", "incline_limits",
+    "static_friction", "table_pulley", "belts", "work", "circular_orbit", "orbits", "gravitation",
+    "wells", "repulsion", "collisions", "glancing", "center_of_mass", "bounces", "cradles",
+    "bumpers", "bursts", "sticking", "rolling", "hollows", "free_rotation", "wheels", "pendulums",
+    "springs", "driven", "torques", "given_forces", "least_action", "chapter_code", "beads",
+    "machines", "mechanisms",
+)  # fmt: skip
+_FOUND = {path.stem for path in Path(__file__).parent.glob("*.toml")}
 
-def phenomena() -> list[tuple[Case, ...]]:
-    """Return the cases of each file, in the order of the levels.
-
-    Raises
-    ------
-    AttributeError
-        If a file of this folder has no function `cases`.
-    """
-    place = {level: i for i, level in enumerate(catalog.names())}
-    modules = (import_module(f"{__name__}.{found.name}") for found in iter_modules(__path__))
-    found = [tuple(module.cases()) for module in modules]
-    return sorted(found, key=lambda cases: min(place.get(c.level, len(place)) for c in cases))
+PHENOMENA = (*_ORDER, *sorted(_FOUND.difference(_ORDER)))
+"""The files of tables, in the order of the chapter; others follow by name."""
 
 
 def all_cases() -> Iterator[Case]:
     """Yield every case of every phenomenon."""
-    for cases in phenomena():
-        yield from cases
+    for phenomenon in PHENOMENA:
+        yield from read(phenomenon)

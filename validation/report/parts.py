@@ -13,7 +13,7 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from validation import suite
 from validation.case import Case, Outcome
-from validation.cases import all_cases, phenomena
+from validation.cases import PHENOMENA, all_cases
 from validation.cost import command as cost
 from validation.cost.requests import Request
 from validation.cost.sweep import Sweep
@@ -23,6 +23,7 @@ from validation.effects.growth import Growth
 from validation.stability import command as stability
 from validation.stability.run import Outcome as Hard
 from validation.stability.run import run
+from validation.tables import read
 
 SAMPLE = (
     "kinematics/projectile",
@@ -79,7 +80,7 @@ def _cases(quick: bool) -> Content:
 
 def quick_cases() -> list[Case]:
     """Return the first case of every phenomenon."""
-    return [cases[0] for cases in phenomena()]
+    return [read(phenomenon)[0] for phenomenon in PHENOMENA]
 
 
 def _cost(quick: bool) -> Content:
