@@ -14,6 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.accuracy.runs import lasting
 from sandbox.physics.energy.closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.measuring.step_timing import step_costs
@@ -80,7 +81,11 @@ def simulate(
     SimulationError
         If the run had to stop.
     """
-    world = build(level, values, stepping)
+    values = level.defaults if values is None else values
+    record = None if record is None else list(record)
+    asked = lasting(level, values, duration)
+    chosen = resolved(asked, values, stepping or level.stepping, record or ())
+    world = build(level, values, chosen)
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)

@@ -38,6 +38,7 @@ from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.engine.batch import Batch, Booleans
 from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.geometry.quintics import course
 from sandbox.physics.joints.composites import Solids, Touches
 from sandbox.physics.joints.exact.angles import pin, turn, weld, winding
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
@@ -168,7 +169,7 @@ class Joints:
             _require_made(spec)
             path = _from(origin, self.paths[name])
             if isinstance(spec, Wire):
-                curve = along(spec, values) - origin
+                curve = course(spec, values) - origin
                 self.wires[name] = WireEquation(name, self.paths[name][0], curve)
                 self.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
                 others.append(self.wires[name])

@@ -87,14 +87,29 @@ class Reaches:
         plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
+    @property
+    def entries(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The row and the coordinate of each slope that `measure` returns; some are repeated."""
+        row, column = np.divmod(self._into, self._shape[1])
+        return row, column
+
     def look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their gradients there."""
         gradient = np.zeros(self._shape)
         if not self._half:
             return Rows(np.zeros(self._shape[0]), gradient)
+        total, slopes = self.measure(place)
+        if self._apart:
+            gradient.reshape(-1)[self._into] = slopes
+        else:
+            np.add.at(gradient.reshape(-1), self._into, slopes)
+        return Rows(total, gradient)
+
+    def measure(self, place: Coordinates) -> tuple[Array, Array]:
+        """Return what the rows add up to somewhere, and the entries of their gradients there."""
         ends = place.plane[self._body]
         if self._turns:
-            arm = self._point * np.exp(1j * place.angle)[self._body]
+            arm = self._point * place.turned[self._body]
             ends += arm
             length, unit = self._measure(ends[self._half :] - ends[: self._half])
             both = np.concatenate((-unit, unit))
@@ -102,14 +117,9 @@ class Reaches:
         else:
             length, unit = self._measure(ends[self._half :] - ends[: self._half] + self._offset)
             slopes = np.concatenate((-unit, unit)).view(float)
-        if self._apart:
-            gradient.reshape(-1)[self._into] = slopes
-        else:
-            np.add.at(gradient.reshape(-1), self._into, slopes)
-        total: Array = length
-        if not self._single:
-            total = np.bincount(self._row, length, self._shape[0]).astype(float)
-        return Rows(total, gradient)
+        if self._single:
+            return length, slopes
+        return np.bincount(self._row, length, self._shape[0]).astype(float), slopes
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:
         """Return the lengths or components of the pieces, and the directions they change in."""
