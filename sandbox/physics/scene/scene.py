@@ -38,14 +38,15 @@ from sandbox.physics.contacts.static_friction import Sticking
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
 from sandbox.physics.engine.broadphase import choose_broad_phase
-from sandbox.physics.forces.declared import Gravity, Law, gravity, laws
+from sandbox.physics.forces.declared import Gravity, Law, Turn, gravity, laws, mass_share
+from sandbox.physics.forces.law import Given
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.forces.variable_mass import Share, mass_share
+from sandbox.physics.forces.variable_mass import MassFlows, Share
 from sandbox.physics.joints.assembly import Joints
 from sandbox.physics.joints.composites import Touches
 from sandbox.physics.joints.native import pull_by_pymunk
 from sandbox.physics.scene.integrators import composition
-from sandbox.physics.scene.stability_limits import check_drag, check_springs
+from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
@@ -58,6 +59,8 @@ class Scene:
 
     Attributes
     ----------
+    step
+        How long a step is [s].
     bodies
         In the level's order, static and kinematic ones included; n of them.
     batch
@@ -90,9 +93,12 @@ class Scene:
         What acts on the bodies; gravity is pymunk's own.
     hooked
         The laws that need a hook: all but the springs that pymunk pulls.
+    turns
+        What turns velocities, and does no work.
     """
 
     space: pymunk.Space
+    step: float
     bodies: dict[str, pymunk.Body]
     batch: Batch
     mass: Array
@@ -110,6 +116,7 @@ class Scene:
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
+    turns: tuple[Turn, ...]
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
@@ -137,12 +144,14 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     joints = Joints(level, values, bodies, batch, agility, _touches(space, level))
     if level.effects.contact and not level.effects.contact.overlaps:
         refuse_overlaps(space, bodies, pairs.hollows)
-    forces = laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate)
+    given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
+    forces, turns = laws(level.effects, given)
     query = Query(space, list(bodies.values()), pairs.hollows)
     direct = _make_direct(level, values, stepping, query, joints, batch, inertia)
-    _check_rate(list(bodies), batch, agility, joints, forces, stepping)
+    _check_rate(list(bodies), batch, agility, joints, (forces, turns), stepping)
     return Scene(
         space=space,
+        step=given.step,
         bodies=bodies,
         batch=batch,
         mass=mass,
@@ -159,7 +168,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         hollows=pairs.hollows,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
-        hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
+        hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping, share)),
+        turns=turns,
     )
 
 
@@ -176,15 +186,18 @@ def _check_rate(
     batch: Batch,
     agility: Array,
     joints: Joints,
-    forces: Sequence[Law],
+    forces: tuple[Sequence[Law], Sequence[Turn]],
     stepping: Stepping,
 ) -> None:
-    """Refuse a rate that is too low for the springs, or for the drags."""
+    """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
     start = Reading(np.zeros(()), batch.state())
     reach = composition(stepping.scheme, held=bool(joints.together)).reach
     check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
-    for law in forces:
-        if law.needs_velocity and not stepping.as_it_comes:
+    laws_of, turns = forces
+    for turn in turns:
+        check_turn(turn, names, start, stepping.rate)
+    for law in laws_of:
+        if law.effect.sees_velocity and not stepping.as_it_comes:
             check_drag(law, names, start, joints, agility, stepping.rate)
 
 
@@ -193,15 +206,15 @@ def _hooked(
     bodies: Sequence[pymunk.Body],
     level: Level,
     stepping: Stepping,
+    share: Share,
 ) -> Iterator[SpringForce]:
     """Leave plain springs to pymunk, and yield the others.
 
     Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
     flows, masses are known only in the hook; and pymunk's pulls are those of leapfrog.
     """
-    effects, space = level.effects, bodies[0].space
-    flows = effects.thrust or effects.accretion
-    simple = stepping.scheme == "leapfrog" and not (effects.contact or flows)
+    space, flows = bodies[0].space, isinstance(share, MassFlows)
+    simple = stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)

@@ -6,6 +6,7 @@ from contextlib import contextmanager
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.forces.turning import pull, rates
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
@@ -23,6 +24,9 @@ class Forces:
         (n, 3), the velocities that the last kick began with, by which those at the next are known
         [m/s, rad/s].
 
+    turning
+        (n,), how fast the last kick turned velocities [rad/s]; None if nothing does.
+
     Parameters
     ----------
     scene
@@ -35,21 +39,24 @@ class Forces:
 
     def __init__(self, scene: Scene, pulling: ExactJoints | None, *, leapfrog: bool) -> None:
         self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
+        self._turns, self._space, self._step = scene.turns, scene.space, scene.step
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
-        self._guesses = leapfrog and any(law.needs_velocity for law in scene.laws)
+        sees = any(law.effect.sees_velocity for law in scene.laws)
+        self._guesses = leapfrog and (sees or bool(scene.turns))
         self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
         self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
         self._agility = scene.agility
         self.older: Array = np.zeros_like(self._field)
+        self.turning: Array | None = None
         self.seen: Reading | None = None
 
     @property
     def acts(self) -> bool:
         """Whether anything has to be given to bodies before a kick."""
-        return bool(self._laws or self._pulling)
+        return bool(self._laws or self._turns or self._pulling)
 
     @property
     def smooth(self) -> Array:
@@ -79,6 +86,7 @@ class Forces:
         scale
             What the forces are multiplied by.
         """
+        held = self._held(scale) if self._turns else None
         self.seen = reading = self._read(t)
         if isinstance(self._share, MassFlows):
             self._weigh(self._share, reading.t)
@@ -86,10 +94,35 @@ class Forces:
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
+        if held is not None:
+            self._turn(reading, wrench, held, self._length(scale))
         if self._pulling:
             wrench = wrench.copy()
             self._pulling.pull(wrench)
         self._batch.set_force(wrench if scale == 1 else wrench * scale)
+
+    def _held(self, scale: float) -> Array:
+        """Return what joints and contacts gave each velocity in the last kick: (n, 2) [m/s].
+
+        A kick of another length than a step is the first of a motion, and nothing is known yet.
+        """
+        if not self._guesses or self._length(scale) != self._step:
+            return np.zeros_like(self._field[:, :2])
+        gained = self._batch.velocity() - self.older - self.smooth * self._step
+        return gained[:, :2]
+
+    def _turn(self, reading: Reading, wrench: Array, held: Array, length: float) -> None:
+        """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
+        self.turning = rates(self._turns, reading)
+        velocity = self.older[:, :2] if self._guesses else reading.velocity
+        agility = self._agility[:, :2]
+        others = self._field[:, :2] + wrench[:, :2] * agility + held / length
+        pulled = pull(self.turning, velocity, others, length)
+        wrench[:, :2] += np.divide(pulled, agility, out=np.zeros_like(pulled), where=agility > 0)
+
+    def _length(self, scale: float) -> float:
+        """Return how long the kick is that pymunk is about to give [s]; a step before the first."""
+        return scale * (self._space.current_time_step or self._step)
 
     def _read(self, t: float) -> Reading:
         """Return the motion that the laws see in a kick.

@@ -13,6 +13,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.contacts.post_impact import impacts
 from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.forces.turning import at_the_step
 from sandbox.physics.scene.integrators import Substep
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import Instant
@@ -75,6 +76,8 @@ class Observer:
         if not self._leapfrog:
             return velocity, acceleration
         velocity = (before + after) / 2
+        if (turning := self._forces.turning) is not None:
+            velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._dt)
         if len(parts) > 1 and self._joints.together:
             velocity, acceleration = self._joints.together.motion(velocity, self._forces.smooth)
         if self._strikes:

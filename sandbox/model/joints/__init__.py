@@ -1,11 +1,11 @@
-"""What ties bodies together.
+"""What ties bodies together; `contract` says what a kind of joint says of itself.
 
 All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
 level asks for pymunk's own. A spring is a force.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal, get_args
 
 from pydantic import Discriminator, Field, Tag
 
@@ -19,10 +19,18 @@ from sandbox.model.bounds import (
     Stiffness,
     Width,
 )
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Curve, Expression
+from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.locating import Path
 from sandbox.model.mention import BodyName
 from sandbox.model.shapes import Point
+
+ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
+"""What a spring without a damper says of itself as a force."""
+
+FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
+"""What can be measured of a joint that keeps an angle."""
 
 
 class Held(Model):
@@ -57,6 +65,8 @@ End = Annotated[
 class Rod(Model):
     """A light, rigid rod: its ends keep their distance."""
 
+    kind: ClassVar[Kind] = Kind(swings=True)
+
     type: Literal["rod"]
     ends: tuple[End, End]
     """what it holds together; each turns freely"""
@@ -68,6 +78,8 @@ class Rod(Model):
 
 class Rope(Model):
     """A light, inextensible rope: it pulls and never pushes."""
+
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
 
     type: Literal["rope"]
     ends: tuple[End, End]
@@ -84,6 +96,8 @@ class Pulley(Model):
     A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
     """
 
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+
     type: Literal["pulley"]
     ends: tuple[End, End]
     """what it is tied to"""
@@ -96,6 +110,8 @@ class Pulley(Model):
 class Pivot(Model):
     """A frictionless pin through two bodies, or through a body and the plane."""
 
+    kind: ClassVar[Kind] = Kind(points_meet=True)
+
     type: Literal["pivot"]
     ends: tuple[End, End]
     """the points that it keeps together"""
@@ -105,6 +121,8 @@ class Pivot(Model):
 
 class Rail(Model):
     """A smooth, straight rail: it pushes across, and never along."""
+
+    kind: ClassVar[Kind] = Kind(points_meet=True)
 
     type: Literal["rail"]
     ends: tuple[End, End]
@@ -116,6 +134,8 @@ class Rail(Model):
 class Weld(Model):
     """Two bodies keep their places and angles to each other, or one keeps its own in the plane."""
 
+    kind: ClassVar[Kind] = Kind(turns=True, quantities=FIXED)
+
     type: Literal["weld"]
     ends: tuple[End, End]
     """what it makes one; its tension and its torque are those at the second"""
@@ -125,6 +145,8 @@ class Weld(Model):
 
 class Motor(Model):
     """A pin that turns: it drives its second body against its first, or against the plane."""
+
+    kind: ClassVar[Kind] = Kind(drives=True, turns=True, points_meet=True, quantities=FIXED)
 
     type: Literal["motor"]
     ends: tuple[End, End]
@@ -138,6 +160,8 @@ class Motor(Model):
 class Winding(Model):
     """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
 
+    kind: ClassVar[Kind] = Kind(goes_slack=True, turns=True, swings=True, points_meet=True)
+
     type: Literal["winding"]
     ends: tuple[End, BodyName]
     """what it is tied to, outside the wheel; the body that is the wheel"""
@@ -149,6 +173,8 @@ class Winding(Model):
 
 class Spring(Model):
     """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
+
+    kind: ClassVar[Kind] = Kind(force=ELASTIC)
 
     type: Literal["spring"]
     ends: tuple[End, End]
@@ -169,6 +195,8 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that comes to an open end ends the run.
     """
 
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"})
+
     type: Literal["wire"]
     bead: End
     """the body, or the point of a body, that slides along it"""
@@ -187,9 +215,13 @@ Joint = Annotated[
 ]
 
 
+KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
+"""What every kind of joint says of itself, by its type."""
+
+
 def is_exact(joint: Joint) -> bool:
-    """Whether a joint is solved exactly: it is no spring, and none of pymunk's own."""
-    return not isinstance(joint, Spring) and getattr(joint, "exact", True)
+    """Whether a joint is solved exactly: it is no force, and none of pymunk's own."""
+    return joint.kind.force is None and getattr(joint, "exact", True)
 
 
 def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:

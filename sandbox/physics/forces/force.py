@@ -1,14 +1,16 @@
 """Given forces."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
 
+from sandbox.model.effects import force as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Formula, Values
-from sandbox.model.shapes import XY
-from sandbox.physics.forces.law import Book
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
 
 
@@ -23,9 +25,7 @@ class Steady:
     with r the centre of mass; so what adds up for a body is F, p × F and p · F.
     """
 
-    effect: ClassVar[str] = "force"
-    book: ClassVar[Book] = "potential"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Force.effect
 
     bodies: slice  # from the first that it acts on to the last
     force: Array  # (k, 2) N
@@ -71,9 +71,7 @@ class Push:
     What turns with the body does work on a way round, so it has no potential; nor has what changes.
     """
 
-    effect: ClassVar[str] = "force"
-    book: ClassVar[Book] = "work"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = replace(declared.Force.effect, book="work")
 
     force: tuple[Formula, Formula]  # N
     values: Values
@@ -109,3 +107,17 @@ class Push:
         angle = motion.angle[..., self.body]
         c, s = np.cos(angle), np.sin(angle)
         return c * x - s * y, s * x + c * y
+
+
+def laws(said: Sequence[declared.Force], given: Given) -> Iterator[Law]:
+    """Yield each force that changes or turns, and all others together."""
+    steady: list[tuple[int, XY, XY]] = []
+    for force in said:
+        point, body = evaluate(force.at, given.values), given.row(force.body)
+        if force.has_no_potential:
+            yield Push(force.force, given.values, body, point, force.frame == "body")
+        else:
+            x, y = (component(given.values) for component in force.force)
+            steady.append((body, point, (x, y)))
+    if steady:
+        yield Steady.of(steady)
