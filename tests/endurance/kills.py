@@ -18,6 +18,8 @@ from tests.elsewhere import ROOT
 
 OLD, NEW = ((letter * 500_000).encode() for letter in ("old ", "new!"))
 
+EVERY = 100
+
 WRITER = """
 import sys
 from pathlib import Path
@@ -49,10 +51,12 @@ def main(count: int = 1000, seed: int = 0) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "file"
         path.write_bytes(OLD)
-        for _ in range(count):
+        for number in range(1, count + 1):
             killed(path, random.uniform(0, 0.03))
             lost += path.read_bytes() not in (OLD, NEW)
             most = max(most, len(list(Path(folder).glob(".*.part"))))
+            if number % EVERY == 0:
+                typer.echo(f"{number:,} killed, {lost} files lost")
     typer.echo(f"{count:,} killed: {lost} files lost; {most} part files at once at the most")
     raise typer.Exit(lost > 0 or most > 1)
 

@@ -104,6 +104,7 @@ def main(part: int = 1, seed: int = 0) -> None:
             if outcome not in ANSWERS:
                 failed += 1
                 typer.echo(f"{name}: {typo}: {outcome}", err=True)
+        typer.echo(f"{name}: {seen.total():,} tried so far")
     told = ", ".join(f"{count:,} {kind}" for kind, count in sorted(seen.items()))
     typer.echo(f"{seen.total():,} typos: {told}")
     raise typer.Exit(failed > 0)
