@@ -20,7 +20,7 @@ from typing import Any
 import pygame
 import typer
 
-from sandbox.app.keys import BINDINGS
+from sandbox.app.commands import BINDINGS
 from sandbox.app.window import Window
 from sandbox.model import catalog
 from tests.endurance.memory import held
