@@ -25,6 +25,7 @@ from sandbox.physics.contacts.materials import (
     take_bounces,
 )
 from sandbox.physics.contacts.overlaps import refuse_overlaps
+from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.shapes import (
     DIRECT_HAIR,
     HAIR,
@@ -138,7 +139,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     if level.effects.contact and not level.effects.contact.overlaps:
         refuse_overlaps(space, bodies, pairs.hollows)
     forces = laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate)
-    direct = _make_direct(level, values, stepping, list(bodies.values()), joints, batch, inertia)
+    query = Query(space, list(bodies.values()), pairs.hollows)
+    direct = _make_direct(level, values, stepping, query, joints, batch, inertia)
     _check_rate(list(bodies), batch, agility, joints, forces, stepping)
     return Scene(
         space=space,
@@ -280,7 +282,7 @@ def _make_direct(
     level: Level,
     values: Values,
     stepping: Stepping,
-    bodies: Sequence[pymunk.Body],
+    query: Query,
     joints: Joints,
     batch: Batch,
     inertia: Array,
@@ -292,9 +294,9 @@ def _make_direct(
     from sandbox.physics.contacts.direct.surfaces import surfaces_of
 
     assert joints.together
-    surfaces = surfaces_of(level, values, bodies)
+    surfaces = surfaces_of(level, values, query.bodies)
     dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
-    return Direct(batch, joints.together, surfaces, inertia, dt, strikes=strikes)
+    return Direct(batch, joints.together, surfaces, inertia, dt, query, strikes=strikes)
 
 
 def _touches(space: pymunk.Space, level: Level) -> Touches | None:
