@@ -123,6 +123,29 @@ class Contacts(NamedTuple):
         return Contacts._make(field[count:] for field in self) if count else self
 
 
+class Pairs(NamedTuple):
+    """Which pairs touch, as pymunk tells it: this seldom changes from step to step.
+
+    Attributes
+    ----------
+    raw
+        What pymunk wrote.
+    rows
+        (k,), which of its rows they are, in the order of the bodies.
+    bodies, first, touches
+        As of `Contacts`.
+    alone
+        Whether no two bodies touch twice: then this order is the order of the contacts.
+    """
+
+    raw: bytes
+    rows: Integers
+    bodies: Integers
+    first: Booleans
+    touches: Integers
+    alone: bool
+
+
 NO_CONTACTS = Contacts(
     np.empty((0, 2), dtype=np.intp),
     np.empty(0, dtype=bool),
@@ -133,6 +156,9 @@ NO_CONTACTS = Contacts(
     np.empty((0, 2, 2)),
     np.empty((0, 2)),
     np.empty((0, 2)),
+)
+NO_PAIRS = Pairs(
+    b"", NO_CONTACTS.touches, NO_CONTACTS.bodies, NO_CONTACTS.first, NO_CONTACTS.touches, alone=True
 )
 
 
@@ -163,6 +189,7 @@ class Batch:
         self._force = Table(space, _FORCE, len(ids), 3)
         self._contacts = Buffer()
         self._raw, self._known = (b"", b""), NO_CONTACTS
+        self._pairs = NO_PAIRS
 
     def pair(self, a: int | None, b: int | None) -> Pair:
         """Return two bodies, to be read and written by themselves; None is the plane itself."""
@@ -209,25 +236,34 @@ class Batch:
 
     def _read(self, integer: bytes, floating: bytes) -> Contacts:
         """Return the contacts that pymunk has written down."""
-        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
-        if not len(integers):
+        if integer != self._pairs.raw:
+            self._pairs = self._read_pairs(integer)
+        _, rows, bodies, first, touches, alone = self._pairs
+        if not len(rows):
             return NO_CONTACTS
-        floats = np.frombuffer(floating).reshape(-1, 12)
-        live = integers[:, 3] > 0  # pymunk remembers pairs for some steps after they part
-        if not live.all():
-            integers, floats = integers[live], floats[live]
-        bodies = self._order[self._ids.searchsorted(integers[:, :2])]
+        floats = np.frombuffer(floating).reshape(-1, 12)[rows]
         impulse, direction = floats[:, :2], floats[:, 2:4]
         on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
         overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
-        depth = np.einsum("kpc,kc->kp", overlap, direction)
+        across = overlap * direction[:, None]
+        depth = across[:, :, 0] + across[:, :, 1]
         points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
         along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
         impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
         normal = np.abs(along)
         friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
-        first, touches = integers[:, 2] > 0, integers[:, 3].astype(np.intp)
         found = Contacts(
             bodies, first, direction, normal, friction, touches, points, impulse, depth
         )
-        return found.in_order() if len(bodies) > 1 else found
+        return found if alone else found.in_order()
+
+    def _read_pairs(self, integer: bytes) -> Pairs:
+        """Return which pairs pymunk has written down."""
+        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
+        live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for a while after they part
+        bodies = self._order[self._ids.searchsorted(integers[live, :2])]
+        order = np.lexsort((bodies[:, 1], bodies[:, 0]))
+        rows, bodies = live[order], bodies[order]
+        alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
+        first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
+        return Pairs(integer, rows, bodies, first, touches, alone)

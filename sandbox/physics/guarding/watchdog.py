@@ -16,7 +16,7 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body, Level, Stepping
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.crowding import crowded, most_pairs
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
@@ -102,6 +102,7 @@ class Watchdog:
         self._thick = np.where(
             scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
         )
+        self._allowed: tuple[Integers | None, Array] = None, self._thick  # of pairs, half as thick
         self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         swing = self._swings(start) if self._strict else DIVERGED
@@ -244,8 +245,10 @@ class Watchdog:
 
     def _depth(self, contacts: Contacts) -> Array:
         """Return how deep pairs are in each other, over what is allowed: (k,)."""
-        allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
-        return np.asarray(contacts.depth / allowed)
+        if contacts.bodies is not self._allowed[0]:  # these are the same in most steps
+            allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
+            self._allowed = contacts.bodies, allowed
+        return np.asarray(contacts.depth / self._allowed[1])
 
     def _look_for_parted(self, now: Snapshot) -> None:
         thin = self._thick.min(initial=inf)

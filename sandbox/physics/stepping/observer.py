@@ -79,9 +79,9 @@ class Observer:
             velocity, acceleration = self._joints.together.motion(velocity, self._forces.smooth)
         if self._strikes:
             struck = self._strikes.last
-            hit = np.flatnonzero(struck.struck)
-            acceleration[hit] = (after - struck.velocity)[hit] / (self._dt / 2)
-            velocity[hit] = struck.velocity[hit]
+            if len(hit := np.flatnonzero(struck.struck)):
+                acceleration[hit] = (after - struck.velocity)[hit] / (self._dt / 2)
+                velocity[hit] = struck.velocity[hit]
         elif contacts.first.any() or self._bounces:
             solid, pull = self._joints.solids.pairs, self._forces.smooth
             place = state[:, :3]
@@ -120,10 +120,12 @@ class Observer:
         """
         normal = friction = self._untouched
         if len(contacts.bodies):
-            normal = _sums(contacts, contacts.normal / kick, len(normal))
+            normal, friction = (
+                _sums(contacts, values / kick, len(self._untouched))
+                for values in (contacts.normal, contacts.friction)
+            )
             if self._strikes:
                 normal = normal + self._strikes.last.impulse / kick
-            friction = _sums(contacts, contacts.friction / kick, len(friction))
         motion = Instant.at(t, state, velocity)
         return Snapshot(
             *motion,

@@ -94,7 +94,7 @@ class Reaches:
             return Rows(np.zeros(self._shape[0]), gradient)
         ends = place.plane[self._body]
         if self._turns:
-            arm = self._point * np.exp(1j * place.angle)[self._body]
+            arm = self._point * place.turned[self._body]
             ends += arm
             length, unit = self._measure(ends[self._half :] - ends[: self._half])
             both = np.concatenate((-unit, unit))

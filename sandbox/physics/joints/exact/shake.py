@@ -218,7 +218,9 @@ class ExactJoints:
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
         rows = self._pulling[name]
-        return float(self.tension[rows[0]] if len(rows) == 1 else np.hypot(*self.tension[rows]))
+        if len(rows) == 1:
+            return self.tension.item(rows[0])
+        return float(np.hypot(*self.tension[rows]))
 
     def torque(self, name: str) -> float:
         """Return the torque of a joint on its second body in the last kick [N m].
