@@ -44,6 +44,7 @@ from sandbox.physics.joints.exact.angles import pin, turn, weld, winding
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.exact.sizes import refuse_too_many
 from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
@@ -146,6 +147,7 @@ class Joints:
         origin = _origin(bodies)
         rows, others = self._take_ours(level, bodies, lengths, values, origin)
         if rows or others or level.effects.sticking or is_direct(level):
+            refuse_too_many((*rows, *others), agility[:, 0])
             self.together = ExactJoints(rows, others, batch, agility[:, 0], agility[:, 2], origin)
         together = (self.together,) if self.together else ()
         self._solved = (*self.strings.values(), *self.own.values(), *together)

@@ -286,6 +286,20 @@ class World:
         except Exception as error:  # noqa: BLE001 (whatever it is, whoever steps gets an answer)
             self._fail(error)
 
+    @property
+    def doubted(self) -> bool:
+        """Whether the run has stopped and could go on: it is not lost, but not to be trusted.
+
+        Something is too deep in something else, has parted, or has energy from nowhere.
+        """
+        return self._ended is not None and self._watchdog.doubts
+
+    def go_on(self) -> None:
+        """Go on with a run that is `doubted`, whatever it shows, as pymunk would."""
+        assert self.doubted
+        self._watchdog.doubts, self._watchdog.trusts = False, True
+        self._ended, self.disturbed = None, True
+
     def _advance(self, steps: int) -> Snapshot:
         for _ in range(steps - 1):
             self.step()
