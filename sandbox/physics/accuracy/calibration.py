@@ -21,7 +21,7 @@ from sandbox.physics.accuracy.search import FEWEST, Climber, Progress, climb
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 
 BUDGET = 0.75
 """s, for all runs of a calibration; the one that is under way is not cut short."""

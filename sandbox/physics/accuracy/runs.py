@@ -12,7 +12,7 @@ from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 
 Stop = Callable[[], bool]
 """Tells whether somebody has lost patience."""

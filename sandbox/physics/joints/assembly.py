@@ -45,6 +45,7 @@ from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.state.anchor import Anchor, length
+from sandbox.physics.state.kick import Kick
 from sandbox.physics.state.motion import Motion
 
 Lengths = Rod | Rope | Pulley | Rail
@@ -146,7 +147,7 @@ class Joints:
         if rows or others or level.effects.sticking or is_direct(level):
             self.together = ExactJoints(rows, others, batch, agility[:, 0], agility[:, 2], origin)
         together = (self.together,) if self.together else ()
-        self._solved = (*self.strings.values(), *self.own.values(), *together)
+        self._solved = (*self.own.values(), *together)
         self.solids = Solids(bodies)
         for a, b in _welded(level):
             self.solids.join(a, b)
@@ -239,7 +240,7 @@ class Joints:
         held = [anchor.body for anchor in anchors if anchor.body is not None]
         return bool(self._inverse_moment[held].any())
 
-    def _stick(self) -> None:
+    def _stick(self, _kick: Kick) -> None:
         """Weld those that have just met where they are."""
         assert self.together
         assert self.touches
@@ -256,24 +257,19 @@ class Joints:
         radius = self.radii.get(name)
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
 
-    def solvers(
-        self, until: Callable[[], float], solve: Callable[[float], None] | None
-    ) -> list[Callable[[], None]]:
+    def solvers(self, *, alone: bool) -> list[Callable[[Kick], None]]:
         """Return what must run after pymunk's solver.
 
         Parameters
         ----------
-        until
-            Tells the time at the end of the next drift [s].
-        solve
-            Solves the exact joints, and contacts as well, up to such a time [s]; None if the joints
-            are solved without contacts.
+        alone
+            Whether the exact joints are solved without contacts, and therefore here.
         """
-        work: list[Callable[[], None]] = [string.solve for string in self.strings.values()]
+        work: list[Callable[[Kick], None]] = [string.solve for string in self.strings.values()]
         if self.touches:
             work.append(self._stick)
-        if exact := solve or (self.together.solve if self.together else None):
-            work.append(lambda: exact(until()))
+        if alone and (together := self.together):
+            work.append(lambda kick: together.solve(kick.until))
         return work
 
     def time(self, kick: float, drift: float) -> None:

@@ -43,12 +43,12 @@ from sandbox.physics.forces.variable_mass import Share, mass_share
 from sandbox.physics.joints.assembly import Joints
 from sandbox.physics.joints.composites import Touches
 from sandbox.physics.joints.native import pull_by_pymunk
-from sandbox.physics.scene.integrators import composition
 from sandbox.physics.scene.stability_limits import check_drag, check_springs
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,8 +77,8 @@ class Scene:
         How many callbacks the pairs with coefficients of their own make, with a contact each.
     sticking
         The friction of pairs whose static coefficient is larger, by their bodies' numbers.
-    restitution
-        (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
+    sequence
+        Lets impacts come one after the other; None where that is not how the level wants them.
     reach
         How far from the origin pymunk can look for pairs [m].
     direct
@@ -102,7 +102,7 @@ class Scene:
     joints: Joints
     pair_callbacks: int
     sticking: Mapping[frozenset[int], Sticking]
-    restitution: Array | None
+    sequence: "Sequential | None"
     reach: float
     direct: "Direct | None"
     hollows: Hollows | None
@@ -151,7 +151,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         joints=joints,
         pair_callbacks=pairs.callbacks,
         sticking=pairs.sticking,
-        restitution=pairs.restitution,
+        sequence=_make_sequence(pairs.restitution, batch, agility, joints, 1 / stepping.rate),
         reach=pairs.reach,
         direct=direct,
         hollows=pairs.hollows,
@@ -179,11 +179,20 @@ def _check_rate(
 ) -> None:
     """Refuse a rate that is too low for the springs, or for the drags."""
     start = Reading(np.zeros(()), batch.state())
-    reach = composition(stepping.scheme, held=bool(joints.together)).reach
+    reach = _reach(stepping, held=bool(joints.together))
     check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
     for law in forces:
         if law.needs_velocity and not stepping.as_it_comes:
             check_drag(law, names, start, joints, agility, stepping.rate)
+
+
+def _reach(stepping: Stepping, *, held: bool) -> float:
+    """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
+    if stepping.scheme != "fourth-order":
+        return 2.0
+    from sandbox.physics.scene.compositions import fourth_order
+
+    return fourth_order(held=held).reach
 
 
 def _hooked(
@@ -292,6 +301,17 @@ def _make_direct(
     surfaces = surfaces_of(level, values, bodies)
     dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
     return Direct(batch, joints.together, surfaces, inertia, dt, strikes=strikes)
+
+
+def _make_sequence(
+    restitution: Array | None, batch: Batch, agility: Array, joints: Joints, dt: float
+) -> "Sequential | None":
+    """Make what lets impacts come one after the other, where their coefficients say so."""
+    if restitution is None:
+        return None
+    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
+
+    return Sequential(batch, restitution, agility, joints.together, dt)
 
 
 def _touches(space: pymunk.Space, level: Level) -> Touches | None:

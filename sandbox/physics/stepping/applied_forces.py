@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -9,7 +10,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.kick import Kick
 from sandbox.physics.state.motion import Reading
+
+if TYPE_CHECKING:
+    from sandbox.physics.engine.grab import Hand
 
 
 class Forces:
@@ -19,9 +24,8 @@ class Forces:
     ----------
     seen
         What the laws saw in the last kick; None if there are none, or before it.
-    older
-        (n, 3), the velocities that the last kick began with, by which those at the next are known
-        [m/s, rad/s].
+    hand
+        What takes hold of bodies; None unless one has.
 
     Parameters
     ----------
@@ -43,7 +47,9 @@ class Forces:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
         self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
         self._agility = scene.agility
-        self.older: Array = np.zeros_like(self._field)
+        # (n, 3), the velocities that the last kick began with, by which those at the next are known
+        self._older: Array = np.zeros_like(self._field)
+        self.hand: Hand | None = None
         self.seen: Reading | None = None
 
     @property
@@ -58,28 +64,35 @@ class Forces:
 
     def start(self, begun: Array, after: Array) -> None:
         """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""
+        self.restart(begun + (begun - after))
+
+    def restart(self, older: Array) -> None:
+        """Take the last kick to have begun with other velocities: (n, 3) [m/s, rad/s]."""
         if self._guesses:
-            self.older = begun + (begun - after)
+            self._older = older
+
+    def shift(self, jump: Array) -> None:
+        """Take in how velocities have jumped since the last kick began: (n, 3) [m/s, rad/s]."""
+        if self._guesses:
+            self._older = self._older + jump
 
     @contextmanager
     def tried(self) -> Iterator[None]:
         """Let kicks be tried: what the last one before them saw and gave is known again after."""
-        kept = self.older, self.seen, self._wrench
+        kept = self._older, self.seen, self._wrench
         self._wrench = self._wrench.copy()
         yield
-        self.older, self.seen, self._wrench = kept
+        self._older, self.seen, self._wrench = kept
 
-    def apply(self, t: float, scale: float) -> None:
-        """Read all bodies once, add up the laws, and write all forces once.
+    def held(self, dt: float) -> Array:
+        """Return the accelerations in a kick of a length [s], the hand's among them: (n, 3)."""
+        if self.hand is None or not self.hand.hold:
+            return self.smooth
+        return self.smooth + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
-        Parameters
-        ----------
-        t
-            The time of the kick [s].
-        scale
-            What the forces are multiplied by.
-        """
-        self.seen = reading = self._read(t)
+    def apply(self, kick: Kick) -> None:
+        """Read all bodies once, add up the laws, and write all forces once."""
+        self.seen = reading = self._read(kick)
         if isinstance(self._share, MassFlows):
             self._weigh(self._share, reading.t)
         wrench = self._wrench
@@ -89,9 +102,9 @@ class Forces:
         if self._pulling:
             wrench = wrench.copy()
             self._pulling.pull(wrench)
-        self._batch.set_force(wrench if scale == 1 else wrench * scale)
+        self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
-    def _read(self, t: float) -> Reading:
+    def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.
 
         pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
@@ -100,9 +113,11 @@ class Forces:
         state = self._batch.state()
         if self._guesses:
             velocity = state[:, 3:].copy()
-            state[:, 3:] = 1.5 * velocity - 0.5 * self.older
-            self.older = velocity
-        return Reading(np.asarray(t), state)
+            state[:, 3:] = 1.5 * velocity - 0.5 * (
+                self._older if kick.start is None else kick.start
+            )
+            self._older = velocity
+        return Reading(np.asarray(kick.t), state)
 
     def _weigh(self, share: MassFlows, t: Array) -> None:
         """Give the bodies whose mass changes that of a time [s], for the kick around it."""
