@@ -13,10 +13,7 @@ from time import perf_counter
 import numpy as np
 import pymunk
 
-from sandbox.physics.state.kick import Kick
-
-Work = Callable[[Kick], None]
-"""What is done in a kick, and told which it is."""
+from sandbox.physics.state.kick import Kick, Work
 
 
 class Hook:

@@ -93,7 +93,7 @@ class Located:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
         self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
-        self._joints, self._solids = scene.joints.together, scene.joints.solids
+        self._joints, self._all_joints = scene.joints.together, scene.joints
         linked = self._joints is not None
         self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
         self._row = np.array([o.body for o in outlines])
@@ -228,7 +228,7 @@ class Located:
         self, pull: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
     ) -> None:
         """Take what pymunk's impacts did in the last kick out of its accelerations."""
-        contacts, solid = self._batch.contacts(), self._solids.pairs
+        contacts, solid = self._batch.contacts(), self._all_joints.joined
         hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
         pull[hit] = onwards
 

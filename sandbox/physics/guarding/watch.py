@@ -1,16 +1,17 @@
 """What watches a run, as far as its level can go wrong."""
 
 from functools import partial
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.guarding.energy_audit import Audit
-from sandbox.physics.guarding.watchdog import Watchdog
+from sandbox.physics.guarding.lost import Lost
 from sandbox.physics.state.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from sandbox.physics.energy.step_record import Recorded
 
 
 class Watch(Protocol):
@@ -32,18 +33,28 @@ class Watch(Protocol):
         """Look at what was observed; see `Watchdog.look`."""
 
 
-def make_watch(run: Recorded) -> Watch:
-    """Make what watches a run from its present state on, and let it look at that.
+def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array) -> Watch:
+    """Make what watches a run from a state on, and let it look at that; see `Watchdog`.
 
     Raises
     ------
     SimulationError
         If something is wrong with it.
     """
-    last = run.last
+    scene, touching = run.scene, run.level.effects.contact is not None
+    watch: Watch
     with np.errstate(all="ignore"):  # what is not finite is told by name
-        audit = partial(Audit, run)
-        built = run.level, run.values, run.stepping, run.scene
-        dog = Watchdog(*built, last.snapshot, last.contacts, audit)
-        dog.look(last.snapshot, last.contacts, last.begun, disturbed=True)
-    return dog
+        if touching or scene.laws or run.level.joints:
+            watch = _watchdog(run, now, contacts)
+        else:
+            watch = Lost(scene, run.stepping, now)
+        watch.look(now, contacts, begun, disturbed=True)
+    return watch
+
+
+def _watchdog(run: "Recorded", now: Snapshot, contacts: Contacts) -> Watch:
+    from sandbox.physics.guarding.energy_audit import Audit
+    from sandbox.physics.guarding.watchdog import Watchdog
+
+    built = run.level, run.values, run.stepping, run.scene
+    return Watchdog(*built, now, contacts, partial(Audit, run))

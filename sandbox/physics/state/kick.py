@@ -1,5 +1,6 @@
 """What is said of a kick to all that have a part in it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from sandbox.model.expressions import Array
@@ -63,3 +64,7 @@ class Kick:
     def until(self) -> float:
         """The end of the drift after it, through which joints hold [s]."""
         return (self.clock.steps + self.ahead + self.ends) * self.clock.dt
+
+
+Work = Callable[[Kick], None]
+"""What is done in a kick, and told which it is."""

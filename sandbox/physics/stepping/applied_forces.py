@@ -8,13 +8,13 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.variable_mass import MassFlows
-from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.grab import Hand
+    from sandbox.physics.joints.exact.shake import ExactJoints
 
 
 class Forces:
@@ -37,7 +37,7 @@ class Forces:
         Whether kicks are half a step from the velocities before them.
     """
 
-    def __init__(self, scene: Scene, pulling: ExactJoints | None, *, leapfrog: bool) -> None:
+    def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
         self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
         self._bodies, self._pulling = list(scene.bodies.values()), pulling

@@ -12,7 +12,6 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.exact.constraints import PLACES
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick
 
@@ -90,6 +89,8 @@ class HeldKicks:
         close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
         near = UNSETTLED * close
         if self._placed:
+            from sandbox.physics.joints.exact.constraints import PLACES
+
             near = max(
                 near, PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / kick.drift
             )

@@ -7,17 +7,20 @@ velocities. Whatever acts in a kick is told which kick it is: see `Kick`.
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
+from typing import TYPE_CHECKING
 
 import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.handles import stepper
-from sandbox.physics.engine.hook import Hook, Work
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.substeps import Substep, once
-from sandbox.physics.state.kick import Clock, Kick
+from sandbox.physics.state.kick import Clock, Kick, Work
 from sandbox.physics.stepping.applied_forces import Forces
 from sandbox.physics.stepping.held_kicks import HeldKicks
+
+if TYPE_CHECKING:
+    from sandbox.physics.engine.hook import Hook
 
 
 class Kicks:
@@ -69,6 +72,8 @@ class Kicks:
         bodies = self._scene.bodies.values()
         dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is not None and (in_kick or after_kick):
+            from sandbox.physics.engine.hook import Hook
+
             self._hook = Hook(self._space, dynamic, in_kick, after_kick)
             self.take = self._calling(self._hook)
 
@@ -76,7 +81,7 @@ class Kicks:
         """Return pymunk's own step, in which Python is never called."""
         return partial(self._drift_and_kick, self._last.drift)
 
-    def _calling(self, hook: Hook) -> Callable[[], None]:
+    def _calling(self, hook: "Hook") -> Callable[[], None]:
         """Return what takes the last drift of a step and its kick, in which Python is called.
 
         It raises what has failed in it.

@@ -4,9 +4,7 @@ import numpy as np
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.scene.schemes import require
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.failures import explained
 from sandbox.physics.stepping.world import World
 
 
@@ -32,10 +30,15 @@ def make_world(level: Level, values: Values, stepping: Stepping) -> World:
     if stepping.accuracy is not None:
         raise ValueError("an accuracy is asked for, and no rate is chosen")
     try:
-        require(level, stepping.scheme)
+        if stepping.scheme == "fourth-order":
+            from sandbox.physics.scene.schemes import require
+
+            require(level, stepping.scheme)
         with np.errstate(all="ignore"):  # what is not finite is told by name
             return World(level, values, stepping)
     except Exception as error:  # whatever it is, whoever builds gets an answer
+        from sandbox.physics.stepping.failures import explained
+
         told = explained(error, list(level.bodies), 0.0, stepping.rate)
         if isinstance(told, SimulationError):
             told.refuse(level)

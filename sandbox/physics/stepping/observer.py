@@ -5,16 +5,18 @@ Where something hits there is no such mean (see `post_impact` and `sequential_im
 know better where a step has several kicks (see `shake`).
 """
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup, Stages
+
+if TYPE_CHECKING:
+    from sandbox.physics.energy.step_record import StepRecord
 
 
 class Observation(NamedTuple):
@@ -79,8 +81,10 @@ class Observer:
         snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
         return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
-    def record(self, seen: Observation) -> StepRecord:
+    def record(self, seen: Observation) -> "StepRecord":
         """Return what books must know of the step that was last observed."""
+        from sandbox.physics.energy.step_record import StepRecord
+
         forces, kicks = self._forces, self._kicks
         record = StepRecord(
             steps=kicks.clock.steps,
@@ -144,7 +148,7 @@ class Observer:
         scene, pull, dt = self._scene, self._forces.smooth, self._kicks.clock.dt
         if scene.hollows:
             contacts = scene.hollows.impacts(contacts)
-        solid, place = scene.joints.solids.pairs, state[:, :3]
+        solid, place = scene.joints.joined, state[:, :3]
         hit, onwards = impacts(contacts, solid, place, before, after, pull, scene.mass, dt)
         acceleration[hit] = onwards
         velocity[hit] = after[hit] - onwards * (dt / 2)

@@ -20,17 +20,19 @@ only through what the scene has for both.
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.engine.hook import Work
-from sandbox.physics.events.impact_response import Impact
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.kick import Work
 from sandbox.physics.stepping.applied_forces import Forces
 from sandbox.physics.stepping.kicks import Kicks
+
+if TYPE_CHECKING:
+    from sandbox.physics.energy.step_record import StepRecord
+    from sandbox.physics.events.impact_response import Impact
 
 Act = Callable[[], None]
 
@@ -85,9 +87,9 @@ class Stage(NamedTuple):
     started: Callable[[Array, Array], Array | None] | None = None
     refit: Callable[[float], None] | None = None
     contacts: Callable[[], Contacts] | None = None
-    impacts: Callable[[], Sequence[Impact]] | None = None
+    impacts: "Callable[[], Sequence[Impact]] | None" = None
     begun: Callable[[], Array] | None = None
-    record: Callable[[StepRecord], StepRecord] | None = None
+    record: "Callable[[StepRecord], StepRecord] | None" = None
     calls: int = 0
 
 

@@ -5,22 +5,23 @@ stage: `stage.py` says how, and `stages/declared.py` lists them.
 """
 
 from collections.abc import Mapping
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.guarding.watch import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.failures import explained
 from sandbox.physics.stepping.observer import Observer
 from sandbox.physics.stepping.stage import Stages, set_up
 from sandbox.physics.stepping.stages.declared import declared
 from sandbox.physics.stepping.start import start
+
+if TYPE_CHECKING:
+    from sandbox.physics.energy.step_record import StepRecord
 
 Pair = frozenset[str]
 
@@ -48,8 +49,7 @@ class World:
         self._stages = Stages(list(declared(self._setup)), self.kicks)
         self._observer = Observer(self._setup, self._stages)
         self._ended: Exception | None = None
-        self._seen = start(self._setup, self._stages, self._observer)
-        self._watch = make_watch(self)
+        self._start()
 
     @property
     def dt(self) -> float:
@@ -77,7 +77,7 @@ class World:
         return self._seen.contacts
 
     @property
-    def last(self) -> StepRecord:
+    def last(self) -> "StepRecord":
         """What books must know of the last step that was observed."""
         return self._observer.record(self._seen)
 
@@ -90,7 +90,7 @@ class World:
         """Who hit whom between the last two steps, and when [s], where that is located."""
         if not self._stages.impacts:
             return []
-        names, before = list(self.scene.bodies), (self.steps - 1) * self.dt
+        names, before = list(self.scene.bodies), self.kicks.clock.after(-1)
         located = self._stages.impacts()
         return [(frozenset(names[b] for b in i.bodies), before + i.time) for i in located]
 
@@ -144,6 +144,11 @@ class World:
             self._stop(error)
         return self._seen.snapshot
 
+    def _start(self) -> None:
+        """Observe the state from which the run goes on, and take the first half kick."""
+        self._seen = seen = start(self._setup, self._stages, self._observer)
+        self._watch = make_watch(self, seen.snapshot, seen.contacts, seen.begun)
+
     def _velocity(self) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
         seen = self._seen
@@ -165,6 +170,8 @@ class World:
 
     def _stop(self, error: Exception) -> NoReturn:
         """Raise what is told of an error; such a world has ended."""
+        from sandbox.physics.stepping.failures import explained
+
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)
         if self._ended is error:
             raise error
@@ -211,8 +218,7 @@ class World:
         hand.place(self._setup, self._stages, positions, self.snapshot)
         self.disturbed = True
         try:
-            self._seen = start(self._setup, self._stages, self._observer)
+            self._start()
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
-        self._watch = make_watch(self)
         return self._seen.snapshot

@@ -1,9 +1,9 @@
 """Joints that are not pymunk's: what holds exactly is solved after pymunk's kick."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 
-from sandbox.physics.state.kick import Kick
+from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.stepping.stage import Setup, Stage
 
 
@@ -16,13 +16,13 @@ def make(setup: Setup) -> Stage:
     return Stage(in_kick=_all(before), after_kick=_all(after), refit=joints.refit)
 
 
-def _all(work: Sequence[Callable[[Kick], None]]) -> Callable[[Kick], None] | None:
+def _all(work: Sequence[Work]) -> Work | None:
     """Return one call of all; None if there are none."""
     if len(work) < 2:
         return work[0] if work else None
     return partial(_each, work)
 
 
-def _each(work: Sequence[Callable[[Kick], None]], kick: Kick) -> None:
+def _each(work: Sequence[Work], kick: Kick) -> None:
     for item in work:
         item(kick)
