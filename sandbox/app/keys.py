@@ -1,32 +1,25 @@
-"""Which key does what: one table, for the window and for the help that it shows."""
+"""Which key does what, but for what pages and overlays declare themselves; see `commands`."""
 
 from dataclasses import dataclass
-from typing import Literal
 
 import pygame
-
-Command = Literal[
-    "play", "step", "restart", "faster", "slower", "next level", "previous level", "reload",
-    "arrows", "trail", "ghosts", "names", "components", "fit", "zoom in", "zoom out",
-    "levels", "panel", "energy", "level page", "effects page", "race page",
-    "accuracy page", "next field", "find", "page down", "page up", "help", "leave",
-]  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
 class Binding:
     """A command, the keys or characters that call for it, and what is said about it."""
 
-    command: Command
+    command: str
     shown: str
     text: str
     keys: tuple[int, ...] = ()
     characters: str = ""
 
 
-BINDINGS = (
+PLAYING = (
     Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),
     Binding("step", "→ or .", "pause and take a single step", (pygame.K_RIGHT,), "."),
+    Binding("step back", "← or ,", "pause and go a single step back", (pygame.K_LEFT,), ","),
     Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
     Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
@@ -34,21 +27,18 @@ BINDINGS = (
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
     Binding("find", "/", "find a level", (), "/"),
     Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
-    Binding("arrows", "V", "arrows of velocities and given forces", (), "vV"),
-    Binding("trail", "T", "trail", (), "tT"),
-    Binding("ghosts", "G", "ghost of the closed form", (), "gG"),
-    Binding("names", "N", "names", (), "nN"),
-    Binding("components", "C", "components of the velocities", (), "cC"),
+)
+
+SHOWING = (
     Binding("fit", "F", "fit the view", (), "fF"),
     Binding("zoom in", "Z", "zoom in", (), "z"),
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
     Binding("levels", "L", "show or hide the levels", (), "lL"),
     Binding("panel", "P", "show or hide the panel", (), "pP"),
     Binding("energy", "E", "energy as a graph or as bars", (), "eE"),
-    Binding("level page", "O", "the level: parameters and checks", (), "oO"),
-    Binding("effects page", "X", "what if: effects off and on", (), "xX"),
-    Binding("race page", "S", "race: every scheme at once", (), "sS"),
-    Binding("accuracy page", "A", "accuracy: what the next digit costs", (), "aA"),
+)
+
+WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
@@ -61,19 +51,9 @@ MOUSE = (
     ("drag a body", "pull it, or put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),
+    ("click on the time's bar", "go there, back or ahead; drag along it to look through the run"),
     ("drop a file", "open a level of your own"),
 )
 
-WHILE_TYPING: frozenset[Command] = frozenset({"next field", "leave"})
-"""What the keys still do while a number is being typed."""
-
-
-def command(event: pygame.event.Event) -> Command | None:
-    """Return what a pressed key calls for."""
-    if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
-        return None
-    for binding in BINDINGS:
-        typed = event.unicode and event.unicode in binding.characters
-        if typed or event.key in binding.keys:
-            return binding.command
-    return None
+WHILE_TYPING = frozenset({"next field", "leave"})
+"""The commands whose keys still act while a number is being typed."""

@@ -46,7 +46,7 @@ def run(
     window = Window()
     window.open_level(level or FIRST, settings, accuracy)
     if racing:
-        window.race()
+        window.do("race")
     try:
         window.run()
     finally:

@@ -8,17 +8,15 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import graph, theme, wording
+from sandbox.app import graph, legend, theme, wording
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.companions import Changes
 from sandbox.app.pages.effects import whatif
-from sandbox.app.pages.effects.card import compared
 from sandbox.app.pages.level.card import clock, header, settings
 from sandbox.app.pages.race import race
-from sandbox.app.pages.race.card import lanes
+from sandbox.app.pages.register import runs_beside
 from sandbox.app.session import Session
-from sandbox.app.stage import legend
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
@@ -86,7 +84,7 @@ def render(
     _run(session, session.duration * TELLING if at is None else at, stage.watch)
     drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
     stage.draw(drawn, session.trail, session.milestones(), session.companions)
-    legend.draw(drawn, pen, legend.rows(session))
+    legend.draw(drawn, pen, runs_beside(session)[1])
     _write(picture, session, pen)
     return picture
 
@@ -150,11 +148,10 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
 
 
 def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
-    """Draw how the run differs from the one beside it, how the race stands, or the checks."""
-    if session.changes:
-        return compared(pen, width, session.changes.told, whatif.compared(session))
-    if race.racing(session):
-        return lanes(pen, width, race.lanes(session), session.world.stepping.rate)
+    """Draw what a page tells of the runs beside this one, or the checks."""
+    page, _ = runs_beside(session)
+    if page is not None and page.card is not None:
+        return page.card(pen, width, session)
     return _checks(session, pen, width, room)
 
 

@@ -5,13 +5,16 @@ be paid for within its budget is dropped and shown as a lower pace, never stretc
 """
 
 from collections.abc import Mapping, Sequence
+from math import inf
 from time import perf_counter
+from typing import Literal, NamedTuple
 
-from sandbox.app import milestones
+from sandbox.app import milestones, theme
+from sandbox.app.actions import Action, perform
 from sandbox.app.books import Books
 from sandbox.app.clock import Clock
 from sandbox.app.companions import NONE, Changes, Companion, Variant
-from sandbox.app.grading import Grading, Reading
+from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
@@ -23,12 +26,31 @@ from sandbox.model.shapes import XY
 from sandbox.physics.accuracy.cache import calibrated, keep, recalled
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
 
+
+class Earlier(NamedTuple):
+    """A run with other parameters that was there before.
+
+    Attributes
+    ----------
+    told
+        The parameters that were changed after it, with the values that they had.
+    trail
+        Where its bodies have been.
+    """
+
+    told: str
+    trail: Trail
+
+
 BUDGET = 0.009  # s, of a frame for steps
+AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
+ON_THE_WAY = 0.05  # s, of a frame for the rest of such a way
 
 
 class Session:
@@ -65,6 +87,12 @@ class Session:
         nobody knows yet.
     pace
         Whether the machine keeps up.
+    earlier
+        The last runs with other parameters, the newest last.
+    actions
+        What a hand has done to the run so far.
+    sought
+        The step to which the run is on its way, back or ahead; None if it is not.
 
     Parameters
     ----------
@@ -94,6 +122,7 @@ class Session:
         self.changes = NONE
         self.playing = False
         self.speed = 1.0
+        self.earlier: tuple[Earlier, ...] = ()
         self._begin(*self._built(self.level, (), level.defaults if values is None else values))
 
     def _begin(
@@ -111,9 +140,13 @@ class Session:
         self.books = Books(world, self.end)
         self._recorder = Recorder(world, [*needed(self.original), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
+        self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
         self._owed = 0.0  # steps
         self._held: tuple[str, XY] | None = None
         self._pulling = False
+        self.actions: list[Action] = []
+        self._script: Sequence[Action] = ()  # what is to be done again
+        self.sought: int | None = None
 
     @property
     def values(self) -> Values:
@@ -143,7 +176,10 @@ class Session:
         ValueRangeError
             If a parameter cannot have that value.
         """
-        values = choose(self.level, {**self.values, **(settings or {})})
+        before, values = self.values, choose(self.level, {**self.values, **(settings or {})})
+        if values != before and self.world.steps:
+            told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values[n])
+            self.earlier = (*self.earlier, Earlier(told, self.trail))[-len(theme.LANES) :]
         variants = [companion.variant for companion in self.companions]
         try:
             self._begin(*self._built(self.level, variants, values))
@@ -189,6 +225,7 @@ class Session:
             If one of them cannot be run; then all stays as it was.
         """
         begun = self._built(level, beside, self.values)
+        self.earlier = ()
         self.level, self.changes = level, changes
         self._begin(*begun)
 
@@ -233,6 +270,64 @@ class Session:
         self.playing = False
         self._advance()
 
+    def go_to(self, step: int) -> None:
+        """Go to another step of the run, back or ahead; to the level's end at the most.
+
+        A way back begins at the start: the run is taken again, with all that a hand did to it, and
+        so is the same to the last bit. What was done later is forgotten. A long way takes some
+        frames, see `sought`.
+
+        Raises
+        ------
+        SandboxError
+            If the run cannot be built again.
+        """
+        if self.waiting or (self.failure is not None and step >= self.world.steps):
+            return
+        self.release()
+        self.sought = min(max(step, 0), self.end)
+        if self.sought < self.world.steps:
+            self._begin_again(self.sought)
+        self._seek(AT_ONCE)
+
+    def do_again(self, actions: Sequence[Action], steps: int) -> None:
+        """Take a run from its start to a step, with what a hand did to it then."""
+        self._script, self.sought = actions, steps
+        self._seek(inf)
+
+    def _begin_again(self, sought: int) -> None:
+        """Start anew with the same parameters, to do again what was done before a step."""
+        script = [action for action in self.actions if action.step < sought]
+        variants = [companion.variant for companion in self.companions]
+        playing = self.playing
+        self._begin(*self._built(self.level, variants, self.values))
+        self._script, self.sought, self.playing = script, sought, playing
+
+    def _seek(self, budget: float) -> None:
+        """Take steps towards the one that is sought, as far as the budget goes [s]."""
+        deadline, playing = perf_counter() + budget, self.playing
+        while self.sought is not None and self.failure is None:
+            if self.world.steps >= self.sought:
+                self.sought = None
+                self._let_go_of_what_was_held()
+                self.playing = playing and not self.at_end
+            elif perf_counter() > deadline:
+                return
+            else:
+                self._advance()
+
+    def _let_go_of_what_was_held(self) -> None:
+        """Let go of a body that was held at this step: the hand that held it is not there now."""
+        held = (a.kind == "grab" for a in reversed(self.actions) if a.kind in ("grab", "release"))
+        if next(held, False):
+            self._act("release", "", (0.0, 0.0))
+
+    def step_back(self) -> None:
+        """Pause, and go a single step back."""
+        self.playing = False
+        if self.world.steps:
+            self.go_to(self.world.steps - 1)
+
     def faster(self) -> None:
         """Take the next higher speed."""
         self.speed = faster(self.speed)
@@ -243,6 +338,9 @@ class Session:
 
     def update(self, seconds: float, budget: float = BUDGET) -> None:
         """Take the steps that are due after some real time, as far as the budget goes [s]."""
+        if self.sought is not None:
+            self._seek(ON_THE_WAY)
+            return
         if not self.playing or self.waiting:
             return
         self._owed += seconds * self.speed * self.world.stepping.rate
@@ -263,6 +361,7 @@ class Session:
     def _advance(self) -> None:
         if self.failure is not None or self.waiting:
             return
+        self._do_again()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
         try:
@@ -279,6 +378,27 @@ class Session:
         if self.at_end:
             self.playing = False
 
+    def _do_again(self) -> None:
+        """Do what was done at this step when the run was taken before."""
+        while self._script and self._script[0].step == self.world.steps:
+            action, *self._script = self._script
+            self._do(action)
+
+    def _do(self, action: Action) -> None:
+        """Do something to the run, and note it."""
+        try:
+            perform(action, self.world)
+        except SandboxError as error:
+            self._stop(error)
+            return
+        self.actions.append(action)
+        if action.kind == "place":
+            self.books.restart()
+            self.trail.restart(self.world.snapshot.position)
+
+    def _act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
+        self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))
+
     def _follow(self, t: float) -> None:
         for companion in self.companions:
             companion.follow(t)
@@ -290,6 +410,18 @@ class Session:
     def readings(self) -> tuple[Reading, ...]:
         """Return how the checks stand."""
         return self._grading.readings(hurried=self.playing)
+
+    def attempt(self) -> Attempt | None:
+        """Return how the level's challenge stands; None without one, or if the run earns nothing.
+
+        That is so once a hand has touched it, or effects are changed.
+        """
+        if self.level.challenge is None or self.changes or self.world.disturbed:
+            return None
+        return self._attempts(len(self._recorder), hurried=self.playing)
+
+    def _attempt(self) -> Attempt | None:
+        return attempt(self._recorder.trace)
 
     def milestones(self) -> tuple[Milestone, ...]:
         """Return what has happened; nothing that counts once a hand has touched the run."""
@@ -315,17 +447,14 @@ class Session:
         body, (dx, dy) = self._held
         if not self.playing:
             self._let_loose()
-            self._place(body, (point[0] - dx, point[1] - dy))
+            self._act("place", body, (point[0] - dx, point[1] - dy))
             return
         if not self._pulling:
             x, y = self._position(body)
-            try:
-                self.world.grab(body, (x + dx, y + dy))
-            except SandboxError as error:
-                self._stop(error)
-                return
-            self._pulling = True
-        self.world.drag(point)
+            self._act("grab", body, (x + dx, y + dy))
+            self._pulling = self.failure is None
+        if self._pulling:
+            self._act("drag", "", point)
 
     def release(self) -> None:
         """Let go."""
@@ -334,22 +463,13 @@ class Session:
 
     def _let_loose(self) -> None:
         if self._pulling:
-            self.world.release()
+            self._act("release", "", (0.0, 0.0))
             self._pulling = False
 
     def _position(self, body: str) -> XY:
         row = list(self.level.bodies).index(body)
         x, y = self.world.snapshot.position[row]
         return float(x), float(y)
-
-    def _place(self, body: str, point: XY) -> None:
-        try:
-            snapshot = self.world.place({body: point})
-        except SandboxError as error:
-            self._stop(error)
-            return
-        self.books.restart()
-        self.trail.restart(snapshot.position)
 
 
 def _for_now(level: Level, values: Values) -> World:

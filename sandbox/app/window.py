@@ -2,25 +2,27 @@
 
 import gc
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import legend, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
+from sandbox.app.commands import command
 from sandbox.app.hand import Hand
-from sandbox.app.keys import WHILE_TYPING, Command, command
+from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.load import Load
-from sandbox.app.pages.accuracy.studying import Studying
-from sandbox.app.pages.effects import whatif
-from sandbox.app.pages.race import race
+from sandbox.app.pages.page import Desk, PageCommand
+from sandbox.app.pages.register import PAGES, opening, runs_beside
+from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
 from sandbox.app.session import Session
-from sandbox.app.stage import legend
+from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.parameters import Change
@@ -67,9 +69,9 @@ class Window:
         self._pen = Pen()
         self.stage = Stage(self._pen, size)
         self.hand = Hand(self.stage)
-        self.studying, self._load = Studying(), Load()
+        self.workers, self._load = Workers(PAGES), Load()
         self.advising = Advising()
-        self.panels = Panels(self._pen, size, self.studying, self._load)
+        self.panels = Panels(self._pen, size, self.workers, self._load)
         self._entries = levels.entries()
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
@@ -82,11 +84,12 @@ class Window:
         self._commands = self._make_commands()
         self._lay_out()
 
-    def _make_commands(self) -> Mapping[Command, Callable[[], None]]:
-        stage, shown = self.stage, self.stage.shown
+    def _make_commands(self) -> Mapping[str, Callable[[], None]]:
+        stage = self.stage
         return {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
+            "step back": lambda: self._with_session(Session.step_back),
             "restart": self._restart,
             "faster": lambda: self._with_session(Session.faster),
             "slower": lambda: self._with_session(Session.slower),
@@ -95,26 +98,29 @@ class Window:
             "page down": lambda: self._turn(0.5),
             "page up": lambda: self._turn(-0.5),
             "reload": self._reload,
-            "arrows": lambda: setattr(shown, "arrows", not shown.arrows),
-            "trail": lambda: setattr(shown, "trail", not shown.trail),
-            "ghosts": lambda: setattr(shown, "ghosts", not shown.ghosts),
-            "names": lambda: setattr(shown, "names", not shown.names),
-            "components": lambda: setattr(shown, "components", not shown.components),
             "fit": lambda: self._with_session(lambda _: stage.fit()),
             "zoom in": lambda: stage.camera.zoom(1.25),
             "zoom out": lambda: stage.camera.zoom(0.8),
             "levels": lambda: self._toggle_column("levels"),
             "panel": lambda: self._toggle_column("side"),
             "energy": self._toggle_graph,
-            "level page": lambda: self._turn_to("level page"),
-            "effects page": lambda: self._turn_to("effects page"),
-            "race page": lambda: self._turn_to("race page"),
-            "accuracy page": lambda: self._turn_to("accuracy page"),
             "next field": self._next_field,
             "find": self._find,
             "help": self._toggle_help,
             "leave": self._leave,
+            **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
+            **self._page_commands(),
         }
+
+    def _page_commands(self) -> Mapping[str, Callable[[], None]]:
+        """Return what opens the pages, and what they understand."""
+        opening = {page.command: partial(self._turn_to, page.command) for page in PAGES}
+        acting = {
+            each.name: partial(self._act_on, page.command, each)
+            for page in PAGES
+            for each in page.commands
+        }
+        return {**opening, **acting}
 
     def open_level(
         self,
@@ -133,11 +139,13 @@ class Window:
             return
         self._open(path, settings or {}, accuracy)
 
-    def race(self) -> None:
-        """Let every scheme that the open level can use race over it, and show how that stands."""
-        self._turn_to("race page")
-        if self.session is not None:
-            race.toggle(self.session)
+    def _switch(self, overlay: str) -> None:
+        """Draw an overlay from now on, or draw it no more."""
+        self.stage.shown[overlay] = not self.stage.shown[overlay]
+
+    def do(self, command: str) -> None:
+        """Do what a command asks for, as if its key was pressed."""
+        self._commands[command]()
 
     def _open(
         self,
@@ -147,6 +155,7 @@ class Window:
         rate: float | None = None,
     ) -> None:
         self._list(path)
+        another = path != self._path
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
             level = load(path)
@@ -164,6 +173,8 @@ class Window:
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
+        if another:
+            self.panels.show(opening(level, self.panels.page))
         pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
         self._lay_out()
 
@@ -179,7 +190,7 @@ class Window:
         self._path, self._refused, self.session = path, text, None
         self._advised = None
         pygame.display.set_caption(TITLE)
-        self.studying.cancel()
+        self.workers.cancel()
         self.advising.cancel()
         self._lay_out()
 
@@ -204,7 +215,7 @@ class Window:
     @property
     def _busy(self) -> bool:
         playing = self.session is not None and self.session.playing
-        return playing or self._quiet < QUIET or self.studying.running or self.advising.running
+        return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
         """Handle what has happened, let time pass, and draw."""
@@ -220,7 +231,8 @@ class Window:
         if self.session is not None:
             self._leave_fields()
             self._play(self.session, seconds)
-            self._study(self.session, seconds)
+            for text in self.workers.follow(self.session, seconds, self.panels.page):
+                self._banner.tell(text)
             self._follow(self.session)
         begun = perf_counter()
         if self.panels.side is not None:
@@ -236,24 +248,9 @@ class Window:
         if session.playing:
             self._load.stepped(perf_counter() - begun, world.kicks.seconds - hooks)
 
-    def _study(self, session: Session, seconds: float) -> None:
-        """Take in what is found out about the accuracy."""
-        watched = self.panels.page == "accuracy page"
-        self.studying.follow(session, seconds, watched=watched)
-        setting = self.studying.look()
-        if setting is not None:
-            try:
-                if session.waiting:
-                    session.settle(setting)
-                else:
-                    whatif.repace(session, setting.playable.stepping)
-                self._banner.tell(wording.offer(setting))
-            except SandboxError as error:
-                self._banner.tell(str(error))
-
     def close(self) -> None:
         """End what works for the window."""
-        self.studying.cancel()
+        self.workers.cancel()
         self.advising.cancel()
 
     def _follow(self, session: Session) -> None:
@@ -292,7 +289,7 @@ class Window:
             self._run_as_advised()
         elif chosen := self.panels.controls.process(event):
             self._commands[chosen]()
-        elif self._click_side(event):
+        elif self._seek(event) or self._click_side(event):
             return
         elif self.session is not None:
             mouse = pygame.mouse.get_pos()
@@ -300,6 +297,17 @@ class Window:
                 self.hand.wheel(event.precise_y, mouse, self.panels.layout.stage)
             elif event.type in _MOUSE:
                 self.hand.process(event, self.panels.layout.stage, self.session)
+
+    def _seek(self, event: pygame.event.Event) -> bool:
+        """Go to the time that was clicked on or dragged to, and return whether one was."""
+        share = self.panels.controls.sought(event)
+        if share is None or self.session is None:
+            return share is not None
+        try:
+            self.session.go_to(round(share * self.session.end))
+        except SandboxError as error:
+            self._banner.tell(str(error))
+        return True
 
     def _run_as_advised(self) -> None:
         """Run again at the rate that was offered."""
@@ -389,11 +397,23 @@ class Window:
         self.panels.graph = not self.panels.graph
         self._lay_out()
 
-    def _turn_to(self, page: Command) -> None:
+    def _turn_to(self, page: str) -> None:
         """Show a page of the side panel, also where that was hidden."""
         if self._has_room("side"):
             self.panels.show(page)
             self._lay_out()
+
+    def _act_on(self, page: str, asked: PageCommand) -> None:
+        """Do what a page is asked for, and show it."""
+        if self.session is None:
+            return
+        self._turn_to(page)
+        try:
+            told = asked.act(Desk(self.session, self.workers.all, self._load))
+        except SandboxError as error:
+            told = str(error)
+        if told is not None:
+            self._banner.tell(told)
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""
@@ -430,11 +450,13 @@ class Window:
         if self.session is not None and area:
             view = surface.subsurface(area)
             session = self.session
-            self.stage.draw(view, session.trail, session.milestones(), session.companions)
+            earlier = [run.trail for run in session.earlier]
+            self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)
-            legend.draw(view, self._pen, legend.rows(session), told)
+            runs = runs_beside(session)[1] or legend.earlier([r.told for r in session.earlier])
+            legend.draw(view, self._pen, runs, told)
         else:
             surface.fill(theme.STAGE, layout.stage)
         for column in (layout.levels, layout.side):

@@ -1,12 +1,13 @@
 """How numbers and moments are put for a person to read."""
 
 from collections.abc import Iterator, Sequence
-from math import ceil, degrees, floor, isclose, isfinite, log10
+from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
 from sandbox.physics.measuring.comparison import Difference
+from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
 NO_DIFFERENCE = "no difference"
@@ -44,6 +45,14 @@ def quantity(value: float, unit: str, digits: int = 5) -> str:
     if unit.startswith("rad"):
         return f"{number(degrees(value), digits)}{unit.replace('rad', '°')}"
     return f"{number(value, digits)} {unit}".rstrip()
+
+
+def bounds(outcome: Outcome) -> str:
+    """Write what a goal asks for: the least, the most, or both."""
+    least, most = (quantity(bound, outcome.unit, 4) for bound in (outcome.least, outcome.most))
+    if outcome.least == -inf:
+        return f"at most {most}"
+    return f"at least {least}" if outcome.most == inf else f"{least} to {most}"
 
 
 def measured(value: float, expected: float, unit: str) -> str:

@@ -132,6 +132,8 @@ def report(trace: Trace) -> int:
     The checks are made for the level's own duration: what goes beyond it is not graded, and a run
     that ends before is graded as far as it goes.
     """
+    for line in verdicts.challenge_lines(trace):
+        typer.echo(line)
     if not trace.level.checks:
         typer.echo("the level states no checks")
         return 0

@@ -2,9 +2,12 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from sandbox.app import wording
 from sandbox.cli.columns import aligned
 from sandbox.model.expressions import Expression
+from sandbox.physics.measuring.goals import attempt
 from sandbox.physics.measuring.grading import Result
+from sandbox.physics.measuring.recording import Trace
 
 _HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
 
@@ -18,6 +21,21 @@ def lines(results: Sequence[Result], *, complete: bool) -> Iterator[str]:
     """Yield a header and one line a check, in columns."""
     rows = [_HEADER, *(_row(result, complete=complete) for result in results)]
     yield from aligned(rows)
+
+
+def challenge_lines(trace: Trace) -> Iterator[str]:
+    """Yield how the level's challenge stands after a run: its goals, then its stars."""
+    found = attempt(trace.until(trace.level.duration(trace.values)))
+    if found is None:
+        return
+    rows = [("goal", "measured", "asked for", "standing")]
+    for outcome in found.outcomes:
+        measured = _value(outcome.measured, outcome.unit)
+        rows.append((outcome.goal.label, measured, wording.bounds(outcome), outcome.standing))
+    yield from aligned(rows)
+    if found.altered:
+        yield f"no star counts, for what is locked was changed: {', '.join(found.altered)}"
+    yield f"challenge: {found.stars} of {found.most} stars"
 
 
 def worst(results: Iterable[Result]) -> float | None:

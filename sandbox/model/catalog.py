@@ -6,7 +6,16 @@ from sandbox.model.document import refuse
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.suggest import meant, suggestion
 
-CHAPTERS = ("kinematics", "newton", "energy", "momentum", "rotation", "lagrange", "machines")
+CHAPTERS = (
+    "kinematics",
+    "newton",
+    "energy",
+    "momentum",
+    "rotation",
+    "lagrange",
+    "machines",
+    "challenges",
+)
 """The folders in the order of the document, then what is made of it; others follow by name."""
 
 ORDER = "order.txt"

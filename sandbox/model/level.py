@@ -11,11 +11,9 @@ from typing import Annotated, Literal, cast
 
 from pydantic import (
     BeforeValidator,
-    Discriminator,
     Field,
     PrivateAttr,
     SerializerFunctionWrapHandler,
-    Tag,
     model_serializer,
 )
 from pydantic_core import PydanticCustomError
@@ -33,8 +31,24 @@ from sandbox.model.bounds import (
     Speed,
     Spin,
 )
+from sandbox.model.challenge import Challenge
 from sandbox.model.effects import Effects
-from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
+from sandbox.model.expressions import Formula, Fraction, Positive, Values
+from sandbox.model.instants import (
+    ApexEvent as ApexEvent,
+)
+from sandbox.model.instants import (
+    ContactEvent as ContactEvent,
+)
+from sandbox.model.instants import (
+    CrossingEvent as CrossingEvent,
+)
+from sandbox.model.instants import (
+    Instant as Instant,
+)
+from sandbox.model.instants import (
+    LandingEvent as LandingEvent,
+)
 from sandbox.model.joints import (
     End,
     Held,
@@ -48,7 +62,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.landscape import Landscape
 from sandbox.model.locating import Path
-from sandbox.model.mention import BodyName, Couple, Mention, QuantityName
+from sandbox.model.mention import Mention, QuantityName
 from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
 
@@ -132,58 +146,6 @@ def span(joint: Joint, bodies: Mapping[str, Body], values: Values) -> float:
     """Return how far it is at the start from the first end of a joint to its second [m]."""
     path = [place(end, bodies, values) for end in points(joint)]
     return sum(abs(b - a) for a, b in pairwise(path))
-
-
-class ContactEvent(Model):
-    """Two bodies first come to touch; measured one step later, when the impact is over.
-
-    Just after the impact itself where it is located in time.
-    """
-
-    event: Literal["contact"]
-    bodies: Couple
-
-
-class CrossingEvent(Model):
-    """A quantity crosses a value for the first time; measured between steps."""
-
-    event: Literal["crossing"]
-    quantity: QuantityName
-    value: Expression = Expression(0)
-    direction: Literal["up", "down", "either"] = "either"
-
-
-class ApexEvent(Model):
-    """A body stops rising for the first time; measured between steps."""
-
-    event: Literal["apex"]
-    body: BodyName
-
-
-class LandingEvent(Model):
-    """A body's centre falls to a height for the first time; measured between steps."""
-
-    event: Literal["landing"]
-    body: BodyName
-    height: Coordinate = Coordinate(0)
-    """m"""
-
-
-def _kind(at: object) -> str | None:
-    if isinstance(at, Mapping):
-        return str(at["event"]) if "event" in at else None
-    return str(getattr(at, "event", "a number"))
-
-
-Instant = Annotated[
-    Annotated[Expression, Tag("a number")]
-    | Annotated[ContactEvent, Tag("contact")]
-    | Annotated[CrossingEvent, Tag("crossing")]
-    | Annotated[ApexEvent, Tag("apex")]
-    | Annotated[LandingEvent, Tag("landing")],
-    Discriminator(_kind),
-]
-"""A time [s], or an event."""
 
 
 class Check(Model):
@@ -285,6 +247,8 @@ class Level(Model):
     """s, how long the checks hold and a run lasts"""
     checks: Annotated[tuple[Check, ...], Field(max_length=200)] = ()
     """the closed forms that a run is held against"""
+    challenge: Challenge | None = None
+    """what the person who plays is asked to reach, and with which parameters"""
     ghosts: Mapping[Annotated[Name, Mention("body")], tuple[Formula, Formula]] = {}
     """where the closed form says that a body is: [x, y] over the parameters and t"""
     view: View = View()

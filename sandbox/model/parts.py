@@ -1,11 +1,16 @@
 """Walking through the parts of a level."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
+from sandbox.model.instants import Instant
+from sandbox.model.level import Check, Level
 from sandbox.model.locating import Path
+
+if TYPE_CHECKING:
+    from sandbox.model.challenge import Goal
 
 
 class Fault(NamedTuple):
@@ -35,6 +40,23 @@ def _children(part: object) -> Iterable[tuple[str | int, object]]:
     if part is None or isinstance(part, str):
         return ()  # most of what there is
     return part.items() if isinstance(part, Mapping) else ()
+
+
+def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:
+    """Yield whatever is measured to judge a run, checks and goals, with the path to it."""
+    for index, check in enumerate(level.checks):
+        yield ("checks", index), check
+    if level.challenge is None:
+        return
+    for index, goal in enumerate(level.challenge.goals):
+        yield ("challenge", "goals", index), goal
+    for index, goal in enumerate(level.challenge.stars):
+        yield ("challenge", "stars", index), goal
+
+
+def instants(level: Level) -> Iterator[tuple[Path, Instant]]:
+    """Yield every time and event at which something is measured, with the path to it."""
+    yield from (((*path, "at"), one.at) for path, one in measured(level) if one.at is not None)
 
 
 def names_in(part: object) -> frozenset[str]:

@@ -17,7 +17,7 @@ from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
-from sandbox.model.parts import Fault, expressions
+from sandbox.model.parts import Fault, expressions, instants
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""
@@ -133,11 +133,11 @@ def _applies(level: Level, path: Path, times: Array) -> bool:
 
 
 def _instants(level: Level) -> Iterator[Fault]:
-    """Every check at a time comes before the end."""
+    """Every check or goal at a time comes before the end."""
     duration = level.duration(level.defaults)
-    for index, check in enumerate(level.checks):
-        if isinstance(check.at, Expression):
-            at = check.at(level.defaults)
+    for path, instant in instants(level):
+        if isinstance(instant, Expression):
+            at = instant(level.defaults)
             if not 0 <= at <= duration:
                 rule = f"is at {at:g} s, but the run lasts from 0 to {duration:g} s ('duration')"
-                yield Fault(("checks", index, "at"), rule)
+                yield Fault(path, rule)

@@ -6,10 +6,12 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 os.environ["SDL_AUDIODRIVER"] = "dummy"
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import pygame
 import pytest
 
+from sandbox.app import progress
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
 from sandbox.app.window import Window
@@ -20,6 +22,12 @@ from tests.app.person import Person
 def pen() -> Pen:
     pygame.font.init()
     return Pen()
+
+
+@pytest.fixture(autouse=True)
+def _nothing_solved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let nobody's stars be read or written but those of the test itself."""
+    monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
 
 
 FEW = 12

@@ -19,7 +19,7 @@ def columns(pen: Pen, session: Session, color: Color) -> set[int]:
     stage = Stage(pen, SIZE)
     stage.use(session.world)
     stage.fit()
-    stage.shown.arrows = stage.shown.ghosts = False
+    stage.shown["arrows"] = stage.shown["ghosts"] = False
     surface = pygame.Surface(SIZE)
     stage.draw(surface)
     pixels = pygame.surfarray.array3d(surface)

@@ -1,25 +1,32 @@
 """The table of keys."""
 
-from typing import get_args
+from collections import Counter
 
 import pygame
 import pytest
 
-from sandbox.app.keys import BINDINGS, Command, command
+from sandbox.app.commands import BINDINGS, command
+from tests.app.person import Person
 
 
-def pressed(key: int, text: str = "", mod: int = 0) -> Command | None:
+def pressed(key: int, text: str = "", mod: int = 0) -> str | None:
     return command(pygame.Event(pygame.KEYDOWN, key=key, unicode=text, mod=mod))
 
 
-def test_every_command_has_exactly_one_line_in_the_table() -> None:
-    assert sorted(binding.command for binding in BINDINGS) == sorted(get_args(Command))
+def test_every_command_of_the_window_has_exactly_one_line_in_the_table(person: Person) -> None:
+    assert sorted(b.command for b in BINDINGS) == sorted(person.window._commands)
 
 
 def test_no_key_has_two_meanings() -> None:
-    keys = [key for binding in BINDINGS for key in (*binding.keys, *binding.characters)]
+    keys = Counter(key for binding in BINDINGS for key in (*binding.keys, *binding.characters))
 
-    assert len(keys) == len(set(keys))
+    assert [key for key, meanings in keys.items() if meanings > 1] == []
+
+
+def test_every_command_has_a_key_and_says_what_it_does() -> None:
+    silent = [b.command for b in BINDINGS if not (b.keys or b.characters) or not b.text]
+
+    assert silent == []
 
 
 @pytest.mark.parametrize(
@@ -31,11 +38,14 @@ def test_no_key_has_two_meanings() -> None:
         (pygame.K_8, "]", "faster"),  # as on a German keyboard
         (pygame.K_PLUS, "+", "faster"),
         (pygame.K_F1, "", "help"),
+        (pygame.K_s, "s", "race page"),
+        (pygame.K_s, "S", "race"),
+        (pygame.K_o, "O", "level page"),  # which leaves the capital letter free
         (pygame.K_q, "q", None),
     ],
 )
 def test_keys_are_known_by_place_or_by_what_they_write(
-    key: int, text: str, expected: Command | None
+    key: int, text: str, expected: str | None
 ) -> None:
     assert pressed(key, text) == expected
 

@@ -53,7 +53,7 @@ def test_the_ghost_is_drawn_where_the_closed_form_says(pen: Pen) -> None:
     around.center = round(x), round(y)
 
     with_ghost = draw(session, stage).subsurface(around).copy()
-    stage.shown.ghosts = False
+    stage.shown["ghosts"] = False
     without = draw(session, stage).subsurface(around)
 
     assert count(with_ghost, theme.GHOST) > 10
@@ -71,11 +71,11 @@ def test_the_trail_is_left_behind_and_can_be_hidden(session: Session, stage: Sta
     draw(session, stage)
     for _ in range(60):
         session.step()
-    stage.shown.ghosts = stage.shown.arrows = False
+    stage.shown["ghosts"] = stage.shown["arrows"] = False
     x, y = stage.camera.to_screen((0, 4))
 
     shown = draw(session, stage).get_at((round(x), round(y)))
-    stage.shown.trail = False
+    stage.shown["trail"] = False
     hidden = draw(session, stage).get_at((round(x), round(y)))
 
     assert shown[0] > hidden[0] + 50

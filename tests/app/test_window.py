@@ -24,7 +24,7 @@ RED = (255, 0, 0)
 def player(person: Person, tmp_path: Path) -> Person:
     """Somebody in front of a ball that is about to fall."""
     person.open(tmp_path, scenes.falling())
-    person.window.stage.shown.names = person.window.stage.shown.arrows = False
+    person.window.stage.shown["names"] = person.window.stage.shown["arrows"] = False
     return person
 
 

@@ -1,14 +1,16 @@
 """The bar below: playing, speed, time, and what is shown."""
 
+from collections.abc import Mapping
+
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
 from sandbox.app import theme, wording
-from sandbox.app.keys import BINDINGS, Command
+from sandbox.app.commands import tip
 from sandbox.app.session import Session
-from sandbox.app.stage.stage import Shown
+from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import press
 
@@ -20,13 +22,13 @@ SPEED = 58  # px, for the number between the two buttons
 ROOMY = 900  # px, the window's width from which on there is room for what is shown
 TIGHT = 560  # px, the width below which the clock takes the place of the speed
 
-LEFT: tuple[tuple[Command, str, int], ...] = (
+LEFT: tuple[tuple[str, str, int], ...] = (
     ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
 )  # fmt: skip
-RIGHT: tuple[tuple[Command, str, int], ...] = (
-    ("arrows", "Arrows", 68), ("trail", "Trail", 54), ("ghosts", "Ghost", 60),
-    ("names", "Names", 64), ("fit", "Fit", 40), ("help", "Help", 52),
-)  # fmt: skip
+WAYS: tuple[tuple[str, str, int], ...] = (("fit", "Fit", 40), ("help", "Help", 52))
+KNOB = 7.0  # px, the radius of what is dragged along the time
+REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
+PADDING = 22  # px, beside the caption of an overlay's button
 
 
 class Controls:
@@ -34,7 +36,7 @@ class Controls:
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self._manager, self._pen, self._rect = manager, pen, rect
-        self._buttons: dict[Command, UIButton] = {}
+        self._buttons: dict[str, UIButton] = {}
         x = MARGIN
         for command, text, width in LEFT:
             x = self._button(command, text, x, width)
@@ -43,44 +45,62 @@ class Controls:
             x = self._button("slower", "−", x + GAP, 32)
             self._speed = pygame.Rect(x, 0, SPEED, 0)
             x = self._button("faster", "+", x + SPEED, 32)
-        shown = RIGHT if rect.width >= ROOMY else RIGHT[-1:]
+        shown = (*self._overlays(), *WAYS) if rect.width >= ROOMY else WAYS[-1:]
         right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
         self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
+        self._seeking = False
         for command, text, width in shown:
             right = self._button(command, text, right, width)
 
-    def _button(self, command: Command, text: str, x: int, width: int) -> int:
+    def _overlays(self) -> list[tuple[str, str, int]]:
+        """Return the overlays that have buttons, their captions and the buttons' widths."""
+        captions = [(each.name, each.caption) for each in OVERLAYS if each.caption]
+        return [(name, text, self._pen.write(text).width + PADDING) for name, text in captions]
+
+    def _button(self, command: str, text: str, x: int, width: int) -> int:
         """Make a button, and return where the next one begins."""
         place = pygame.Rect(x, self._rect.y + (self._rect.height - HEIGHT) // 2, width, HEIGHT)
-        binding = next(binding for binding in BINDINGS if binding.command == command)
         self._buttons[command] = UIButton(
-            place, text, self._manager, tool_tip_text=f"{binding.text} ({binding.shown})",
+            place, text, self._manager, tool_tip_text=tip(command),
             object_id=ObjectID(class_id="@main") if command == "play" else None,
         )  # fmt: skip
         return x + width + GAP
 
-    def process(self, event: pygame.event.Event) -> Command | None:
+    def process(self, event: pygame.event.Event) -> str | None:
         """Return the command whose button was pressed, if one was."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         pressed = (c for c, button in self._buttons.items() if button is event.ui_element)
         return next(pressed, None)
 
-    def button(self, command: Command) -> UIButton:
+    def sought(self, event: pygame.event.Event) -> float | None:
+        """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
+        track = self._track
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            self._seeking = track.inflate(8, REACH).collidepoint(event.pos)
+        elif event.type == pygame.MOUSEBUTTONUP:
+            self._seeking = False
+        if not self._seeking or event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION):
+            return None
+        return min(max((event.pos[0] - track.x) / max(track.width, 1), 0.0), 1.0)
+
+    @property
+    def _track(self) -> pygame.Rect:
+        """The bar that shows how much of the run is over."""
+        area = self._clock
+        return pygame.Rect(area.x, area.centery + 8, area.width, 5)
+
+    def button(self, command: str) -> UIButton:
         """Return the button of a command."""
         return self._buttons[command]
 
-    def update(self, session: Session | None, shown: Shown) -> None:
+    def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
         """Let the buttons say what is the case."""
         playing = session is not None and session.playing
         text = "Pause" if playing else "Play"
         if self._buttons["play"].text != text:
             self._buttons["play"].set_text(text)
-        states: dict[Command, bool] = {
-            "arrows": shown.arrows, "trail": shown.trail,
-            "ghosts": shown.ghosts, "names": shown.names,
-        }  # fmt: skip
-        for command, on in states.items():
+        for command, on in shown.items():
             if command in self._buttons:
                 press(self._buttons[command], on)
 
@@ -108,9 +128,14 @@ class Controls:
             note = pen.write(f"of {wording.seconds(session.duration)}", 13, theme.DIM)
         if now.width + note.width + 10 <= area.width:
             surface.blit(note, (area.right - note.width, middle - 18))
-        track = pygame.Rect(area.x, middle + 8, area.width, 5)
+        track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
         share = min(session.t / session.duration, 1.0)
         if share > 0:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
+        knob = track.x + track.width * share, float(track.centery)
+        pygame.draw.aacircle(surface, theme.ACCENT, knob, KNOB)
+        if session.sought is not None:
+            goal = track.x + track.width * session.sought / session.end, float(track.centery)
+            pygame.draw.aacircle(surface, theme.NOTICE, goal, KNOB, 2)

@@ -16,6 +16,7 @@ from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
+from sandbox.app.progress import Progress
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.field import LONGEST, Field
 from sandbox.app.widgets.gui import press, scroll, scrolled
@@ -26,6 +27,8 @@ HEADING = 34  # px
 MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
+STAR = "•"
+"""Stands behind a title for each star that its challenge has earned."""
 
 
 class Entry(NamedTuple):
@@ -95,6 +98,7 @@ class LevelList:
         self._none = self._image(manager, pen, "No level has these words.", theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
+        self._progress = Progress()
         for level in levels:
             if level.chapter not in self._headings:
                 self._headings[level.chapter] = self._image(
@@ -112,11 +116,15 @@ class LevelList:
         return UIImage(image.get_rect(x=MARGIN), image, manager, container=self._container)
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
-        shown = pen.shorten(level.title, self._width - 18, 13)
+        stars = self._progress.stars(level.title)
+        mark = f"   {stars * STAR}" if stars else ""
+        room = self._width - 18 - pen.write(mark, 13).width
+        shown = pen.shorten(level.title, room, 13)
+        earned = f"{stars} {'star' if stars == 1 else 'stars'} earned" if stars else None
         return UIButton(
-            pygame.Rect(MARGIN, 0, self._width, ROW), shown, manager, container=self._container,
-            object_id=ObjectID(class_id="@level"),
-            tool_tip_text=None if shown == level.title else level.title,
+            pygame.Rect(MARGIN, 0, self._width, ROW), shown + mark, manager,
+            container=self._container, object_id=ObjectID(class_id="@level"),
+            tool_tip_text=earned if shown == level.title else level.title,
         )  # fmt: skip
 
     def _show(self) -> None:

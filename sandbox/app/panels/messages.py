@@ -10,7 +10,8 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton, UITextBox
 
 from sandbox.app import theme
-from sandbox.app.keys import BINDINGS, MOUSE
+from sandbox.app.commands import BINDINGS
+from sandbox.app.keys import MOUSE
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 

@@ -9,9 +9,9 @@ from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import UIContainer
 
 from sandbox.app import theme
-from sandbox.app.keys import Command
 from sandbox.app.load import Load
-from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages import register
+from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
@@ -47,8 +47,8 @@ class Panels:
         The button that runs a level that had to stop at another rate; None if there is none.
     """
 
-    def __init__(self, pen: Pen, size: tuple[int, int], studying: Studying, load: Load) -> None:
-        self._pen, self._studying, self._load = pen, studying, load
+    def __init__(self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load) -> None:
+        self._pen, self._workers, self._load = pen, workers, load
         self._hidden: set[str] = set()
         self.graph = True
         self._advised: float | None = None
@@ -56,14 +56,14 @@ class Panels:
         self.side: SidePanel | None = None
         self._listed: object = None  # what the list was built for
         self._sought = ""
-        self.page: Command = "level page"
+        self.page = register.PAGES[0].command
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
     def hide_or_show(self, column: str) -> None:
         """Hide a column, `levels` or `side`, or show it again, from the next building on."""
         self._hidden ^= {column}
 
-    def show(self, page: Command) -> None:
+    def show(self, page: str) -> None:
         """Show a page of the side column, from the next building on."""
         self.page = page
         self._hidden -= {"side"}
@@ -92,7 +92,7 @@ class Panels:
                 session,
                 page=self.page,
                 as_graph=self.graph,
-                studying=self._studying,
+                workers=self._workers,
                 load=self._load,
             )
         self.controls = Controls(manager, pen, layout.controls)

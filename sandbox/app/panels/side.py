@@ -6,24 +6,18 @@ from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app import graph
 from sandbox.app.cards.energy import energy, ledger
-from sandbox.app.keys import BINDINGS, Command
+from sandbox.app.commands import tip
 from sandbox.app.load import Load
-from sandbox.app.pages.accuracy.panel import AccuracyPage
-from sandbox.app.pages.accuracy.studying import Studying
-from sandbox.app.pages.effects.panel import EffectsPage
-from sandbox.app.pages.level.panel import LevelPage
-from sandbox.app.pages.race.panel import RacePage
+from sandbox.app.pages import register
+from sandbox.app.pages.page import Desk
+from sandbox.app.pages.workers import Workers
+from sandbox.app.panels.tabs import GAP, TOP, Tabs
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
-from sandbox.app.widgets.gui import press, scroll, scrolled
+from sandbox.app.widgets.gui import scroll, scrolled
 from sandbox.app.widgets.parameters import Parameters
-from sandbox.app.widgets.sheet import MARGIN, Page, Sheet
+from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 
-TAB = 28  # px, the height of a tab
-TABS: tuple[tuple[Command, str], ...] = (
-    ("level page", "Level"), ("effects page", "Effects"), ("race page", "Race"),
-    ("accuracy page", "Accuracy"),
-)  # fmt: skip
 REFRESH = 0.1  # s
 GRAPH = 66, 120  # px, how high the graph may be
 SWITCH = 58, 22  # px, the button that changes graph and bars
@@ -38,21 +32,24 @@ class SidePanel:
     ----------
     page
         What the chosen tab shows.
-    parameters
-        The parameters, none where the page has no room for them.
+    desk
+        What the pages work with.
     """
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: Command, as_graph: bool, studying: Studying, load: Load,
+        page: str, as_graph: bool, workers: Workers, load: Load,
     ) -> None:  # fmt: skip
         self._manager, self._pen, self._session = manager, pen, session
-        self._graph, self._studying, self._load = as_graph, studying, load
+        self._graph, self._workers = as_graph, workers
+        self.desk = Desk(session, workers.all, load)
         upper = self._put_energy(rect)
-        self._tabs = self._put_tabs(upper, page)
-        upper = pygame.Rect(upper.x, TAB + 14, upper.width, max(upper.height - TAB - 14, 1))
+        across = pygame.Rect(rect.x + MARGIN, TOP, rect.width - 2 * MARGIN, 0)
+        self._tabs = Tabs(manager, pen, across, register.PAGES, page)
+        top = self._tabs.bottom + TOP - GAP
+        upper = pygame.Rect(upper.x, top, upper.width, max(upper.height - top, 1))
         self._sheet = Sheet(manager, pen, upper)
-        self.page: Page = self._made(page)
+        self.page: Panel = register.page(page).open(self._sheet, self.desk)
         self._since = 0.0
         self._shown = self._state
 
@@ -67,35 +64,9 @@ class SidePanel:
         self._switch = UIButton(
             pygame.Rect((place.right - SWITCH[0], upper.bottom + 4), SWITCH),
             "Bars" if self._graph else "Graph", self._manager,
-            tool_tip_text="energy as a graph or as bars (E)",
+            tool_tip_text=tip("energy"),
         )  # fmt: skip
         return upper
-
-    def _put_tabs(self, rect: pygame.Rect, page: Command) -> dict[UIButton, Command]:
-        width = (self._width + 4) // len(TABS)
-        tabs: dict[UIButton, Command] = {}
-        for i, (command, text) in enumerate(TABS):
-            binding = next(binding for binding in BINDINGS if binding.command == command)
-            place = pygame.Rect(rect.x + MARGIN + i * width, 10, width - 4, TAB)
-            tip = f"{binding.text} ({binding.shown})"
-            tab = UIButton(place, text, self._manager, tool_tip_text=tip)
-            press(tab, command == page)
-            tabs[tab] = command
-        return tabs
-
-    def _made(self, page: Command) -> Page:
-        nowhere = pygame.Rect(0, 0, 0, 0)
-        container = self._sheet.container
-        self.parameters = Parameters(self._manager, self._pen, container, nowhere, {}, {})
-        if page == "effects page":
-            return EffectsPage(self._sheet, self._session)
-        if page == "race page":
-            return RacePage(self._sheet, self._session)
-        if page == "accuracy page":
-            return AccuracyPage(self._sheet, self._session, self._studying, self._load)
-        made = LevelPage(self._sheet, self._session, self._studying)
-        self.parameters = made.parameters
-        return made
 
     def turn(self, pages: float) -> None:
         """Scroll by a part of what is seen at once."""
@@ -109,13 +80,13 @@ class SidePanel:
             container = self._sheet.container
             scroll(container, field.relative_rect.y - container.rect.height / 2)
 
-    def process(self, event: pygame.event.Event) -> Command | None:
+    def process(self, event: pygame.event.Event) -> str | None:
         """Return the command whose button was pressed, if one was."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         if event.ui_element is self._switch:
             return "energy"
-        return self._tabs.get(event.ui_element)
+        return self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
         """Let the page do what was clicked on; return what is to be told, None if nothing was."""
@@ -129,15 +100,21 @@ class SidePanel:
         """The button that changes graph and bars."""
         return self._switch
 
-    def tab(self, page: Command) -> UIButton:
-        """Return the tab of a page."""
-        return next(tab for tab, command in self._tabs.items() if command == page)
+    def tab(self, page: str) -> UIButton:
+        """Return the tab of a page, given by its command."""
+        return self._tabs.tab(page)
+
+    @property
+    def parameters(self) -> Parameters:
+        """The parameters; none where the page has no room for them."""
+        return self._sheet.parameters
 
     @property
     def _state(self) -> tuple[object, ...]:
         """What is shown depends on."""
         session = self._session
-        return session.world.snapshot, session.playing, session.companions, self._studying.news
+        news = self._workers.news
+        return session.world.snapshot, session.playing, session.companions, *news
 
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs."""

@@ -1,7 +1,6 @@
 """The picture of a world, on any surface."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 import pygame
@@ -11,34 +10,19 @@ from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage import bodies, flows, grid, joints, marks
-from sandbox.app.stage.forces import Arrow, Forces
+from sandbox.app.stage.forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
-from sandbox.app.stage.outline import Outline, outlines
+from sandbox.app.stage.outline import Outline
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.overlays.register import OVERLAYS, at_first
+from sandbox.app.stage.view import View
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
 from sandbox.model.joints import Rail, Winding, body_of
 from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.anchor import Plane
 from sandbox.physics.stepping.world import World
-
-NAMED = 12
-"""Up to so many moving bodies carry their name, an arrow and a trail."""
-
-AT_REST = 1e-6
-"""What comes less far than this part of what is seen is at rest, but for rounding."""
-
-
-@dataclass
-class Shown:
-    """What a person wants to see."""
-
-    arrows: bool = True
-    trail: bool = True
-    ghosts: bool = True
-    names: bool = True
-    components: bool = False
 
 
 class Stage:
@@ -49,33 +33,30 @@ class Stage:
     camera
         What part of the plane is shown.
     shown
-        Which explanations are drawn.
+        Which overlays are drawn, by name.
+    view
+        The world that is shown, as overlays draw it.
     """
 
     def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
         self.camera = Camera(size)
-        self.shown = Shown()
+        self.shown = at_first()
         self._pen = pen
         self._base = pygame.Surface(size)
         self._canvas = pygame.Surface(size)
         self._base_key: object = None
         self._trail_key: object = None
         self._trail_drawn: list[int] = []
-        self._fastest = 0.0
         self._level: object = None
 
     def use(self, world: World) -> None:
         """Show another world; what a person has chosen to see of the plane stays."""
         if world.level is not self._level:
             self._level = world.level
-            self._forces = Forces(world.level)
-            self.shown.components = world.level.view.components
-        self._world = world
-        self._outlines = outlines(world.level, world.values)
-        self._moving = [o for o in self._outlines.values() if o.moves]
-        self._few = len(self._moving) <= NAMED
-        self._duration = count_steps(world) * world.dt
-        self._fastest = marks.fastest(world, self._duration)
+            for overlay in OVERLAYS:
+                if overlay.on is not None:
+                    self.shown[overlay.name] = overlay.on(world.level)
+        self.view = View(world, self.camera, self._pen, self.shown)
         landscape = world.level.view.landscape
         self._relief = landscape and Relief(landscape, world)
         self._base_key = None
@@ -84,7 +65,7 @@ class Stage:
 
     def fit(self) -> None:
         """Show the part of the plane that the level asks for."""
-        self.camera.fit(self._world.level.view, self._world.values)
+        self.camera.fit(self.view.world.level.view, self.view.world.values)
 
     def resize(self, size: tuple[int, int]) -> None:
         """Draw on surfaces of another size from now on."""
@@ -96,37 +77,46 @@ class Stage:
     def draw(
         self, surface: pygame.Surface, trail: Trail | None = None,
         milestones: Sequence[Milestone] = (), beside: Sequence[Companion] = (),
+        earlier: Sequence[Trail] = (),
     ) -> None:  # fmt: skip
-        """Draw the world as it is now on a surface of the stage's size, and other runs over it."""
-        labels = Labels(surface.get_rect())
-        labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
+        """Draw the world as it is now on a surface of the stage's size, and other runs over it.
+
+        Of earlier runs the trails are drawn.
+        """
+        view, world, outlines = self.view, self.view.world, self.view.outlines
+        view.trail, view.labels = trail, Labels(surface.get_rect())
+        view.labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
         self._draw_base()
-        traced = self.shown.trail and self._few
-        self._draw_trails(trail if traced else None, beside if traced else ())
+        traced = view.few and any(each.draw_trail for each in self._overlays)
+        others = [(each.trail, each.variant.color) for each in beside] or [
+            (trail, theme.LANES[i % len(theme.LANES)]) for i, trail in enumerate(earlier)
+        ]
+        self._draw_trails(trail if traced else None, others if traced else ())
         surface.blit(self._canvas, (0, 0))
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
-        flows.draw_belts(surface, self.camera, self._world, self._outlines)
-        flows.draw_flames(surface, self.camera, self._world, self._outlines)
+        flows.draw_belts(surface, self.camera, world, outlines)
+        flows.draw_flames(surface, self.camera, world, outlines)
         self._draw_bodies(surface)
         self._draw_joints(surface, in_front=True)
-        if self._ghosts:
-            self._draw_ghosts(surface)
         self._draw_beside(surface, beside)
-        if self._few:
-            marks.draw_milestones(surface, self.camera, self._pen, milestones, labels)
-        if self.shown.arrows:
-            self._draw_arrows(surface, labels)
-        if self.shown.names and self._few:
-            named = [(outline, *self._state(outline)) for outline in self._moving]
-            marks.draw_names(surface, self.camera, self._pen, named, labels)
+        if view.few:
+            marks.draw_milestones(surface, self.camera, self._pen, milestones, view.labels)
+        for overlay in self._overlays:
+            if overlay.draw is not None:
+                overlay.draw(surface, view)
+
+    @property
+    def _overlays(self) -> Sequence[Overlay]:
+        """The overlays that are drawn."""
+        return [overlay for overlay in OVERLAYS if self.shown[overlay.name]]
 
     def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
         """Draw the bodies of other runs as dashed outlines."""
         for companion in beside:
             snapshot, color = companion.world.snapshot, companion.variant.color
-            for outline in self._moving:
+            for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
                 marks.draw_ghost(surface, self.camera, outline, (x, y), angle, color)
@@ -135,82 +125,72 @@ class Stage:
         """Return the body that a hand would take hold of at a pixel."""
         x, y = self.camera.to_world(pixel)
         reach = margin / self.camera.scale
-        for outline in reversed(self._moving):
-            (px, py), angle = self._state(outline)
+        for outline in reversed(self.view.moving):
+            (px, py), angle = self.view.state(outline)
             if outline.heavy and outline.covers((x - px, y - py), angle, reach):
                 return outline.name
         return None
 
     def tip_at(self, pixel: XY) -> Arrow | None:
         """Return the force whose tip a hand would take hold of at a pixel."""
-        if not (self.shown.arrows and self._few):
+        if not (self.shown["arrows"] and self.view.few):
             return None
-        return self._forces.tip_at(self._world, self.camera, pixel)
+        return self.view.forces.tip_at(self.view.world, self.camera, pixel)
 
     @property
     def newton(self) -> float:
         """How long a force of 1 N is drawn [px]."""
-        return self._forces.scale(self.camera)
-
-    @property
-    def _ghosts(self) -> bool:
-        """Whether to draw where the closed form says that bodies are: not once a hand was there."""
-        return self.shown.ghosts and not self._world.disturbed
-
-    def _state(self, outline: Outline) -> tuple[XY, float]:
-        snapshot = self._world.snapshot
-        x, y = snapshot.position[outline.row].tolist()
-        return (x, y), float(snapshot.angle[outline.row])
+        return self.view.forces.scale(self.camera)
 
     def _draw_base(self) -> None:
         camera = self.camera
-        key = (camera.center, camera.scale, camera.size, self._ghosts)
+        below = [each.draw_below for each in self._overlays if each.draw_below is not None]
+        touched = self.view.world.disturbed
+        key = (camera.center, camera.scale, camera.size, touched, *below)
         if key == self._base_key:
             return
         self._base_key, self._trail_key = key, None
         grid.draw_grid(self._base, camera)
         middle = self._middle()
-        for outline in self._outlines.values():
+        for outline in self.view.outlines.values():
             if not outline.moves:
                 inside = self._nearest(outline) if outline.curved else middle
-                bodies.draw_surface(self._base, camera, outline, *self._state(outline), inside)
+                bodies.draw_surface(self._base, camera, outline, *self.view.state(outline), inside)
         self._draw_centers()
         if self._relief:
             self._relief.draw_curve(self._base, camera, self._pen)
-        if self._ghosts:
-            for formulas in self._world.level.ghosts.values():
-                marks.draw_ghost_path(
-                    self._base, camera, formulas, self._world.values, self._duration
-                )
+        for draw in below:
+            draw(self._base, self.view)
         grid.draw_rulers(self._base, camera, self._pen)
         grid.draw_scale_bar(self._base, camera, self._pen)
 
     def _middle(self) -> XY:
         """Return a point where things happen [m]."""
-        if not self._moving:
+        if not self.view.moving:
             return self.camera.center
-        rows = [outline.row for outline in self._moving]
-        x, y = self._world.snapshot.position[rows].mean(axis=0).tolist()
+        rows = [outline.row for outline in self.view.moving]
+        x, y = self.view.world.snapshot.position[rows].mean(axis=0).tolist()
         return x, y
 
     def _nearest(self, outline: Outline) -> XY:
         """Return where what moves is nearest to an outline [m]."""
-        place, angle = self._state(outline)
+        place, angle = self.view.state(outline)
         line = np.array(outline.placed(place, angle))
-        away = [np.hypot(*(line - self._state(o)[0]).T).min() for o in self._moving]
-        return self._state(self._moving[int(np.argmin(away))])[0] if away else self.camera.center
+        places = [self.view.state(o)[0] for o in self.view.moving]
+        away = [np.hypot(*(line - place).T).min() for place in places]
+        return places[int(np.argmin(away))] if away else self.camera.center
 
     def _draw_centers(self) -> None:
         """Mark the centres of attraction."""
-        for attraction in self._world.level.effects.attraction or ():
-            x, y = self.camera.to_screen(evaluate(attraction.center, self._world.values))
+        for attraction in self.view.world.level.effects.attraction or ():
+            x, y = self.camera.to_screen(evaluate(attraction.center, self.view.world.values))
             for a, b in (((x - 7, y), (x + 7, y)), ((x, y - 7), (x, y + 7))):
                 lines.stroke(self._base, theme.STAGE, a, b, 2)
 
-    def _draw_trails(self, own: Trail | None, beside: Sequence[Companion]) -> None:
+    def _draw_trails(self, own: Trail | None, others: Sequence[tuple[Trail, theme.Color]]) -> None:
         """Bring the trails on the canvas up to date, from the base if it must be."""
-        trails = [*(companion.trail for companion in beside), *([own] if own else [])]
-        colors = [*(companion.variant.color for companion in beside), *([None] if own else [])]
+        trails = [*(trail for trail, _ in others), *([own] if own else [])]
+        colors = [*(color for _, color in others), *([None] if own else [])]
         key = [(id(trail), trail.version) for trail in trails]
         counts = [len(trail) for trail in trails]
         fewer = any(a < b for a, b in zip(counts, self._trail_drawn, strict=False))
@@ -219,7 +199,7 @@ class Stage:
             self._trail_key, self._trail_drawn = key, [0] * len(trails)
         for trail, color, drawn in zip(trails, colors, self._trail_drawn, strict=True):
             if len(trail) > drawn:
-                for outline in self._moving:
+                for outline in self.view.moving:
                     points = trail.points[max(drawn - 1, 0) :, outline.row]
                     drawn_in = marks.trail_color(color or outline.color)
                     marks.draw_trail(self._canvas, self.camera, drawn_in, points)
@@ -227,7 +207,7 @@ class Stage:
 
     def _draw_joints(self, surface: pygame.Surface, *, in_front: bool) -> None:
         """Draw what goes through bodies, or all else, which ends behind them."""
-        world = self._world
+        world = self.view.world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         springs = world.scene.joints.springs
         for row, (name, joint) in enumerate(world.level.joints.items()):
@@ -247,53 +227,21 @@ class Stage:
     def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
         """Return two points of a rail so far apart that the picture shows none of them [m]."""
         (x, y), seen = self.camera.center, max(self.camera.size) / self.camera.scale
-        way = complex(*evaluate(rail.direction, self._world.values))
+        way = complex(*evaluate(rail.direction, self.view.world.values))
         way /= abs(way)
         here = through + way * ((complex(x, y) - through) * way.conjugate()).real
         return [here - seen * way, here + seen * way]
 
     def _draw_bodies(self, surface: pygame.Surface) -> None:
-        many = len(self._moving) > bodies.FEW
-        turns = self._world.level.effects.rotation is not None
-        for outline in self._moving:
-            position, angle = self._state(outline)
+        many = len(self.view.moving) > bodies.FEW
+        turns = self.view.world.level.effects.rotation is not None
+        for outline in self.view.moving:
+            position, angle = self.view.state(outline)
             if many:
                 bodies.draw_crowd(surface, self.camera, outline, position, angle)
             else:
                 bodies.draw_body(surface, self.camera, outline, position, angle, turns)
 
-    def _draw_ghosts(self, surface: pygame.Surface) -> None:
-        world = self._world
-        t = float(world.snapshot.t)
-        if t > self._duration * (1 + 1e-9):
-            return
-        for name, formulas in world.level.ghosts.items():
-            where = marks.place(formulas, world.values, t)
-            if where is not None:
-                outline = self._outlines[name]
-                angle = self._state(outline)[1]
-                marks.draw_ghost(surface, self.camera, outline, where, angle)
-
     def watch(self) -> None:
         """Note how fast the world is now, so that arrows keep to one scale over a run."""
-        velocity = self._world.snapshot.velocity
-        speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
-        self._fastest = max(self._fastest, speed)
-
-    def _draw_arrows(self, surface: pygame.Surface, labels: Labels) -> None:
-        if not self._few or not self._moving:
-            return
-        self._forces.draw(surface, self.camera, self._pen, self._world, labels)
-        self.watch()
-        seen = self.camera.size[0] / self.camera.scale
-        if self._fastest * self._duration < AT_REST * seen:
-            return
-        seconds = marks.LONGEST * seen / self._fastest
-        for outline in self._moving:
-            vx, vy = self._world.snapshot.velocity[outline.row].tolist()
-            position = self._state(outline)[0]
-            if self.shown.components:
-                marks.draw_components(surface, self.camera, self._pen, position, (vx, vy), seconds)
-            marks.draw_arrow(surface, self.camera, position, (vx, vy), seconds)
-        corner = self.camera.size[0] - 16.0, self.camera.size[1] - 66.0
-        marks.draw_arrow_key(surface, self.camera, self._pen, seconds, corner)
+        self.view.watch()

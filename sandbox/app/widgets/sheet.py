@@ -8,6 +8,7 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.text import Pen
+from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
 BAR = 26  # px, kept free for the scroll bar
@@ -22,12 +23,16 @@ class Sheet:
         Of what is put on it [px].
     container
         pygame_gui's.
+    parameters
+        The fields that can be typed into; none unless a page puts some.
     """
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self.manager, self.pen = manager, pen
         self.width = rect.width - MARGIN - BAR
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
+        nowhere = pygame.Rect(0, 0, 0, 0)
+        self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
         """Put a picture at a height."""
@@ -54,8 +59,8 @@ class Sheet:
             self.container.set_scrollable_area_dimensions((self.width + MARGIN, height))
 
 
-class Page(Protocol):
-    """What one tab of the side panel shows."""
+class Panel(Protocol):
+    """What a page of the side panel has put on its sheet."""
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Do what was clicked on; return what is to be told, None if nothing was."""

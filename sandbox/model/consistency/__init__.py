@@ -5,7 +5,7 @@ Each rule yields what contradicts it; a file a topic.
 
 from collections.abc import Callable, Iterator
 
-from sandbox.model.consistency import bodies, effects, joints, names, stepping, surfaces
+from sandbox.model.consistency import bodies, challenge, effects, joints, names, stepping, surfaces
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
 
@@ -19,6 +19,9 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.parameters_fit,
     *_NAMES,
     names.timeless_conditions,
+    challenge.known_parameters,
+    challenge.solution_within_ranges,
+    challenge.goals_can_be_met,
     surfaces.contact_declared,
     bodies.fields_fit,
     bodies.rise_and_fall,
@@ -46,6 +49,8 @@ _ALONE = frozenset(
         names.parameters_fit,
         *_NAMES,
         names.timeless_conditions,
+        challenge.known_parameters,
+        challenge.solution_within_ranges,
         surfaces.contact_declared,
         bodies.fields_fit,
         bodies.rise_and_fall,

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
-from sandbox.model.parts import Fault
+from sandbox.model.parts import Fault, instants
 from sandbox.model.shapes import Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
@@ -35,13 +35,12 @@ def fields_fit(level: Level) -> Iterator[Fault]:
 def rise_and_fall(level: Level) -> Iterator[Fault]:
     """Refuse to wait for the apex of what keeps its velocity, or the landing of what stands."""
     still: Mapping[str, tuple[str, ...]] = {"apex": ("static", "kinematic"), "landing": ("static",)}
-    for index, check in enumerate(level.checks):
-        if isinstance(check.at, ApexEvent | LandingEvent):
-            body = level.bodies.get(check.at.body)
-            if body and body.type in still[check.at.event]:
-                event = f"it never comes to its {check.at.event}"
-                rule = f"'{brief(check.at.body)}' is {body.type}: {event}"
-                yield Fault(("checks", index, "at", "body"), rule)
+    for path, at in instants(level):
+        if isinstance(at, ApexEvent | LandingEvent):
+            body = level.bodies.get(at.body)
+            if body and body.type in still[at.event]:
+                rule = f"'{brief(at.body)}' is {body.type}: it never comes to its {at.event}"
+                yield Fault((*path, "body"), rule)
 
 
 def given(body: Body, field: str) -> bool:

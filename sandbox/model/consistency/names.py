@@ -34,11 +34,11 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
 
 def _used(level: Level, *, scene: bool) -> set[str]:
     """Return the names that the scene uses, or that only tell what it should do."""
-    told = ("checks", "ghosts", "view")
+    told = ("checks", "ghosts", "view", "challenge")
     used = (
         e.names
         for path, e in expressions(level)
-        if (isinstance(e, Formula) and path[0] in told) is not scene
+        if (path[0] == "challenge" or (isinstance(e, Formula) and path[0] in told)) is not scene
     )
     return set().union(*used)
 

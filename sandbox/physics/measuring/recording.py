@@ -15,6 +15,7 @@ from sandbox.model.level import (
     Level,
     Stepping,
 )
+from sandbox.model.parts import measured
 from sandbox.model.quantities import quantity
 from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
@@ -176,8 +177,8 @@ def _steps(duration: float, rate: float) -> int:
 
 
 def needed(level: Level) -> list[str]:
-    """Return the quantities without which the level's checks cannot be graded."""
-    names = (name for check in level.checks for name in needed_at(check.quantity, check.at))
+    """Return the quantities without which its checks and its challenge cannot be graded."""
+    names = (name for _, one in measured(level) for name in needed_at(one.quantity, one.at))
     return list(dict.fromkeys(names))
 
 

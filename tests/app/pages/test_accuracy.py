@@ -33,7 +33,7 @@ def page(person: Person) -> AccuracyPage:
 
 
 def busy(person: Person) -> bool:
-    return person.window.studying.running
+    return person.window.workers.of(Studying).running
 
 
 def waits(person: Person) -> bool:
@@ -62,14 +62,14 @@ def player(person: Person, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> I
 @pytest.fixture
 def informed(player: Person) -> Person:
     """Somebody who knows what the schemes cost already, and now also what the run's error is."""
-    studying = player.window.studying
+    studying = player.window.workers.of(Studying)
     studying.points.append(Point("leapfrog", 60, 1e-4, 1e-3))
     until(player, lambda: studying.here is not None and not studying.running)
     return player
 
 
 def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
-    studying = player.window.studying
+    studying = player.window.workers.of(Studying)
     until(player, lambda: studying.here is not None and not studying.running)
 
     assert {"leapfrog", "symplectic-euler"} <= {point.scheme for point in studying.points}
@@ -84,7 +84,7 @@ def test_nothing_is_measured_where_nobody_looks(person: Person, tmp_path: Path) 
     person.open(tmp_path, scenes.falling())
     person.wait(2)
 
-    assert not person.window.studying.running
+    assert not person.window.workers.of(Studying).running
 
 
 def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> None:
@@ -103,16 +103,16 @@ def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> 
 
 
 def test_looking_for_a_setting_is_not_cut_short_by_measuring(player: Person) -> None:
-    player.window.studying.seek(player.session, 1e-12)
-    pid = player.window.studying.pid
+    player.window.workers.of(Studying).seek(player.session, 1e-12)
+    pid = player.window.workers.of(Studying).pid
     player.wait(1)
 
     assert pid is not None
-    assert player.window.studying.pid == pid
+    assert player.window.workers.of(Studying).pid == pid
 
 
 def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> None:
-    player.window.studying.seek(player.session, 1e-3)
+    player.window.workers.of(Studying).seek(player.session, 1e-3)
     player.press(pygame.K_o, "o")
 
     player.press(pygame.K_DOWN)
@@ -122,7 +122,7 @@ def test_what_was_looked_for_is_not_done_to_another_level(player: Person) -> Non
 
 
 def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> None:
-    studying = informed.window.studying
+    studying = informed.window.workers.of(Studying)
     assert studying.points
     assert studying.splits(informed.session)
 
@@ -135,7 +135,7 @@ def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> 
 
 
 def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person) -> None:
-    studying = player.window.studying
+    studying = player.window.workers.of(Studying)
     knob = page(player).dial.sliding_button
     assert knob is not None
     start = knob.rect.center
@@ -228,7 +228,7 @@ def test_a_search_that_is_cancelled_is_no_setting(person: Person, tmp_path: Path
     person.open(tmp_path, ASKING)
     until(person, lambda: busy(person))
 
-    person.window.studying.cancel()
+    person.window.workers.of(Studying).cancel()
     person.wait(0.1)
 
     assert "cancelled" in str(person.session.failure)
@@ -255,7 +255,7 @@ def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person
     informed.press(pygame.K_o, "o")
     with_digits = window.surface.subsurface(window.panels.layout.side).copy()
 
-    window.studying._splits.clear()
+    window.workers.of(Studying)._splits.clear()
     informed.press(pygame.K_o, "o")
 
     side = window.surface.subsurface(window.panels.layout.side)
@@ -289,7 +289,7 @@ def test_digits_survive_in_the_unit_that_is_read() -> None:
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:
     player.wait(1)
-    pid = player.window.studying.pid
+    pid = player.window.workers.of(Studying).pid
     assert pid is not None
 
     player.window.close()
@@ -300,7 +300,7 @@ def test_closing_the_window_ends_the_work(player: Person) -> None:
 def test_frames_go_on_while_it_is_measured(player: Person) -> None:
     player.press(pygame.K_SPACE, " ")
     player.wait(0.7)
-    assert player.window.studying.running
+    assert player.window.workers.of(Studying).running
 
     before = player.session.world.steps
     player.wait(0.25)

@@ -6,11 +6,10 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app import legend, theme
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.session import Session
-from sandbox.app.stage import legend
 from sandbox.app.text import Pen
 from sandbox.model.catalog import find
 from sandbox.model.errors import SandboxError

@@ -118,7 +118,7 @@ def test_the_race_is_started_by_its_button_and_seen(person: Person, tmp_path: Pa
 def test_the_window_opens_with_the_race_under_way(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, scenes.falling())
 
-    person.window.race()
+    person.window.do("race")
     person.wait()
 
     assert race.racing(person.session)

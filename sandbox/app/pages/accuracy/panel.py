@@ -7,11 +7,10 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
-from sandbox.app.load import Load
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.card import asked, ends, rest, status
 from sandbox.app.pages.accuracy.studying import Studying
-from sandbox.app.session import Session
+from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
 
 DIAGRAM = 158  # px, its height
@@ -25,8 +24,9 @@ UNASKED = 6
 class AccuracyPage:
     """The dial, the diagram, where a frame's time goes, and the errors of the checks."""
 
-    def __init__(self, sheet: Sheet, session: Session, studying: Studying, load: Load) -> None:
-        self._sheet, self._session, self._studying, self._load = sheet, session, studying, load
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session, self._load = sheet, desk.session, desk.load
+        self._studying = desk.worker(Studying)
         pen, width = sheet.pen, sheet.width
         self._asked = sheet.image(self._drawn_dial(), MARGIN // 2)
         y = below(self._asked)
@@ -74,10 +74,7 @@ class AccuracyPage:
             return ""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
             return None
-        if self._studying.running:
-            self._studying.cancel()
-        else:
-            self._studying.measure(self._session)
+        self._studying.measure_or_cancel(self._session)
         return ""
 
     def update(self) -> None:

@@ -3,8 +3,11 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from sandbox.app import wording
 from sandbox.app.background import Background, Work
+from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
+from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
@@ -66,7 +69,16 @@ class Studying:
         """The process that works; None if none does."""
         return self._work.pid
 
-    def follow(self, session: Session, seconds: float, *, watched: bool) -> None:
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
+        """Find out what is not known of a session, and play with what was looked for.
+
+        Returns what is to be told of that. What the page shows is found out while it is watched.
+        """
+        self._keep_to(session, seconds, watched=watched)
+        setting = self._look()
+        return None if setting is None else _play_with(session, setting)
+
+    def _keep_to(self, session: Session, seconds: float, *, watched: bool) -> None:
         """Forget what is not of this session; while watched, find it out when that stays so."""
         if self._scene_of(session) != self._scene:
             self._work.cancel()
@@ -106,6 +118,13 @@ class Studying:
         work = study.split if self.points else study.study
         self._start(work, _resolved(session), session.values)
 
+    def measure_or_cancel(self, session: Session) -> None:
+        """End the work if there is some, else begin it."""
+        if self.running:
+            self.cancel()
+        else:
+            self.measure(session)
+
     def seek(self, session: Session, target: float, seconds: float = study.SEARCH) -> None:
         """Begin to look for the cheapest setting that reaches an accuracy, for that long [s]."""
         self.target = target
@@ -122,7 +141,7 @@ class Studying:
         self._measured = True
         self.progress, self.news = None, object()
 
-    def look(self) -> Setting | None:
+    def _look(self) -> Setting | None:
         """Take in what was found since; return a setting that was looked for."""
         was_running, found = self._work.running, None
         for finding in self._work.found():
@@ -155,6 +174,18 @@ class Studying:
         """Return what is known of the checks of the present run, by their index."""
         known = session.level is self._level and self._scene_of(session) == self._scene
         return self._splits if known else {}
+
+
+def _play_with(session: Session, setting: Setting) -> str:
+    """Play with a setting that was looked for; return what is to be told of that."""
+    try:
+        if session.waiting:
+            session.settle(setting)
+        else:
+            whatif.repace(session, setting.playable.stepping)
+    except SandboxError as error:
+        return str(error)
+    return wording.offer(setting)
 
 
 def _resolved(session: Session) -> Level:

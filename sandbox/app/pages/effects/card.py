@@ -6,6 +6,8 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.pages.effects import whatif
+from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.physics.measuring.comparison import Difference
 
@@ -41,6 +43,13 @@ def compared(
         values.append("" if part is None else f"{100 * part:+.3g} %")
         card.columns([(value, theme.TEXT) for value in values], 13)
     return card.drawn()
+
+
+def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw how a session differs from its level as it is declared."""
+    if not session.changes:
+        return unchanged(pen, width)
+    return compared(pen, width, session.changes.told, whatif.compared(session))
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:

@@ -13,7 +13,7 @@ from sandbox.app.companions import NONE
 from sandbox.app.grading import Ration
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
-from sandbox.app.session import Session
+from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.gui import allow, press
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
 from sandbox.model.errors import SandboxError
@@ -35,8 +35,9 @@ LEFT = "The level's scheme, fourth order, is not for this: both runs go by leapf
 class EffectsPage:
     """A switch an effect, and how the changed run differs from the level as it is."""
 
-    def __init__(self, sheet: Sheet, session: Session) -> None:
-        self._sheet, self._session = sheet, session
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        session = desk.session
         level, pen, width = session.original, sheet.pen, sheet.width
         self._switches: dict[str, UIButton] = {}
         self._scales: dict[UIButton, tuple[str, float]] = {}

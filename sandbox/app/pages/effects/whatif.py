@@ -4,8 +4,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sandbox.app import theme, wording
-from sandbox.app.companions import Changes, Variant
+from sandbox.app.companions import NONE, Changes, Variant
 from sandbox.app.session import Session
+from sandbox.app.theme import Color
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
 from sandbox.model.variants import DEFAULTS, Settings, vary
@@ -57,6 +58,22 @@ def change(session: Session, changes: Changes) -> None:
     scheme = "leapfrog" if left else wanted
     changes = replace(changes, effects=told, left=left)
     play_over(session, stepped(original, scheme), stepped(level, scheme), changes)
+
+
+def reset(session: Session) -> str:
+    """Play the level as it is declared; return what is to be told of that."""
+    if not session.changes:
+        return "no effect is changed"
+    change(session, NONE)
+    return "all effects are as the level declares them"
+
+
+def rows(session: Session) -> list[tuple[Color | None, str]]:
+    """Return the changed run and the original, with their colours; none if nothing is changed."""
+    if not session.changes:
+        return []
+    original = session.companions[0].variant
+    return [(None, session.changes.told), (original.color, original.told)]
 
 
 def stepped(level: Level, scheme: Scheme) -> Level:

@@ -6,7 +6,7 @@ from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
-from sandbox.app.session import Session
+from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
 
@@ -14,17 +14,19 @@ from sandbox.app.widgets.sheet import MARGIN, Sheet, below
 class LevelPage:
     """What the level is, its parameters, and how its checks stand."""
 
-    def __init__(self, sheet: Sheet, session: Session, studying: Studying) -> None:
-        self._sheet, self._session, self._studying = sheet, session, studying
-        pen, width, level = sheet.pen, sheet.width, session.original
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._studying = desk.worker(Studying)
+        pen, width, level = sheet.pen, sheet.width, desk.session.original
         y = below(sheet.image(header(pen, width, level), MARGIN // 2)) + 8
         if level.parameters:
             y = below(sheet.image(heading(pen, width, "Parameters"), y))
         area = pygame.Rect(MARGIN, y, width, 0)
-        self.parameters = Parameters(
-            sheet.manager, pen, sheet.container, area, level.parameters, session.values
+        values = desk.session.values
+        sheet.parameters = Parameters(
+            sheet.manager, pen, sheet.container, area, level.parameters, values
         )
-        self._checks = sheet.image(self._drawn(), y + self.parameters.height + 8)
+        self._checks = sheet.image(self._drawn(), y + sheet.parameters.height + 8)
         sheet.end(below(self._checks) + 2)
 
     def process(self, _event: pygame.event.Event) -> str | None:
@@ -35,7 +37,7 @@ class LevelPage:
         """Bring parameters and checks up to date."""
         self._sheet.replace(self._checks, self._drawn())
         self._sheet.end(below(self._checks) + 2)
-        self.parameters.show(self._session.values)
+        self._sheet.parameters.show(self._session.values)
 
     def _drawn(self) -> pygame.Surface:
         session, sheet = self._session, self._sheet

@@ -1,1 +1,21 @@
 """The page of the schemes that race."""
+
+from sandbox.app.pages.page import Page, PageCommand
+from sandbox.app.pages.race import race
+from sandbox.app.pages.race.card import standing
+from sandbox.app.pages.race.panel import RacePage
+
+PAGE = Page(
+    name="race",
+    caption="Race",
+    key="s",
+    text="race: every scheme at once",
+    card=standing,
+    panel=RacePage,
+    commands=(
+        PageCommand(
+            "race", "S", "start the race, or end it", lambda desk: race.start_or_end(desk.session)
+        ),
+    ),
+    beside=race.rows,
+)

@@ -8,6 +8,7 @@ from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, INDENT, Card
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
+from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Scheme
@@ -27,7 +28,13 @@ def race_intro(pen: Pen, width: int) -> pygame.Surface:
     return card.drawn()
 
 
-def lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
+def standing(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw how the race of a session stands; nothing if there is none."""
+    found = race.lanes(session) if race.racing(session) else []
+    return _lanes(pen, width, found, session.world.stepping.rate)
+
+
+def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.Surface:
     """Draw how a race stands: for every scheme its error so far, and its clock."""
     card = Card(pen, width)
     if not found:

@@ -4,9 +4,9 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app.pages.page import Desk
 from sandbox.app.pages.race import race
-from sandbox.app.pages.race.card import lanes, race_intro
-from sandbox.app.session import Session
+from sandbox.app.pages.race.card import race_intro, standing
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
 from sandbox.model.errors import SandboxError
 
@@ -14,8 +14,8 @@ from sandbox.model.errors import SandboxError
 class RacePage:
     """Starts and ends the race, and tells how it stands."""
 
-    def __init__(self, sheet: Sheet, session: Session) -> None:
-        self._sheet, self._session = sheet, session
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
         y = below(sheet.image(race_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
         self._button = sheet.button(pygame.Rect(0, y, 150, 30), "", "every scheme at once (S)")
         self._table = sheet.image(self._drawn(), y + 42)
@@ -45,7 +45,4 @@ class RacePage:
         self._sheet.end(below(self._table) + 2)
 
     def _drawn(self) -> pygame.Surface:
-        session = self._session
-        found = race.lanes(session) if race.racing(session) else []
-        rate = session.world.stepping.rate
-        return lanes(self._sheet.pen, self._sheet.width, found, rate)
+        return standing(self._sheet.pen, self._sheet.width, self._session)

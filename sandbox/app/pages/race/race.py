@@ -5,7 +5,7 @@ from contextlib import suppress
 from itertools import islice
 from typing import NamedTuple
 
-from sandbox.app import theme
+from sandbox.app import theme, wording
 from sandbox.app.clock import Clock
 from sandbox.app.companions import Variant, worst
 from sandbox.app.pages.effects import whatif
@@ -100,3 +100,19 @@ def lanes(session: Session) -> list[Lane]:
 
 def _cost(clock: Clock, rate: float) -> float | None:
     return None if clock.step is None else clock.step * rate
+
+
+def start_or_end(session: Session) -> str:
+    """Start the race or end it; return what is to be told of that."""
+    toggle(session)
+    return "" if racing(session) else "the race has ended"
+
+
+def rows(session: Session) -> list[tuple[Color | None, str]]:
+    """Return the schemes that race, with their colours and errors; none if there is no race."""
+    return [(lane.color, _told(lane)) for lane in lanes(session)] if racing(session) else []
+
+
+def _told(lane: Lane) -> str:
+    name = title(lane.scheme)
+    return name if lane.error is None else f"{name}: error {wording.error(lane.error)}"

@@ -4,34 +4,20 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import lines, theme, wording
-from sandbox.app.pages.race import race
-from sandbox.app.session import Session
+from sandbox.app import lines, theme
+from sandbox.app.pages.page import Row
 from sandbox.app.text import Pen
-from sandbox.app.theme import Color
 
 CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
 GAP = 8  # px, below a banner of more lines
 SWATCH = 26  # px
 PADDING = 8  # px
 
-Row = tuple[Color | None, str]
-"""A colour, None for the run that is played, and what is drawn in it."""
 
-
-def rows(session: Session) -> list[Row]:
-    """Return what runs over each other; nothing if one run is alone."""
-    if session.changes:
-        original = session.companions[0].variant
-        return [(None, session.changes.told), (original.color, original.told)]
-    if not session.companions:
-        return []
-    return [(lane.color, _lane(lane)) for lane in race.lanes(session)]
-
-
-def _lane(lane: race.Lane) -> str:
-    title = race.title(lane.scheme)
-    return title if lane.error is None else f"{title}: error {wording.error(lane.error)}"
+def earlier(told: Sequence[str]) -> Sequence[Row]:
+    """Return a row for the run that is played and one for each earlier one, if there are any."""
+    rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(told)]
+    return [(None, "this run"), *rows] if rows else []
 
 
 def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:

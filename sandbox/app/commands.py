@@ -1,0 +1,33 @@
+"""All commands of the window with their keys: its own, and those of overlays and pages."""
+
+import pygame
+
+from sandbox.app.keys import PLAYING, SHOWING, WINDOW, Binding
+from sandbox.app.pages.register import PAGES
+from sandbox.app.stage.overlays.register import OVERLAYS
+
+BINDINGS: tuple[Binding, ...] = (
+    *PLAYING,
+    *(overlay.binding for overlay in OVERLAYS),
+    *SHOWING,
+    *(binding for page in PAGES for binding in page.bindings),
+    *WINDOW,
+)
+"""In the order in which the help lists them."""
+
+
+def command(event: pygame.event.Event) -> str | None:
+    """Return what a pressed key calls for."""
+    if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+        return None
+    for binding in BINDINGS:
+        typed = event.unicode and event.unicode in binding.characters
+        if typed or event.key in binding.keys:
+            return binding.command
+    return None
+
+
+def tip(command: str) -> str:
+    """Return what a button for a command says while the mouse rests on it."""
+    binding = next(binding for binding in BINDINGS if binding.command == command)
+    return f"{binding.text} ({binding.shown})"

@@ -1,0 +1,116 @@
+"""A run as a film: taken again, drawn frame by frame, and encoded as GIF or MP4."""
+
+import os
+from collections.abc import Iterator
+from fractions import Fraction
+from io import BytesIO
+from math import ceil
+from pathlib import Path
+from typing import Literal
+
+from sandbox.app.runfile import Run
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+
+Kind = Literal["gif", "mp4"]
+
+FRAMES = 25  # a second
+SIZE: dict[Kind, tuple[int, int]] = {"gif": (640, 400), "mp4": (1280, 720)}  # px
+LONGEST = 60.0
+"""s, the longest film; of a longer run this is the beginning."""
+LACKING = "a film needs PyAV and Pillow: install mechanics-sandbox[film]"
+
+
+def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
+    """Make a film of a run, in its own time.
+
+    Parameters
+    ----------
+    run
+        What is filmed.
+    path
+        The file that is written, whole or not at all.
+    kind
+        What it is.
+
+    Yields
+    ------
+    float or str
+        How much of it is done, from 0 to 1, a few times a second; at last a sentence that says
+        where the film is, or why there is none.
+    """
+    os.environ["SDL_VIDEODRIVER"] = "dummy"  # it is made in a process without a window
+    os.environ["SDL_AUDIODRIVER"] = "dummy"
+    try:
+        import av  # noqa: F401 (to say at once that it is missing)
+        import PIL  # noqa: F401
+    except ImportError:
+        yield LACKING
+        return
+    try:
+        yield from _filmed(run, path, kind)
+    except (SandboxError, OSError) as error:
+        yield f"no film: {error}"
+        return
+    yield f"saved {path}"
+
+
+def _filmed(run: Run, path: Path, kind: Kind) -> Iterator[float]:
+    frames: list[bytes] = []
+    for done, frame in _frames(run, SIZE[kind]):
+        frames.append(frame)
+        if len(frames) % (FRAMES // 5) == 0:
+            yield 0.9 * done
+    encoded = _gif(frames) if kind == "gif" else _mp4(frames)
+    write_atomically(path, encoded)
+
+
+def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
+    """Yield how much of a run is done, and the picture there: rows of red, green and blue bytes."""
+    import pygame
+
+    from sandbox.app.runfile import session_of
+    from sandbox.app.stage.stage import Stage
+    from sandbox.app.text import Pen
+
+    pygame.font.init()
+    session = session_of(run)
+    stage, picture = Stage(Pen(), size), pygame.Surface(size)
+    stage.use(session.world)
+    stage.fit()
+    dt = session.world.dt
+    last = min(run.steps, ceil(LONGEST / dt))
+    for count in range(ceil(last * dt * FRAMES) + 1):
+        due = min(round(count / FRAMES / dt), last)
+        while session.world.steps < due and session.failure is None:
+            session.step()
+            stage.watch()
+        stage.draw(picture, session.trail, session.milestones())
+        yield (due / last if last else 1.0), pygame.image.tobytes(picture, "RGB")
+
+
+def _gif(frames: list[bytes]) -> bytes:
+    from PIL import Image
+
+    images = [Image.frombytes("RGB", SIZE["gif"], frame) for frame in frames]
+    palette = images[len(images) // 2].quantize(128)
+    first, *others = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
+    told = BytesIO()
+    first.save(told, "GIF", save_all=True, append_images=others, duration=1000 // FRAMES, loop=0)
+    return told.getvalue()
+
+
+def _mp4(frames: list[bytes]) -> bytes:
+    import av
+    import numpy as np
+
+    width, height = SIZE["mp4"]
+    told = BytesIO()
+    with av.open(told, "w", format="mp4") as container:
+        stream = container.add_stream("libx264", rate=Fraction(FRAMES))
+        stream.width, stream.height, stream.pix_fmt = width, height, "yuv420p"
+        for frame in frames:
+            pixels = np.frombuffer(frame, np.uint8).reshape(height, width, 3)
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(pixels, format="rgb24")))
+        container.mux(stream.encode())
+    return told.getvalue()

@@ -1,0 +1,130 @@
+"""How a challenge stands: its task, its stars, its goals, and the hints that were asked for."""
+
+from collections.abc import Sequence
+from math import cos, pi, sin
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.challenge import Challenge
+from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
+
+NONE = "This level sets no challenge. Those of the chapter Challenges do."
+TOUCHED = "A hand has touched this run, or effects are changed: it earns no stars."
+_COLORS: dict[Standing, Color] = {
+    "met": theme.PASSED,
+    "missed": theme.FAILED,
+    "open": theme.WAITING,
+}
+_STAR = 11  # px, its radius
+
+
+def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw the task of a session's level, and how it stands."""
+    asked = session.level.challenge
+    if asked is None:
+        return task(pen, width, session)
+    card = Card(pen, width)
+    for part in (task(pen, width, session), standing(pen, width, session, best=0)):
+        card.put(part, 0)
+        card.y += part.height + GAP
+    return card.drawn()
+
+
+def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw what is asked for."""
+    asked = session.level.challenge
+    card = Card(pen, width)
+    card.text(session.original.title, 20, bold=True)
+    card.y += 4
+    card.text(asked.task if asked else NONE, 15 if asked else 14)
+    return card.drawn()
+
+
+def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surface:
+    """Draw the stars and the goals of a session's challenge.
+
+    Parameters
+    ----------
+    pen, width, session
+        What it is drawn with, how wide [px], and whose challenge.
+    best
+        The most stars that were earned before.
+    """
+    card = Card(pen, width)
+    asked, found = session.level.challenge, session.attempt()
+    if asked is None:
+        return card.drawn()
+    card.heading("Goals")
+    if found is None:
+        card.text(TOUCHED, 14, theme.NOTICE)
+        card.text("Restart (R) to try again.", 13, theme.DIM)
+        return card.drawn()
+    _stars(card, found, best)
+    for index, outcome in enumerate(found.outcomes):
+        _goal(card, outcome, _rank(index, asked))
+    if found.altered:
+        names = ", ".join(found.altered)
+        card.text(f"No star counts: {names} is locked in this challenge.", 13, theme.NOTICE)
+    return card.drawn()
+
+
+def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
+    """Draw the hints that were asked for."""
+    card = Card(pen, width)
+    if shown:
+        card.heading("Hints")
+    for index, hint in enumerate(shown):
+        card.put(pen.write(f"{index + 1}.", 14, theme.DIM), 0)
+        card.text(hint, 14, indent=INDENT)
+        card.y += GAP
+    return card.drawn()
+
+
+def _rank(index: int, asked: Challenge) -> str:
+    """Name the star that a goal is for."""
+    extra = index - len(asked.goals)
+    return ("second star", "third star")[extra] if extra >= 0 else "first star"
+
+
+def _stars(card: Card, found: Attempt, best: int) -> None:
+    """Draw the stars of this run, and say how many were earned before."""
+    for index in range(found.most):
+        card.put(_star(earned=index < found.stars), index * (2 * _STAR + 6), 2)
+    text = f"best so far: {best} of {found.most}" if best else ""
+    card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * _STAR + 6) + 8, 5)
+    card.y += 2 * _STAR + 10
+
+
+def _star(*, earned: bool) -> pygame.Surface:
+    """Draw a star, filled if it is earned."""
+    sign = pygame.Surface((2 * _STAR + 2, 2 * _STAR + 2), pygame.SRCALPHA)
+    corners = []
+    for i in range(10):
+        radius, angle = _STAR if i % 2 == 0 else 0.45 * _STAR, pi / 2 + i * pi / 5
+        corners.append((_STAR + 1 + radius * cos(angle), _STAR + 1 - radius * sin(angle)))
+    if earned:
+        pygame.draw.polygon(sign, theme.NOTICE, corners)
+    pygame.draw.aalines(sign, theme.NOTICE if earned else theme.WAITING, True, corners)
+    return sign
+
+
+def _goal(card: Card, outcome: Outcome, rank: str) -> None:
+    color = _COLORS[outcome.standing]
+    card.y += GAP
+    card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
+    card.text(outcome.goal.label, 14, bold=True, indent=INDENT)
+    value = outcome.measured
+    now = "–" if value is None else wording.quantity(value, outcome.unit, 4)
+    card.columns(
+        ((now, theme.TEXT), (wording.bounds(outcome), theme.DIM), (outcome.standing, color)), 13
+    )
+    card.text(rank, 12, theme.DIM, indent=INDENT)
+
+
+_SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
+"""A standing must not be told by its colour alone."""

@@ -1,0 +1,74 @@
+"""The page of a level's challenge: its free parameters, its goals, its hints."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app.pages.challenge.card import hints, standing, task
+from sandbox.app.pages.challenge.judge import Judge
+from sandbox.app.pages.page import Desk
+from sandbox.app.widgets.parameters import Parameters
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+
+
+class ChallengePage:
+    """What is asked for, what may be changed for it, and how it stands."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._judge = desk.worker(Judge)
+        y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), MARGIN // 2)) + 12
+        asked, level = desk.session.level.challenge, desk.session.level
+        free = {name: level.parameters[name] for name in (asked.free if asked else ())}
+        area = pygame.Rect(MARGIN, y, sheet.width, 0)
+        sheet.parameters = Parameters(
+            sheet.manager, sheet.pen, sheet.container, area, free, desk.session.values
+        )
+        self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
+        self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
+        self._button = sheet.button(pygame.Rect(0, 0, 130, 28), "", "one hint more")
+        self.update()
+
+    @property
+    def button(self) -> UIButton:
+        """The button that asks for a hint."""
+        return self._button
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Show a hint if one was asked for."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self._button:
+            return None
+        self._judge.hint(self._session)
+        return ""
+
+    def update(self) -> None:
+        """Show how the challenge stands."""
+        sheet = self._sheet
+        sheet.parameters.show(self._session.values)
+        sheet.replace(self._standing, self._draw_standing())
+        sheet.replace(self._hints, self._draw_hints())
+        self._hints.set_relative_position((MARGIN, below(self._standing) + 8))
+        left = len(self._all_hints) - len(self._shown_hints)
+        self._button.set_relative_position((MARGIN, below(self._hints) + 8))
+        if left:
+            self._button.set_text("A hint" if not self._shown_hints else "Another hint")
+            self._button.show()  # type: ignore[no-untyped-call]
+        else:
+            self._button.hide()  # type: ignore[no-untyped-call]
+        sheet.end(below(self._hints) + (44 if left else 2))
+
+    @property
+    def _all_hints(self) -> tuple[str, ...]:
+        asked = self._session.level.challenge
+        return asked.hints if asked else ()
+
+    @property
+    def _shown_hints(self) -> tuple[str, ...]:
+        return self._all_hints[: self._judge.hints.get(self._session.original.title, 0)]
+
+    def _draw_standing(self) -> pygame.Surface:
+        best = self._judge.stars(self._session)
+        return standing(self._sheet.pen, self._sheet.width, self._session, best)
+
+    def _draw_hints(self) -> pygame.Surface:
+        return hints(self._sheet.pen, self._sheet.width, self._shown_hints)

@@ -1,0 +1,189 @@
+"""What a page of the side panel says of itself; everything else about it is derived from that."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Protocol, TypeVar
+
+import pygame
+
+from sandbox.app.keys import Binding
+from sandbox.app.load import Load
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet, below
+from sandbox.model.level import Level
+
+Row = tuple[Color | None, str]
+"""A colour, None for the run that is played, and what is drawn in it."""
+
+
+class Worker(Protocol):
+    """What a page finds out in the background; there is one a window, whatever is shown.
+
+    Attributes
+    ----------
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    news: object
+
+    @property
+    def running(self) -> bool:
+        """Whether something is being worked on."""
+        ...
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
+        """Let some time pass [s], every frame; return what is to be told, None if nothing is.
+
+        `watched` says whether its page is the one that is chosen.
+        """
+        ...
+
+    def cancel(self) -> None:
+        """End the work."""
+        ...
+
+
+W = TypeVar("W", bound=Worker)
+
+
+class Desk(NamedTuple):
+    """What a page works with."""
+
+    session: Session
+    workers: Sequence[Worker]
+    load: Load
+
+    def worker(self, kind: type[W]) -> W:
+        """Return the worker of a kind."""
+        return worker(self.workers, kind)
+
+
+def worker(workers: Sequence[Worker], kind: type[W]) -> W:
+    """Return the worker of a kind.
+
+    Raises
+    ------
+    LookupError
+        If no page declares it.
+    """
+    for each in workers:
+        if isinstance(each, kind):
+            return each
+    raise LookupError(f"no page declares {kind.__name__} as its worker")
+
+
+class PageCommand(NamedTuple):
+    """A command that a page understands, from anywhere in the window."""
+
+    name: str
+    character: str
+    """the key that calls for it; a capital letter is that letter with Shift"""
+    text: str
+    """what the help says"""
+    act: Callable[[Desk], str | None]
+    """does it, and returns what is to be told; a `SandboxError` is told, too"""
+
+    @property
+    def binding(self) -> Binding:
+        """Its key."""
+        letter = self.character
+        shown = f"Shift {letter}" if letter.isupper() else letter.upper()
+        return Binding(self.name, shown, self.text, (), letter)
+
+
+@dataclass(frozen=True, slots=True)
+class Page:
+    """The declaration of a page. It stands in its folder's `__init__.py`.
+
+    Raises
+    ------
+    ValueError
+        If a part is missing.
+    """
+
+    name: str
+    """the name of its folder"""
+    caption: str
+    """of its tab"""
+    key: str
+    """the letter that opens it"""
+    text: str
+    """what the help and its tab's tool tip say"""
+    card: Callable[[Pen, int, Session], pygame.Surface] | None = None
+    """draws what it tells, so wide [px]; a page without a panel shows this and nothing else"""
+    panel: Callable[[Sheet, Desk], Panel] | None = None
+    """makes what can be clicked on"""
+    worker: Callable[[], Worker] | None = None
+    """makes what it finds out in the background"""
+    commands: tuple[PageCommand, ...] = ()
+    suits: Callable[[Level], bool] | None = None
+    """which levels it is made for: with those it is opened, and with others the first page is"""
+    beside: Callable[[Session], Sequence[Row]] | None = None
+    """what runs over each other on the stage for its sake, the run that is played first; empty
+    where nothing does. A still picture shows the page's card then, in place of the checks."""
+
+    def __post_init__(self) -> None:
+        for part in ("name", "caption", "key", "text"):
+            if not getattr(self, part):
+                raise ValueError(self._lacks(f"a {part}"))
+        if self.card is None and self.panel is None:
+            raise ValueError(self._lacks("a card or a panel: it would show nothing"))
+        if self.card is None and self.beside is not None:
+            raise ValueError(self._lacks("a card, which a picture shows of what runs beside"))
+
+    def _lacks(self, part: str) -> str:
+        return (
+            f"page '{self.name}' lacks {part}; say it in sandbox/app/pages/{self.name}/__init__.py"
+        )
+
+    @property
+    def command(self) -> str:
+        """The command that opens it."""
+        return f"{self.name} page"
+
+    @property
+    def bindings(self) -> tuple[Binding, ...]:
+        """Its keys: one opens it, the others call for what it understands."""
+        taken = {command.character for command in self.commands}
+        opening = "".join(c for c in (self.key, self.key.upper()) if c not in taken)
+        return (
+            Binding(self.command, self.key.upper(), self.text, (), opening),
+            *(command.binding for command in self.commands),
+        )
+
+    def open(self, sheet: Sheet, desk: Desk) -> Panel:
+        """Put what it shows on a sheet."""
+        if self.panel is not None:
+            return self.panel(sheet, desk)
+        assert self.card is not None
+        return CardPanel(sheet, desk.session, self.card)
+
+    def runs(self, session: Session) -> Sequence[Row]:
+        """Return what runs over each other on the stage for its sake."""
+        return self.beside(session) if self.beside is not None else ()
+
+
+class CardPanel:
+    """A page that is a card, and nothing to click on."""
+
+    def __init__(
+        self, sheet: Sheet, session: Session, card: Callable[[Pen, int, Session], pygame.Surface]
+    ) -> None:
+        self._sheet, self._session, self._card = sheet, session, card
+        self._image = sheet.image(self._drawn(), MARGIN // 2)
+        self.update()
+
+    def process(self, _event: pygame.event.Event) -> str | None:
+        """Return nothing: there is nothing to click on."""
+        return None
+
+    def update(self) -> None:
+        """Draw the card anew."""
+        self._sheet.replace(self._image, self._drawn())
+        self._sheet.end(below(self._image) + 2)
+
+    def _drawn(self) -> pygame.Surface:
+        return self._card(self._sheet.pen, self._sheet.width, self._session)

@@ -1,0 +1,41 @@
+"""The pages of the side panel: one list, from which tabs, keys, help and commands are derived."""
+
+from collections.abc import Sequence
+
+from sandbox.app.pages import accuracy, challenge, effects, level, race, share
+from sandbox.app.pages.page import Page, Row
+from sandbox.app.session import Session
+from sandbox.model.level import Level
+
+PAGES: tuple[Page, ...] = (
+    level.PAGE,
+    challenge.PAGE,
+    effects.PAGE,
+    race.PAGE,
+    accuracy.PAGE,
+    share.PAGE,
+)
+"""In the order of their tabs; the first is shown first."""
+
+
+def page(command: str) -> Page:
+    """Return the page that a command opens."""
+    return next(page for page in PAGES if page.command == command)
+
+
+def opening(level: Level, shown: str) -> str:
+    """Return the command of the page with which a level opens, while another one may be shown.
+
+    A page that is made for such levels comes first, and goes again with them; else the shown one
+    stays.
+    """
+    made = next((page for page in PAGES if page.suits is not None and page.suits(level)), None)
+    if made is not None:
+        return made.command
+    return PAGES[0].command if page(shown).suits is not None else shown
+
+
+def runs_beside(session: Session) -> tuple[Page | None, Sequence[Row]]:
+    """Return which page lets other runs go over the one that is played, and their rows."""
+    found = ((page, rows) for page in PAGES if (rows := page.runs(session)))
+    return next(found, (None, ()))

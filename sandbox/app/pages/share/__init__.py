@@ -1,0 +1,14 @@
+"""The page that takes something away."""
+
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.share.filming import Filming
+from sandbox.app.pages.share.panel import SharePage
+
+PAGE = Page(
+    name="share",
+    caption="Share",
+    key="w",
+    text="take away: picture, film, table, run, level",
+    panel=SharePage,
+    worker=Filming,
+)

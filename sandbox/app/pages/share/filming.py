@@ -1,0 +1,58 @@
+"""Films are made in another process, while the window goes on."""
+
+from sandbox.app.background import Background
+from sandbox.app.film import Kind, film
+from sandbox.app.pages.share.saving import path_for
+from sandbox.app.runfile import run_of
+from sandbox.app.session import Session
+
+
+class Filming:
+    """Makes one film at a time.
+
+    Attributes
+    ----------
+    news
+        Another object whenever something else is to be shown.
+    done
+        How much of the film is made, from 0 to 1.
+    """
+
+    def __init__(self) -> None:
+        self.news = object()
+        self.done = 0.0
+        self._work = Background()
+
+    @property
+    def running(self) -> bool:
+        """Whether a film is being made."""
+        return self._work.running
+
+    def begin(self, session: Session, kind: Kind) -> str:
+        """Begin a film of the run so far, and return what is told of that.
+
+        Raises
+        ------
+        SandboxError
+            If there is no folder for it.
+        """
+        path = path_for(session, f".{kind}")
+        self.done, self.news = 0.0, object()
+        self._work.start(film, run_of(session), path, kind)
+        return f"filming {session.t:.3g} s of the run ..."
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
+        """Take in how far the film is; return where it is once it is made."""
+        told = None
+        for found in self._work.found():
+            self.news = object()
+            if isinstance(found, str):
+                told = found
+            else:
+                self.done = found
+        return told
+
+    def cancel(self) -> None:
+        """End the work; there is no film then."""
+        self._work.cancel()
+        self.news = object()

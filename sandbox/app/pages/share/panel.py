@@ -1,0 +1,95 @@
+"""The page that takes something away: pictures, films, tables, runs, levels."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app import theme
+from sandbox.app.cards.card import Card
+from sandbox.app.pages.page import Desk
+from sandbox.app.pages.share import saving
+from sandbox.app.pages.share.filming import Filming
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.errors import SandboxError
+
+BUTTON = 104, 28  # px
+ROW = 52  # px
+
+KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
+    ("Picture", "the window as a PNG", saving.screenshot),
+    ("Table", "what the checks measure, step by step, as a CSV", saving.table),
+    ("Run", "to be replayed, to the last bit: sandbox replay", saving.run),
+    ("Level", "a copy with the present values of its parameters", saving.level),
+)
+
+
+class SharePage:
+    """A button for each thing that can be saved."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._filming = desk.worker(Filming)
+        y = below(sheet.image(_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
+        self._actions: dict[UIButton, Callable[[], str]] = {}
+        for caption, text, save in KINDS:
+            self._row(y, caption, text, partial(self._save, save))
+            y += ROW
+        self._row(y, "GIF", "the run so far, small, for a page or a message", self._film_gif)
+        self._row(y + ROW, "MP4", "the run so far, 1280 x 720", self._film_mp4)
+        self._state = sheet.image(self._drawn(), y + 2 * ROW)
+        sheet.end(below(self._state) + 8)
+
+    def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> None:
+        """Put a button, and beside it what it saves."""
+        sheet = self._sheet
+        button = sheet.button(pygame.Rect((0, y), BUTTON), caption, f"save {text}")
+        self._actions[button] = act
+        card = Card(sheet.pen, sheet.width - BUTTON[0] - 12)
+        card.text(text, 13, theme.DIM)
+        place = pygame.Rect(MARGIN + BUTTON[0] + 12, y + 4, 0, 0)
+        sheet.image(card.drawn(), y + 4).set_relative_position(place.topleft)
+
+    def button(self, caption: str) -> UIButton:
+        """Return the button with a caption."""
+        return next(button for button in self._actions if button.text == caption)
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Save what was asked for, and return where it is, or why it cannot be."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._actions:
+            return None
+        try:
+            return self._actions[event.ui_element]()
+        except SandboxError as error:
+            return str(error)
+
+    def update(self) -> None:
+        """Show how far a film is."""
+        self._sheet.replace(self._state, self._drawn())
+
+    def _save(self, save: Callable[[Session], Path]) -> str:
+        return f"saved {save(self._session)}"
+
+    def _film_gif(self) -> str:
+        return self._filming.begin(self._session, "gif")
+
+    def _film_mp4(self) -> str:
+        return self._filming.begin(self._session, "mp4")
+
+    def _drawn(self) -> pygame.Surface:
+        card = Card(self._sheet.pen, self._sheet.width)
+        if self._filming.running:
+            card.text(f"Filming: {self._filming.done:.0%}", 14, theme.NOTICE)
+        return card.drawn()
+
+
+def _intro(pen: Pen, width: int) -> pygame.Surface:
+    card = Card(pen, width)
+    card.heading("Take away")
+    card.text(f"Files go to {saving.folder()}", 13, theme.DIM)
+    return card.drawn()

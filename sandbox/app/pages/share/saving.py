@@ -1,0 +1,76 @@
+"""What of a run can be taken away, as files in a folder of the person's own."""
+
+import re
+from datetime import datetime
+from io import BytesIO
+from pathlib import Path
+
+import platformdirs
+import pygame
+
+from sandbox.app import runfile
+from sandbox.app.session import Session
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.writing import text
+from sandbox.physics.measuring.csv_export import write_csv
+
+
+def folder() -> Path:
+    """Return where the files go; it need not be there."""
+    return platformdirs.user_documents_path() / "Mechanics sandbox"
+
+
+def path_for(session: Session, suffix: str) -> Path:
+    """Return a name for a file that nobody has yet: the level's title and the time.
+
+    Raises
+    ------
+    SandboxError
+        If the folder cannot be made or written to.
+    """
+    make_folder(folder())
+    title = re.sub(r"[^a-z0-9]+", "-", session.original.title.casefold()).strip("-") or "level"
+    now = datetime.now().strftime("%Y-%m-%d %H.%M.%S")
+    found = folder() / f"{title} {now}{suffix}"
+    count = 2
+    while found.exists():
+        found = folder() / f"{title} {now} ({count}){suffix}"
+        count += 1
+    return found
+
+
+def screenshot(session: Session) -> Path:
+    """Save what the window shows as a PNG picture."""
+    path, png = path_for(session, ".png"), BytesIO()
+    shown = pygame.display.get_surface()
+    if shown is None:
+        raise SandboxError("there is no window of which a picture could be taken")
+    pygame.image.save(shown, png, "x.png")
+    write_atomically(path, png.getvalue())
+    return path
+
+
+def run(session: Session) -> Path:
+    """Save the run so far, to be replayed."""
+    path = path_for(session, ".run.json")
+    runfile.save(runfile.run_of(session), path)
+    return path
+
+
+def table(session: Session) -> Path:
+    """Save what the checks measure, step by step, as a CSV file."""
+    path = path_for(session, ".csv")
+    write_csv(path, session.trace, session.original.title, disturbed=session.world.disturbed)
+    return path
+
+
+def level(session: Session) -> Path:
+    """Save a copy of the level whose parameters have their present values."""
+    document = session.original.model_dump(mode="json", by_alias=True, exclude_defaults=True)
+    document.pop("$schema", None)
+    for name, value in session.values.items():
+        document["parameters"][name]["value"] = value
+    path = path_for(session, ".json")
+    write_atomically(path, text(document))
+    return path

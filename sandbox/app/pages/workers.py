@@ -1,0 +1,47 @@
+"""What the pages find out in the background: one worker for each that declares one."""
+
+from collections.abc import Sequence
+
+from sandbox.app.pages.page import Page, W, Worker, worker
+from sandbox.app.session import Session
+
+
+class Workers:
+    """The workers of a window; they live as long as it does.
+
+    Attributes
+    ----------
+    all
+        One for each page that declares one.
+    """
+
+    def __init__(self, pages: Sequence[Page]) -> None:
+        self._by_page = {page.command: page.worker() for page in pages if page.worker is not None}
+        self.all: tuple[Worker, ...] = tuple(self._by_page.values())
+
+    def of(self, kind: type[W]) -> W:
+        """Return the worker of a kind; `LookupError` if no page declares it."""
+        return worker(self.all, kind)
+
+    @property
+    def running(self) -> bool:
+        """Whether one of them has something to do."""
+        return any(each.running for each in self.all)
+
+    @property
+    def news(self) -> tuple[object, ...]:
+        """Other objects whenever something else is to be shown."""
+        return tuple(each.news for each in self.all)
+
+    def follow(self, session: Session, seconds: float, page: str) -> list[str]:
+        """Let some time pass [s] while a page is chosen; return what is to be told."""
+        told = (
+            each.follow(session, seconds, watched=command == page)
+            for command, each in self._by_page.items()
+        )
+        return [text for text in told if text is not None]
+
+    def cancel(self) -> None:
+        """End all their work."""
+        for each in self.all:
+            each.cancel()

@@ -1,0 +1,54 @@
+"""Which challenges were solved, kept in the user's data folder from one day to the next."""
+
+from pathlib import Path
+from typing import Annotated
+
+import platformdirs
+from pydantic import Field, TypeAdapter, ValidationError
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import read_ordinary, write_atomically
+
+_STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
+
+LARGEST = 1_000_000
+"""Bytes of the file: what is larger was not written here."""
+
+
+def file() -> Path:
+    """Return where the stars are kept; it need not be there."""
+    return platformdirs.user_data_path("mechanics-sandbox") / "stars.json"
+
+
+class Progress:
+    """How many stars each challenge has earned so far, by the title of its level.
+
+    A file that is missing, or that something else has written, counts as none.
+    """
+
+    def __init__(self) -> None:
+        self._stars = _read()
+
+    def stars(self, title: str) -> int:
+        """Return the most stars that a level's challenge has earned."""
+        return self._stars.get(title, 0)
+
+    def earn(self, title: str, stars: int) -> str:
+        """Note stars, if they are more than before; return why they cannot be kept, if so."""
+        if stars <= self.stars(title):
+            return ""
+        self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
+        path = file()
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_atomically(path, _STARS.dump_json(self._stars, indent=1), follow=False)
+        except (OSError, SandboxError) as error:
+            return f"the stars are not kept for the next time: {error}"
+        return ""
+
+
+def _read() -> dict[str, int]:
+    try:
+        return _STARS.validate_json(read_ordinary(file(), LARGEST) or b"{}")
+    except (OSError, ValidationError):
+        return {}

@@ -1,0 +1,1 @@
+"""What explains a motion, drawn over the scene: a module an overlay."""

@@ -1,0 +1,40 @@
+"""Arrows: the velocities of what moves, and the given forces."""
+
+import pygame
+
+from sandbox.app.stage import marks
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+
+AT_REST = 1e-6
+"""A body that goes less far than this part of what is seen is at rest, but for rounding."""
+
+
+def seconds(view: View) -> float | None:
+    """Return how far ahead the arrows of velocities show [s]; None if all is at rest."""
+    if not view.few or not view.moving or view.fastest * view.duration < AT_REST * view.width:
+        return None
+    return marks.LONGEST * view.width / view.fastest
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    if not view.few or not view.moving:
+        return
+    view.forces.draw(surface, view.camera, view.pen, view.world, view.labels)
+    ahead = seconds(view)
+    if ahead is None:
+        return
+    for outline in view.moving:
+        vx, vy = view.world.snapshot.velocity[outline.row].tolist()
+        marks.draw_arrow(surface, view.camera, view.state(outline)[0], (vx, vy), ahead)
+    corner = view.camera.size[0] - 16.0, view.camera.size[1] - 66.0
+    marks.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
+
+
+OVERLAY = Overlay(
+    name="arrows",
+    key="v",
+    text="arrows of velocities and given forces",
+    draw=_draw,
+    caption="Arrows",
+)

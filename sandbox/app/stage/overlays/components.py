@@ -1,0 +1,27 @@
+"""The components of the velocities, where those are drawn."""
+
+import pygame
+
+from sandbox.app.stage import marks
+from sandbox.app.stage.overlays import arrows
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    ahead = arrows.seconds(view) if view.shown[arrows.OVERLAY.name] else None
+    if ahead is None:
+        return
+    for outline in view.moving:
+        vx, vy = view.world.snapshot.velocity[outline.row].tolist()
+        position = view.state(outline)[0]
+        marks.draw_components(surface, view.camera, view.pen, position, (vx, vy), ahead)
+
+
+OVERLAY = Overlay(
+    name="components",
+    key="c",
+    text="components of the velocities",
+    draw=_draw,
+    on=lambda level: level.view.components,
+)

@@ -1,0 +1,37 @@
+"""Ghosts: where the closed form says that bodies are. None once a hand was there."""
+
+import pygame
+
+from sandbox.app.stage import marks
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    world, t = view.world, float(view.world.snapshot.t)
+    if world.disturbed or t > view.duration * (1 + 1e-9):
+        return
+    for name, formulas in world.level.ghosts.items():
+        where = marks.place(formulas, world.values, t)
+        if where is not None:
+            outline = view.outlines[name]
+            angle = view.state(outline)[1]
+            marks.draw_ghost(surface, view.camera, outline, where, angle)
+
+
+def _draw_paths(surface: pygame.Surface, view: View) -> None:
+    world = view.world
+    if world.disturbed:
+        return
+    for formulas in world.level.ghosts.values():
+        marks.draw_ghost_path(surface, view.camera, formulas, world.values, view.duration)
+
+
+OVERLAY = Overlay(
+    name="ghosts",
+    key="g",
+    text="ghost of the closed form",
+    draw=_draw,
+    draw_below=_draw_paths,
+    caption="Ghost",
+)

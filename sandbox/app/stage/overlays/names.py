@@ -1,0 +1,16 @@
+"""The names of the bodies that move."""
+
+import pygame
+
+from sandbox.app.stage import marks
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    if view.few:
+        named = [(outline, *view.state(outline)) for outline in view.moving]
+        marks.draw_names(surface, view.camera, view.pen, named, view.labels)
+
+
+OVERLAY = Overlay(name="names", key="n", text="names", draw=_draw, caption="Names")

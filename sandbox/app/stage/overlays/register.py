@@ -1,0 +1,18 @@
+"""The overlays of the stage: one list, from which keys, help, buttons and drawing are derived."""
+
+from sandbox.app.stage.overlays import arrows, components, ghosts, names, trail
+from sandbox.app.stage.overlays.overlay import Overlay
+
+OVERLAYS: tuple[Overlay, ...] = (
+    trail.OVERLAY,
+    ghosts.OVERLAY,
+    components.OVERLAY,
+    arrows.OVERLAY,
+    names.OVERLAY,
+)
+"""In the order in which they are drawn over each other."""
+
+
+def at_first() -> dict[str, bool]:
+    """Return which overlays are drawn before anybody has switched one."""
+    return {overlay.name: overlay.on is None for overlay in OVERLAYS}

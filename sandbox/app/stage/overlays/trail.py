@@ -1,0 +1,5 @@
+"""The trail: where the bodies have been."""
+
+from sandbox.app.stage.overlays.overlay import Overlay
+
+OVERLAY = Overlay(name="trail", key="t", text="trail", draw_trail=True, caption="Trail")

@@ -1,0 +1,81 @@
+"""A world as it is looked at: what the stage and its overlays draw from."""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pygame
+
+from sandbox.app.camera import Camera
+from sandbox.app.stage import marks
+from sandbox.app.stage.forces import Forces
+from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.outline import Outline, outlines
+from sandbox.app.text import Pen
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    from sandbox.app.trail import Trail
+
+NAMED = 12
+"""Up to so many moving bodies carry their name, an arrow and a trail."""
+
+
+class View:
+    """A world with its camera and its outlines.
+
+    Attributes
+    ----------
+    world, camera, pen
+        What is looked at, from where, and what writes on it.
+    outlines, moving
+        The outlines of all bodies by name, and those of the bodies that move.
+    few
+        Whether so few bodies move that each can be explained.
+    duration
+        When the run is complete [s].
+    forces
+        The level's given forces as arrows.
+    shown
+        Which overlays are drawn, by name.
+    trail
+        Where the bodies have been; None if nobody keeps it.
+    labels
+        Where there is room for words in the present frame.
+    """
+
+    def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
+        self.world, self.camera, self.pen, self.shown = world, camera, pen, shown
+        self.outlines = outlines(world.level, world.values)
+        self.moving: Sequence[Outline] = [o for o in self.outlines.values() if o.moves]
+        self.few = len(self.moving) <= NAMED
+        self.duration = count_steps(world) * world.dt
+        self.forces = Forces(world.level)
+        self.trail: Trail | None = None
+        self.labels = Labels(pygame.Rect((0, 0), camera.size))
+        self._fastest = marks.fastest(world, self.duration)
+
+    def state(self, outline: Outline) -> tuple[XY, float]:
+        """Return where a body is [m], and its angle [rad]."""
+        snapshot = self.world.snapshot
+        x, y = snapshot.position[outline.row].tolist()
+        return (x, y), float(snapshot.angle[outline.row])
+
+    @property
+    def width(self) -> float:
+        """How much of the plane is seen [m]."""
+        return self.camera.size[0] / self.camera.scale
+
+    @property
+    def fastest(self) -> float:
+        """The highest speed of the run so far [m/s]: arrows keep to one scale over a run."""
+        self.watch()
+        return self._fastest
+
+    def watch(self) -> None:
+        """Note how fast the world is now."""
+        velocity = self.world.snapshot.velocity
+        speed = float(np.hypot(velocity[:, 0], velocity[:, 1]).max(initial=0.0))
+        self._fastest = max(self._fastest, speed)

@@ -1,0 +1,24 @@
+"""The command `check`."""
+
+from typing import Annotated
+
+import typer
+
+
+def command(
+    levels: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
+        ),
+    ],
+) -> None:
+    """Check whether levels are well formed.
+
+    Every mistake is shown with its file, line and column, the path inside the level, the rule that
+    it breaks, and where possible what was probably meant; springs and drags that are too strong
+    for the level's rate among them. Nothing is run.
+    """
+    from sandbox.cli.check import check
+
+    raise typer.Exit(check(levels))

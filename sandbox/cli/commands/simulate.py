@@ -1,0 +1,61 @@
+"""The command `simulate`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from sandbox.cli.commands.options import (
+    AccuracyOption,
+    DurationOption,
+    IterationsOption,
+    LevelArgument,
+    RateOption,
+    RecordOption,
+    SchemeOption,
+    SetOption,
+    WithOption,
+    WithoutOption,
+)
+
+
+def command(
+    level: LevelArgument,
+    output: Annotated[
+        Path,
+        typer.Option(metavar="FILE.csv", help="The table that is written.", show_default=False),
+    ],
+    set_: SetOption = None,
+    duration: DurationOption = None,
+    rate: RateOption = None,
+    scheme: SchemeOption = None,
+    iterations: IterationsOption = None,
+    accuracy: AccuracyOption = None,
+    record: RecordOption = None,
+    without: WithoutOption = None,
+    with_: WithOption = None,
+) -> None:
+    """Run a level and write it as a CSV file.
+
+    No window is opened. The comments at the top of the file say all that is needed to run it
+    again. What the level's checks found is printed, and the exit status is 1 if one failed.
+
+    With --without or --with the changed run is written, and what is printed is how it differs from
+    the level as it is, in the quantities of its checks and in time.
+    """
+    from sandbox.cli.accuracy import Choice
+    from sandbox.cli.simulate import simulate
+
+    raise typer.Exit(
+        simulate(
+            level,
+            output,
+            set_ or [],
+            duration,
+            Choice(rate, scheme, iterations),
+            record or [],
+            without or [],
+            with_ or [],
+            accuracy,
+        )
+    )

@@ -1,0 +1,25 @@
+"""`replay`: a run that was saved, taken again."""
+
+from pathlib import Path
+
+import typer
+
+from sandbox.app import runfile
+from sandbox.cli import usage
+from sandbox.physics.measuring.grading import grade
+
+
+def replay(path: Path) -> int:
+    """Take a run again, say whether it is the same to the last bit, and return the exit status."""
+    if not path.is_file():
+        raise usage.UsageError(f"{path}: there is no such file")
+    run = runfile.read(path)
+    session = runfile.replay(run)
+    same = runfile.is_same(run, session)
+    verdict = "the same to the last bit" if same else "it comes to another state than it did then"
+    did = f", {len(run.actions)} acts of a hand" if run.actions else ""
+    typer.echo(f"{session.level.title}: {run.steps} steps to t = {session.t:.6g} s{did}: {verdict}")
+    if not session.world.disturbed:
+        passed = [result.verdict for result in grade(session.trace)]
+        typer.echo(f"checks passed: {passed.count('passed')} of {len(passed)}")
+    return int(not same)

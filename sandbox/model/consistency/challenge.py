@@ -1,0 +1,51 @@
+"""What a challenge needs of the level that it stands in."""
+
+from collections.abc import Iterator
+
+from sandbox.model.errors import brief
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault
+from sandbox.model.suggest import suggestion
+
+
+def known_parameters(level: Level) -> Iterator[Fault]:
+    """Free parameters exist and stand once; a solution changes no others."""
+    if level.challenge is None:
+        return
+    free = level.challenge.free
+    for index, name in enumerate(free):
+        path = ("challenge", "free", index)
+        if name not in level.parameters:
+            hint = suggestion(name, level.parameters)
+            yield Fault(path, f"unknown parameter '{brief(name)}'{hint}")
+        elif name in free[:index]:
+            yield Fault(path, f"'{name}' is named twice")
+    for name in level.challenge.solution:
+        if name not in free:
+            rule = f"'{brief(name)}' is not one of the 'free' parameters{suggestion(name, free)}"
+            yield Fault(("challenge", "solution", name), rule)
+
+
+def solution_within_ranges(level: Level) -> Iterator[Fault]:
+    """Solutions can be chosen by a person: they lie within the ranges of the parameters."""
+    solution = level.challenge.solution if level.challenge else {}
+    for name, value in solution.items():
+        parameter = level.parameters.get(name)
+        if parameter and not parameter.min <= value <= parameter.max:
+            bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
+            yield Fault(("challenge", "solution", name), f"is {value:g}, but must lie {bounds}")
+
+
+def goals_can_be_met(level: Level) -> Iterator[Fault]:
+    """No goal has its bounds the wrong way round with the solution's values."""
+    if level.challenge is None:
+        return
+    values = {**level.defaults, **level.challenge.solution}
+    for kind in ("goals", "stars"):
+        for index, goal in enumerate(getattr(level.challenge, kind)):
+            if goal.above is None or goal.below is None:
+                continue
+            least, most = goal.above(values), goal.below(values)
+            if least > most:
+                rule = f"is {least:g}, above 'below', {most:g}: nothing lies between them"
+                yield Fault(("challenge", kind, index, "above"), rule)

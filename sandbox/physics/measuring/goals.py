@@ -1,0 +1,129 @@
+"""Holding a run against what its level asks of the person who plays it."""
+
+from dataclasses import dataclass
+from math import inf, nan
+from typing import Literal
+
+import numpy as np
+
+from sandbox.model.challenge import Goal
+from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.physics.measuring.grading import ROUNDING, samples
+from sandbox.physics.measuring.recording import Trace
+
+Standing = Literal["met", "missed", "open"]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a goal stands.
+
+    Attributes
+    ----------
+    goal
+        What was to be reached.
+    unit
+        Of the quantity.
+    t, measured
+        When it was furthest beyond its bounds, or closest to them [s], or when the event was, and
+        what it was then; None if that has not come.
+    least, most
+        The bounds with the run's parameters; infinite where there is none.
+    standing
+        `open` while the run can still decide it.
+    """
+
+    goal: Goal
+    unit: str
+    t: float | None
+    measured: float | None
+    least: float
+    most: float
+    standing: Standing
+
+
+@dataclass(frozen=True, slots=True)
+class Attempt:
+    """How a challenge stands after a run, or during one.
+
+    Attributes
+    ----------
+    outcomes
+        Of all goals: those for the first star, then one for each further star.
+    stars
+        How many are earned so far.
+    most
+        How many there are.
+    complete
+        Whether the run has lasted as long as its level says.
+    altered
+        The locked parameters that do not have the level's own values: then no star counts.
+    """
+
+    outcomes: tuple[Outcome, ...]
+    stars: int
+    most: int
+    complete: bool
+    altered: tuple[str, ...]
+
+    @property
+    def solved(self) -> bool:
+        """Whether a star is earned."""
+        return self.stars > 0
+
+
+def attempt(trace: Trace) -> Attempt | None:
+    """Judge a run by its level's challenge; None if it has none.
+
+    Stars count only once the run is complete: until then a goal that has to hold at every step is
+    open.
+
+    Parameters
+    ----------
+    trace
+        A run that recorded what `needed` names.
+    """
+    challenge = trace.level.challenge
+    if challenge is None:
+        return None
+    complete = bool(trace.t[-1] >= trace.level.duration(trace.values) * (1 - ROUNDING))
+    found = tuple(_outcome(goal, trace, complete=complete) for goal in challenge.all_goals)
+    first = len(challenge.goals)
+    solved = all(outcome.standing == "met" for outcome in found[:first])
+    further = sum(outcome.standing == "met" for outcome in found[first:])
+    altered = tuple(
+        name
+        for name, value in trace.level.defaults.items()
+        if name not in challenge.free and trace.values[name] != value
+    )
+    stars = 1 + further if solved and not altered else 0
+    return Attempt(found, stars, 1 + len(challenge.stars), complete, altered)
+
+
+def _outcome(goal: Goal, trace: Trace, *, complete: bool) -> Outcome:
+    unit = trace.units[goal.quantity]
+    least, most = bounds(goal, trace.values)
+    found = samples(trace, goal.quantity, goal.at)
+    if found is None:
+        standing: Standing = "missed" if complete else "open"
+        return Outcome(goal, unit, None, None, least, most, standing)
+    t, measured = found
+    slack = np.minimum(measured - least, most - measured)
+    worst = int(np.argmin(np.where(np.isnan(slack), -inf, slack)))
+    met = bool(slack[worst] >= 0)
+    decided = complete or goal.at is not None or not met
+    standing = ("met" if met else "missed") if decided else "open"
+    return Outcome(goal, unit, float(t[worst]), float(measured[worst]), least, most, standing)
+
+
+def bounds(goal: Goal, values: Values) -> tuple[float, float]:
+    """Return the least and the most that a goal allows; not a number where it has no value."""
+    return _bound(goal.above, values, -inf), _bound(goal.below, values, inf)
+
+
+def _bound(bound: Expression | None, values: Values, none: float) -> float:
+    """Return what a bound is; not a number if it has no value with these parameters."""
+    try:
+        return none if bound is None else bound(values)
+    except ExpressionError:
+        return nan

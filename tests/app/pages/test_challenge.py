@@ -1,0 +1,116 @@
+"""The page of a challenge, as somebody who plays meets it."""
+
+import pygame
+
+from sandbox.app.pages.challenge.card import NONE
+from sandbox.app.pages.challenge.panel import ChallengePage
+from sandbox.app.panels.levels import LevelList
+from sandbox.app.progress import Progress
+from tests.app.person import Person
+
+LEVEL = "challenges/stop-dead"
+
+
+def page(person: Person) -> ChallengePage:
+    side = person.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, ChallengePage)
+    return side.page
+
+
+def play_to_the_end(person: Person) -> None:
+    person.press(pygame.K_SPACE, " ")
+    while person.session.playing:
+        person.wait()
+    person.wait(0.2)
+
+
+def test_a_level_with_a_challenge_opens_on_its_page_and_others_do_not(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    assert person.window.panels.page == "challenge page"
+
+    person.window.open_level("newton/atwood")
+    assert person.window.panels.page == "level page"
+
+
+def test_a_page_that_was_chosen_stays_when_another_level_is_opened(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_x, "x")
+    person.window.open_level("kinematics/projectile")
+
+    assert person.window.panels.page == "effects page"
+
+
+def test_only_free_parameters_can_be_changed_here(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    person.wait()
+
+    side = person.window.panels.side
+    assert side is not None
+    assert side.parameters.row("m2")
+    assert set(side.parameters._rows) == {"m2", "v1"}
+
+
+def test_a_solved_challenge_earns_its_stars_and_its_title_a_mark(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    play_to_the_end(person)
+    assert Progress().stars("Stop dead") == 0
+
+    person.session.restart({"m2": 2, "v1": 3})
+    play_to_the_end(person)
+
+    attempt = person.session.attempt()
+    assert attempt is not None
+    assert attempt.stars == 3
+    assert Progress().stars("Stop dead") == 3
+    person.window.open_level("newton/atwood")
+    person.window.open_level(LEVEL)
+    listed = person.window.panels.list
+    assert isinstance(listed, LevelList)
+    assert any(button.text.endswith("•••") for button in listed._buttons)
+
+
+def test_fewer_stars_than_before_change_nothing(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    person.session.restart({"m2": 2, "v1": 3})
+    play_to_the_end(person)
+    person.session.restart({"v1": 2})
+    play_to_the_end(person)
+
+    attempt = person.session.attempt()
+    assert attempt is not None
+    assert attempt.stars == 2
+    assert Progress().stars("Stop dead") == 3
+
+
+def test_a_hand_earns_no_stars(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    person.session.restart({"m2": 2, "v1": 3})
+    person.session.grab("second", (0, 0))
+    person.session.drag((1, 0))
+    person.session.release()
+
+    assert person.session.attempt() is None
+    play_to_the_end(person)
+    assert Progress().stars("Stop dead") == 0
+
+
+def test_hints_come_one_after_the_other_and_then_no_more(person: Person) -> None:
+    person.window.open_level(LEVEL)
+    person.wait()
+    before = page(person)._hints.image.get_height()
+
+    person.click(page(person).button.rect)
+    first = page(person)._hints.image.get_height()
+    person.click(page(person).button.rect)
+
+    assert before < first < page(person)._hints.image.get_height()
+    assert not page(person).button.visible
+
+
+def test_a_level_without_a_challenge_says_where_there_are_some(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_k, "k")
+
+    assert page(person)._shown_hints == ()
+    assert "chapter Challenges" in NONE

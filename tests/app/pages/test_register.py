@@ -1,0 +1,179 @@
+"""Every page that is registered: its tab, its keys, its commands, and what it shows."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pygame
+import pytest
+
+import sandbox.app.pages
+from sandbox.app.pages import register
+from sandbox.app.pages.page import Desk, Page, Row
+from sandbox.app.pages.register import PAGES
+from sandbox.app.pages.workers import Workers
+from sandbox.app.panels import tabs
+from sandbox.app.panels.side import SidePanel
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import PANEL
+from sandbox.app.widgets.sheet import Panel, Sheet
+from tests.app import scenes
+from tests.app.person import Person
+
+SIZES = [(900, 600), (1280, 800)]
+LEVELS = ["kinematics/projectile", "energy/two-bodies", "newton/atwood", "momentum/billiard-break"]
+FOLDER = Path(sandbox.app.pages.__file__).parent
+
+
+def side_of(person: Person) -> SidePanel:
+    assert person.window.panels.side is not None
+    return person.window.panels.side
+
+
+def card(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw a card that tells how many bodies there are."""
+    return pen.write(f"{len(session.level.bodies)} bodies in {width} px")
+
+
+def fake(name: str, key: str = "q", caption: str = "", **parts: object) -> Page:
+    return Page(name, caption or name.capitalize(), key, f"the page {name}", card, **parts)  # type: ignore[arg-type]
+
+
+def test_every_folder_of_pages_is_registered_and_every_page_has_its_folder() -> None:
+    folders = {path.parent.name for path in FOLDER.glob("*/__init__.py")}
+    names = {page.name for page in PAGES}
+
+    forgotten = folders - names
+    assert not forgotten, f"name {forgotten} in PAGES, sandbox/app/pages/register.py"
+    assert not names - folders, f"a page is called as its folder in sandbox/app/pages: {names}"
+
+
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("page", PAGES, ids=[page.name for page in PAGES])
+def test_a_page_is_opened_by_its_key_and_by_its_tab_while_time_runs(
+    person: Person, page: Page, level: str
+) -> None:
+    person.window.open_level(level)
+    person.press(pygame.key.key_code(page.key), page.key)
+    by_key = side_of(person).page
+    elsewhere = next(other for other in PAGES if other is not page)
+    person.press(pygame.key.key_code(elsewhere.key), elsewhere.key)
+    assert type(side_of(person).page) is not type(by_key)
+
+    person.click(side_of(person).tab(page.command).rect)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+
+    assert type(side_of(person).page) is type(by_key)
+    assert person.window.panels.page == page.command
+    sheet = person.window.surface.subsurface(side_of(person)._sheet.container.rect)
+    assert (pygame.surfarray.array3d(sheet) != PANEL).any()
+    person.window.close()
+
+
+COMMANDS = [(page, command) for page in PAGES for command in page.commands]
+
+
+@pytest.mark.parametrize(("page", "name"), [(page, command.name) for page, command in COMMANDS])
+def test_a_command_of_a_page_is_called_for_by_its_key_and_shows_the_page(
+    person: Person, page: Page, name: str
+) -> None:
+    person.window.open_level(LEVELS[0])
+    key = next(command.character for command in page.commands if command.name == name)
+
+    person.press(pygame.key.key_code(key.lower()), key, pygame.KMOD_LSHIFT)
+
+    assert person.window.panels.page == page.command
+    person.press(pygame.key.key_code(key.lower()), key, pygame.KMOD_LSHIFT)
+    person.wait(0.1)
+    person.window.close()
+
+
+@pytest.mark.parametrize("page", [p for p in PAGES if p.card], ids=lambda page: page.name)
+def test_a_card_is_as_wide_as_it_is_asked_to_be(pen: Pen, page: Page) -> None:
+    session = Session(scenes.level())
+    assert page.card is not None
+    assert page.card(pen, 276, session).width == 276
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("count", [4, 9])
+def test_no_caption_of_a_tab_is_cut(
+    person: Person, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int], count: int
+) -> None:
+    captions = ("Momentum", "Forces", "Graphs", "Experiment", "Challenge")
+    more = [fake(name.lower(), caption=name) for name in captions][: count - len(PAGES)]
+    pages = (*PAGES, *more)
+    monkeypatch.setattr(register, "PAGES", pages)
+    monkeypatch.setattr(tabs, "tip", lambda command: command)
+    person.window.open_level(LEVELS[0])
+
+    person.resize(size)
+
+    rects = [side_of(person).tab(page.command).rect for page in pages]
+    across = person.window.panels.layout.side
+    pen = Pen()
+    for page, rect in zip(pages, rects, strict=True):
+        assert pen.write(page.caption, tabs.SIZE).width + 8 <= rect.width, page.caption
+        assert across.contains(rect)
+        assert len(rect.collidelistall(rects)) == 1
+    assert len({rect.y for rect in rects}) <= 2
+    assert side_of(person)._sheet.container.rect.y >= max(rect.bottom for rect in rects)
+
+
+def test_a_page_that_is_a_card_needs_no_panel(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(register, "PAGES", (*PAGES, fake("momentum")))
+    monkeypatch.setattr(tabs, "tip", lambda command: command)
+    person.window.open_level(LEVELS[0])
+
+    person.window._turn_to("momentum page")
+    person.wait()
+
+    sheet = side_of(person)._sheet.container.rect
+    assert (pygame.surfarray.array3d(person.window.surface.subsurface(sheet)) != PANEL).any()
+
+
+@pytest.mark.parametrize(
+    ("make", "part"),
+    [
+        (lambda: Page("momentum", "", "q", "the momenta", card), "a caption"),
+        (lambda: Page("momentum", "Momentum", "", "the momenta", card), "a key"),
+        (lambda: Page("momentum", "Momentum", "q", "", card), "a text"),
+        (lambda: Page("momentum", "Momentum", "q", "the momenta"), "a card or a panel"),
+        (
+            lambda: Page("momentum", "Momentum", "q", "x", panel=_panel, beside=lambda _: ()),
+            "a card",
+        ),
+    ],
+)
+def test_a_part_that_is_forgotten_is_named_and_where_it_belongs(
+    make: Callable[[], Page], part: str
+) -> None:
+    with pytest.raises(ValueError, match=f"'momentum' lacks {part}") as caught:
+        make()
+
+    assert "sandbox/app/pages/momentum/__init__.py" in str(caught.value)
+
+
+def _panel(_sheet: Sheet, _desk: Desk) -> Panel:
+    raise AssertionError
+
+
+def _none(_session: Session) -> list[Row]:
+    return []
+
+
+def test_a_worker_that_no_page_declares_is_named() -> None:
+    class Nobody:
+        news: object = None
+        running = False
+
+        def follow(self, _session: Session, _seconds: float, *, watched: bool) -> str | None:
+            return str(watched)
+
+        def cancel(self) -> None: ...
+
+    with pytest.raises(LookupError, match="no page declares Nobody"):
+        Workers(PAGES).of(Nobody)

@@ -1,0 +1,134 @@
+"""What can be taken away, as somebody who plays meets it."""
+
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import film, runfile
+from sandbox.app.pages.share import saving
+from sandbox.app.pages.share.panel import KINDS, SharePage
+from sandbox.app.session import Session
+from sandbox.model import catalog
+from sandbox.model.loading import load
+from tests.app.person import Person
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The person's own folder."""
+    place = tmp_path / "documents"
+    monkeypatch.setattr(saving, "folder", lambda: place)
+    return place
+
+
+def page(person: Person) -> SharePage:
+    person.press(pygame.K_w, "w")
+    side = person.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, SharePage)
+    return side.page
+
+
+def played(person: Person, level: str = "newton/atwood") -> SharePage:
+    person.window.open_level(level)
+    person.session.restart({"m2": 2.0})
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.5)
+    person.press(pygame.K_SPACE, " ")
+    return page(person)
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=[caption for caption, _, _ in KINDS])
+def test_each_button_saves_a_file_with_a_name_of_its_own(
+    person: Person, folder: Path, kind: tuple[str, str, object]
+) -> None:
+    shown = played(person)
+
+    person.click(shown.button(kind[0]).rect)
+    person.click(shown.button(kind[0]).rect)
+
+    files = sorted(folder.iterdir())
+    assert len(files) == 2
+    assert all(file.name.startswith("atwood-machine ") for file in files)
+    assert all(file.stat().st_size > 100 for file in files)
+
+
+def test_a_picture_is_what_the_window_shows(person: Person, folder: Path) -> None:
+    shown = played(person)
+    before = pygame.surfarray.array3d(person.window.surface)
+
+    person.click(shown.button("Picture").rect)
+
+    (file,) = folder.iterdir()
+    saved = pygame.surfarray.array3d(pygame.image.load(file))
+    assert saved.shape == before.shape
+    assert (saved == before).mean() > 0.97
+
+
+def test_a_run_is_replayed_to_the_last_bit(person: Person, folder: Path) -> None:
+    shown = played(person)
+    steps = person.session.world.steps
+
+    person.click(shown.button("Run").rect)
+
+    (file,) = folder.iterdir()
+    run = runfile.read(file)
+    assert run.steps == steps
+    assert run.parameters["m2"] == 2.0
+    assert runfile.is_same(run, runfile.replay(run))
+
+
+def test_a_copy_of_a_level_has_its_present_values(person: Person, folder: Path) -> None:
+    shown = played(person)
+
+    person.click(shown.button("Level").rect)
+
+    (file,) = folder.iterdir()
+    copy = load(file)
+    assert copy.defaults["m2"] == 2.0
+    assert copy.checks == person.session.original.checks
+
+
+def test_a_folder_that_cannot_be_made_is_told(person: Person, folder: Path) -> None:
+    folder.write_text("a file")
+    shown = played(person)
+
+    person.click(shown.button("Table").rect)
+
+    assert "cannot" in person.window._banner._note
+
+
+@pytest.mark.parametrize("kind", ["gif", "mp4"])
+def test_a_film_shows_the_run_from_its_start_to_its_end(kind: film.Kind, tmp_path: Path) -> None:
+    session = Session(load(catalog.find("kinematics/projectile")))
+    for _ in range(30):
+        session.step()
+
+    *done, told = film.film(runfile.run_of(session), tmp_path / f"x.{kind}", kind)
+
+    assert told == f"saved {tmp_path / f'x.{kind}'}"
+    assert all(0 <= share <= 1 for share in done if isinstance(share, float))
+    frames = _frames((tmp_path / f"x.{kind}").read_bytes(), kind)
+    assert len(frames) == 14  # 0.5 s at 25 frames a second, from its first to its last
+    assert np.abs(frames[0].astype(int) - frames[-1]).max() > 100
+    assert frames[0].shape == (*film.SIZE[kind][::-1], 3)
+
+
+def _frames(content: bytes, kind: film.Kind) -> list[np.ndarray]:
+    import av
+
+    with av.open(BytesIO(content), format=kind) as container:
+        return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
+
+
+def test_without_the_encoders_a_film_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "av", None)
+    run = runfile.run_of(Session(load(catalog.find("newton/atwood"))))
+
+    assert list(film.film(run, tmp_path / "x.gif", "gif")) == [film.LACKING]
+    assert not list(tmp_path.iterdir())

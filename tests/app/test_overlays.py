@@ -1,0 +1,77 @@
+"""Every overlay of the stage that is registered."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pygame
+import pytest
+
+from sandbox.app.stage.overlays import register
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.app.stage.view import View
+from tests.app.person import Person
+
+LEVELS = ["kinematics/projectile", "newton/two-forces", "momentum/billiard-break"]
+FOLDER = Path(register.__file__).parent
+
+
+def test_every_module_of_overlays_is_registered() -> None:
+    modules = {path.stem for path in FOLDER.glob("*.py")} - {"__init__", "overlay", "register"}
+
+    forgotten = modules ^ {overlay.name for overlay in OVERLAYS}
+    assert not forgotten, (
+        f"an overlay is called as its module, and is named in OVERLAYS: {forgotten}"
+    )
+
+
+@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("overlay", OVERLAYS, ids=lambda overlay: overlay.name)
+def test_an_overlay_is_switched_by_its_key_and_drawn_while_time_runs(
+    person: Person, overlay: Overlay, level: str
+) -> None:
+    person.window.open_level(level)
+    before = person.window.stage.shown[overlay.name]
+
+    person.press(pygame.key.key_code(overlay.key), overlay.key)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    person.press(pygame.key.key_code(overlay.key), overlay.key)
+    person.wait(0.1)
+
+    assert person.window.stage.shown[overlay.name] is before
+    assert before is (overlay.on is None or overlay.on(person.session.level))
+
+
+@pytest.mark.parametrize("overlay", [o for o in OVERLAYS if o.caption], ids=lambda o: o.name)
+def test_an_overlay_with_a_caption_has_a_button(person: Person, overlay: Overlay) -> None:
+    person.window.open_level(LEVELS[0])
+    person.wait()
+    button = person.window.panels.controls.button(overlay.name)
+    assert button.is_selected
+
+    person.click(button.rect)
+    person.wait()
+
+    assert not person.window.stage.shown[overlay.name]
+    assert not button.is_selected
+
+
+@pytest.mark.parametrize(
+    ("make", "part"),
+    [
+        (lambda: Overlay("momenta", "", "arrows of momenta", _draw), "a key"),
+        (lambda: Overlay("momenta", "m", "", _draw), "a text"),
+        (lambda: Overlay("momenta", "m", "arrows of momenta"), "something to draw"),
+    ],
+)
+def test_a_part_that_is_forgotten_is_named_and_where_it_belongs(
+    make: Callable[[], Overlay], part: str
+) -> None:
+    with pytest.raises(ValueError, match=f"'momenta' lacks {part}") as caught:
+        make()
+
+    assert "sandbox/app/stage/overlays/momenta.py" in str(caught.value)
+
+
+def _draw(_surface: pygame.Surface, _view: View) -> None: ...

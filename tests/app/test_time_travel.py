@@ -1,0 +1,154 @@
+"""Back and ahead in a run: whatever way leads to a step, the state there is the same to the bit."""
+
+import pygame
+import pytest
+
+from sandbox.app.session import Session
+from sandbox.model import catalog
+from sandbox.model.loading import load
+from tests.app.person import Person
+from tests.levels.playing import fingerprint
+
+LEVELS = ["newton/atwood", "momentum/cradle", "machines/seesaw", "lagrange/double-pendulum"]
+
+
+def opened(name: str) -> Session:
+    return Session(load(catalog.find(name)))
+
+
+def take(session: Session, steps: int) -> str:
+    """Take some steps, and return what tells the state there from any other."""
+    for _ in range(steps):
+        session.step()
+    return fingerprint(session.world.snapshot)
+
+
+def go_to(session: Session, step: int) -> None:
+    """Go to a step, however many frames it takes."""
+    session.go_to(step)
+    while session.sought is not None:
+        session.update(1 / 60)
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_a_run_that_goes_back_comes_to_the_same_states_again(name: str) -> None:
+    session = opened(name)
+    early = take(session, 20)
+    late = take(session, 30)
+
+    go_to(session, 20)
+    assert fingerprint(session.world.snapshot) == early
+
+    go_to(session, 50)
+    assert fingerprint(session.world.snapshot) == late
+
+
+def test_what_a_hand_did_is_done_again_and_what_it_did_later_is_forgotten() -> None:
+    session = opened("newton/atwood")
+    take(session, 10)
+    session.playing = True
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 0.5))
+    for _ in range(10):
+        session._advance()
+    session.release()
+    for _ in range(20):
+        session._advance()
+    held, after = 15, fingerprint(session.world.snapshot)
+    assert [action.kind for action in session.actions] == ["grab", "drag", "release"]
+
+    go_to(session, 40)
+    assert fingerprint(session.world.snapshot) == after
+
+    go_to(session, held)
+    assert [action.kind for action in session.actions] == ["grab", "drag", "release"]
+    assert session.actions[-1].step == held
+    free = opened("newton/atwood")
+    assert fingerprint(session.world.snapshot) != take(free, held)
+
+
+def test_a_body_that_was_put_elsewhere_is_put_there_again() -> None:
+    session = opened("newton/atwood")
+    take(session, 5)
+    session.grab("left", (-0.6, 0.0))
+    session.drag((-0.6, 1.0))
+    session.release()
+    moved = take(session, 10)
+    take(session, 10)
+
+    go_to(session, 15)
+
+    assert session.world.disturbed
+    assert fingerprint(session.world.snapshot) == moved
+
+
+def test_single_steps_back_end_at_the_start() -> None:
+    session = opened("kinematics/free-fall")
+    start = fingerprint(session.world.snapshot)
+    take(session, 3)
+
+    for left in (2, 1, 0, 0):
+        session.step_back()
+        go_to(session, left)
+        assert session.world.steps == left
+    assert fingerprint(session.world.snapshot) == start
+
+
+def test_no_way_leads_beyond_the_end_of_the_level() -> None:
+    session = opened("kinematics/free-fall")
+
+    go_to(session, 10**6)
+
+    assert session.at_end
+    assert not session.playing
+
+
+def test_a_long_way_takes_some_frames_and_then_time_goes_on() -> None:
+    session = opened("kinematics/free-fall")
+    session.go_to(30)
+    session.playing = True
+    session._begin_again(20)
+    assert session.sought == 20
+
+    while session.sought is not None:
+        session.update(1 / 60)
+
+    assert session.world.steps == 20
+    assert session.playing
+
+
+def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:
+    session = opened("kinematics/projectile")
+    take(session, 20)
+    session.restart({"angle": 60})
+    take(session, 20)
+    session.restart({"angle": 30, "speed": 20})
+
+    assert [run.told for run in session.earlier] == ["angle = 45", "speed = 25, angle = 60"]
+    assert all(len(run.trail) == 21 for run in session.earlier)
+    session.restart()
+    assert len(session.earlier) == 2
+
+
+def arrive(person: Person) -> None:
+    while person.session.sought is not None:
+        person.wait()
+
+
+def test_a_click_on_the_bar_of_the_time_goes_there(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(1.0)
+    track = person.window.panels.controls._track
+
+    person.click((track.x + track.width * 0.25, track.centery))
+    arrive(person)
+    assert person.session.world.steps >= round(person.session.end / 4)
+
+    person.press(pygame.K_SPACE, " ")
+    person.drag((track.x + 2, track.centery), (track.right - 2, track.centery))
+    arrive(person)
+    assert person.session.world.steps >= person.session.end - 2
+    person.press(pygame.K_LEFT)
+    arrive(person)
+    assert person.session.world.steps < person.session.end

@@ -1,0 +1,45 @@
+"""`describe`: a scene in words."""
+
+import pytest
+
+from sandbox.model import catalog
+from tests.cli.helpers import Run
+
+
+def test_says_what_is_there_how_it_moves_and_what_holds_it(run: Run) -> None:
+    """Atwood's machine of 1 and 1.5 kg: a = g/5, and 2.4 m g of tension over 2 kg."""
+    told = run("describe", "newton/atwood", "--at", "0.5").out
+
+    assert told.startswith("Atwood machine. Two masses on a light string")
+    assert "Time: 0.5000 s of 1.596 s." in told
+    assert "Effects: gravity." in told
+    assert "left: a box of 0.500 m by 0.500 m, 1.000 kg" in told
+    assert "moves up at 0.9810 m/s" in told
+    assert "string: a pulley from left over the point" in told
+    assert "pulls with 11.77 N" in told
+    assert "acceleration: 1.9620 m/s², expected 1.9620 m/s²; passed" in told
+
+
+def test_says_what_touches_and_how_hard(run: Run) -> None:
+    told = run("describe", "newton/incline-that-holds", "--at", "1", "--set", "angle=10").out
+
+    assert "block: a box of 0.800 m by 0.500 m, 2.000 kg" in told
+    assert "at rest" in told
+    assert "press on each other with 19.32 N" in told
+
+
+@pytest.mark.parametrize("name", catalog.names()[::12])
+def test_any_level_can_be_described_at_its_start(run: Run, name: str) -> None:
+    result = run("describe", name)
+
+    assert result.status == 0
+    assert "Bodies:" in result.out
+    assert max(map(len, result.out.splitlines())) < 400
+
+
+@pytest.mark.parametrize("at", ["-1", "nan", "1e9"])
+def test_a_time_that_cannot_be_is_refused(run: Run, at: str) -> None:
+    result = run("describe", "newton/atwood", f"--at={at}")
+
+    assert result.status == 2
+    assert "--at" in result.err

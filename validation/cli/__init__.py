@@ -1,0 +1,29 @@
+"""The commands of `python -m validation`: one module each, and one list of them.
+
+A module has one function, `command`, which says its arguments and its help. What takes long to
+import is imported when it is called.
+"""
+
+import typer
+
+from validation.cli import compose, cost, effects, fuzz, report, run, stability
+
+COMMANDS = (run, compose, cost, effects, report, stability, fuzz)
+"""In the order of the help; a command is called as its module."""
+
+app = typer.Typer(
+    name="validation",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+for _module in COMMANDS:
+    app.command(_module.__name__.rpartition(".")[2])(_module.command)
+
+
+@app.callback()
+def validation() -> None:
+    """Hold the sandbox against the textbook: every case beside pymunk used as it comes."""

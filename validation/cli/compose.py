@@ -1,0 +1,51 @@
+"""The command `compose`."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import FAILED, Jobs, JsonFile, told
+from validation.extras import needed_for
+
+
+def command(
+    count: Annotated[
+        int, typer.Option("--count", min=1, metavar="N", help="How many scenes.")
+    ] = 200,
+    seed: Annotated[
+        int, typer.Option("--seed", min=0, metavar="S", help="What they are drawn from.")
+    ] = 0,
+    scenes: Annotated[
+        list[int] | None,
+        typer.Option("--scene", min=0, metavar="SEED", help="Only the scene with this own seed."),
+    ] = None,
+    json_file: JsonFile = None,
+    output: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write levels that fail there, to be played.")
+    ] = None,
+    jobs: Jobs = None,
+) -> None:
+    """Judge random compositions of bodies, joints and effects by what must hold in any run.
+
+    Exit status 1 if a judgement fails. A scene that is refused with a reason is none.
+    """
+    with told():
+        measure = _composer()
+        passed = measure(scenes or _seeds(seed, count), json_file, output, jobs)
+    if not passed:
+        raise typer.Exit(FAILED)
+
+
+def _seeds(seed: int, count: int) -> list[int]:
+    from validation.compose.scenes import seeds
+
+    return seeds(seed, count)
+
+
+def _composer() -> Callable[..., bool]:
+    """Return what judges compositions, which needs a library that nothing else does."""
+    with needed_for("a judgement of compositions"):
+        from validation.compose.command import measure
+    return measure

@@ -1,0 +1,20 @@
+"""The command `effects`."""
+
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import JsonFile, told
+
+
+def command(
+    json_file: JsonFile = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Fewer repetitions, and fewer bodies.")
+    ] = False,
+) -> None:
+    """Measure what each level pays beside the bare engine, and each effect over many bodies."""
+    from validation.effects.command import measure  # what one command needs need not slow all
+
+    with told():
+        measure(json_file, quick=quick)

@@ -1,0 +1,37 @@
+"""The command `fuzz`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import FAILED, JsonFile, told
+
+
+def command(
+    count: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="How many levels. [default: 1000]")
+    ] = None,
+    seed: Annotated[int, typer.Option(metavar="S", help="Which levels.")] = 0,
+    minutes: Annotated[
+        float | None,
+        typer.Option(min=0, metavar="M", help="For how long; as many as that allows without N."),
+    ] = None,
+    json_file: JsonFile = None,
+    samples: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Where what goes wrong is kept. [default: out/fuzz]"),
+    ] = None,
+) -> None:
+    """Try levels that nobody would write: from the schema, and the project's own, changed.
+
+    Each must be answered within two seconds of computing and 500 MB. What goes wrong is made as
+    small as can be, and kept. Exit status 1 if anything did.
+    """
+    from validation.fuzz import command  # what one command needs need not slow all
+
+    number = count or (None if minutes is not None else 1000)
+    with told():
+        passed = command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
+    if not passed:
+        raise typer.Exit(FAILED)

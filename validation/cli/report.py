@@ -1,0 +1,40 @@
+"""The command `report`."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import FAILED, told
+from validation.extras import needed_for
+
+
+def command(
+    output: Annotated[Path, typer.Option(metavar="DIR", help="Where report.html goes.")],
+    source: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="DIR", help="Read the JSON of other commands found there."),
+    ] = None,
+    figures: Annotated[
+        bool, typer.Option("--figures", help="Also write each diagram as PNG and SVG.")
+    ] = False,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="A few cases and levels, and short runs.")
+    ] = False,
+) -> None:
+    """Write all of the validation as one HTML page that needs nothing but itself.
+
+    Exit status 1 if a part could not be measured or a case does not hold.
+    """
+    with told():
+        passed = _writer()(output, source, quick=quick, figures=figures)
+    if not passed:
+        raise typer.Exit(FAILED)
+
+
+def _writer() -> Callable[..., bool]:
+    """Return what writes reports, which needs libraries that nothing else does."""
+    with needed_for("a report"):
+        from validation.report.command import write
+    return write

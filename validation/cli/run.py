@@ -1,0 +1,31 @@
+"""The command `run`."""
+
+import typer
+
+from sandbox.model.files import check_writable
+from validation import output, suite
+from validation.cases import all_cases
+from validation.cli.options import FAILED, Jobs, JsonFile, told
+
+
+def command(
+    json_file: JsonFile = None,
+    jobs: Jobs = None,
+) -> None:
+    """Run every case against its closed form, beside pymunk used naively.
+
+    Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
+    """
+    with told():
+        if json_file:
+            check_writable(json_file)
+        cases = list(all_cases())
+        outcomes = suite.outcomes(cases, jobs)
+        output.show(suite.table(cases, outcomes))
+        if json_file:
+            output.write(suite.content(outcomes), json_file)
+    failed = [suite.named(case) for case, o in zip(cases, outcomes, strict=True) if not o.passed]
+    output.complain(failed)
+    typer.echo(f"{len(cases) - len(failed)} of {len(cases)} cases hold.")
+    if failed:
+        raise typer.Exit(FAILED)

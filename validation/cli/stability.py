@@ -1,0 +1,28 @@
+"""The command `stability`."""
+
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import FAILED, JsonFile, told
+
+
+def command(
+    json_file: JsonFile = None,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Shorter runs; see only whether frontiers still hold.")
+    ] = False,
+    update: Annotated[
+        bool, typer.Option("--update", help="Write down where the frontiers lie now.")
+    ] = False,
+) -> None:
+    """Run the hard cases, and make them harder until they break, beside pymunk at the same cost.
+
+    Exit status 1 if a case misses its bound, or a frontier has moved inward.
+    """
+    from validation.stability.command import measure  # what one command needs need not slow all
+
+    with told():
+        failed = measure(json_file, quick=quick, update=update and not quick)
+    if failed:
+        raise typer.Exit(FAILED)
