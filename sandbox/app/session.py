@@ -15,6 +15,7 @@ from sandbox.app.books import Books
 from sandbox.app.clock import Clock
 from sandbox.app.companions import NONE, Changes, Companion, Variant
 from sandbox.app.grading import Grading, Ration, Reading
+from sandbox.app.history import History
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
@@ -40,12 +41,16 @@ class Earlier(NamedTuple):
     ----------
     told
         The parameters that were changed after it, with the values that they had.
-    trail
-        Where its bodies have been.
+    trail, history
+        Where its bodies have been, and all else that was observed.
+    world
+        What it was observed of.
     """
 
     told: str
     trail: Trail
+    history: History
+    world: World
 
 
 BUDGET = 0.009  # s, of a frame for steps
@@ -80,6 +85,8 @@ class Session:
         Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
     trail
         Where the bodies have been.
+    history
+        Everything that was observed of it.
     books
         What energies there were, and where they came from.
     setting
@@ -136,6 +143,7 @@ class Session:
         self.advice: Advice | None = None
         self.end = count_steps(world)
         self.trail = Trail(world.snapshot.position)
+        self.history = History(world.snapshot)
         self.pace = Pace()
         self.books = Books(world, self.end)
         self._recorder = Recorder(world, [*needed(self.original), *milestones.needed(self.level)])
@@ -179,7 +187,8 @@ class Session:
         before, values = self.values, choose(self.level, {**self.values, **(settings or {})})
         if values != before and self.world.steps:
             told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values[n])
-            self.earlier = (*self.earlier, Earlier(told, self.trail))[-len(theme.LANES) :]
+            run = Earlier(told, self.trail, self.history, self.world)
+            self.earlier = (*self.earlier, run)[-len(theme.LANES) :]
         variants = [companion.variant for companion in self.companions]
         try:
             self._begin(*self._built(self.level, variants, values))
@@ -373,6 +382,7 @@ class Session:
         self.books.note()
         self._follow(self.t)
         self.trail.add(snapshot.position)
+        self.history.note(snapshot)
         if self.world.steps <= self.end and not self.world.disturbed:
             self._recorder.note()
         if self.at_end:
@@ -395,6 +405,7 @@ class Session:
         if action.kind == "place":
             self.books.restart()
             self.trail.restart(self.world.snapshot.position)
+            self.history.restart(self.world.snapshot)
 
     def _act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
         self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))

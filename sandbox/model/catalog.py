@@ -21,6 +21,9 @@ CHAPTERS = (
 ORDER = "order.txt"
 """The file that tells in which order the levels of a chapter stand; others follow by name."""
 
+CHALLENGES = "challenges"
+"""The folder of the levels that set a task."""
+
 HARD = "hard"
 """The folder of the hard cases: scenes that break engines, made by `validation.stability`."""
 
@@ -63,8 +66,13 @@ def names() -> list[str]:
 
 
 def textbook() -> list[str]:
-    """Return the names of the levels that belong to the document: all but the hard cases."""
-    return [name for name in names() if not name.startswith(f"{HARD}/")]
+    """Return the names of the levels that belong to the document, part by part."""
+    return [name for name in names() if name.partition("/")[0] not in (HARD, CHALLENGES)]
+
+
+def challenges() -> list[str]:
+    """Return the names of the levels that set a task, with what the document teaches."""
+    return [name for name in names() if name.startswith(f"{CHALLENGES}/")]
 
 
 def find(level: str) -> Path:

@@ -35,6 +35,19 @@ def test_words_find_levels_by_what_they_are_about(player: Person) -> None:
     assert [level.path.stem for level in listed(player).found] == ["helix", "four-slides"]
 
 
+def test_a_title_comes_before_a_summary_and_a_phrase_before_its_words(player: Person) -> None:
+    player.press(pygame.K_SLASH, "/")
+    player.type("cradle")
+    found = [level.title for level in listed(player).found]
+    assert found[0] == "Newton's cradle"
+    assert "cradle" not in found[-1]
+
+    listed(player).field.set_text("double pendulum")
+    assert listed(player).found[0].title == "Double pendulum"
+    listed(player).field.set_text("pendulum double")
+    assert listed(player).found[0].title == "Double pendulum"
+
+
 def test_what_is_not_sought_is_hidden(player: Person) -> None:
     other = listed(player).button(catalog.find("kinematics/free-fall"))
     assert shown(other)

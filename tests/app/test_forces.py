@@ -169,6 +169,7 @@ def test_a_force_along_one_axis_follows_the_mouse_along_it(person: Person, tmp_p
     assert person.session.values["F"] == pytest.approx(9, abs=0.11)
 
 
+@pytest.mark.sweep
 def test_no_level_draws_a_force_beyond_the_stage_at_the_start(person: Person) -> None:
     for name in catalog.names():
         if not textbook(name).effects.force:

@@ -20,6 +20,7 @@ LONGEST = 12
 WIDTH = divide((1280, 800), levels=True, side=True).side.width - MARGIN - BAR
 
 
+@pytest.mark.sweep
 def test_every_label_of_a_parameter_is_written_whole(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,7 +8,7 @@ from sandbox.model.loading import load
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.run import simulate
 
-LEVELS = {name: load(catalog.find(name)) for name in catalog.names() if name.startswith("challe")}
+LEVELS = {name: load(catalog.find(name)) for name in catalog.challenges()}
 
 LEAST = 15
 """How many there are at the least."""

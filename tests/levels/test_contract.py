@@ -22,7 +22,7 @@ from tests.levels.playing import Played, fingerprint, play
 from tests.levels.sweep import marked, steps, swept
 from validation.case import textbook
 
-NAMES = catalog.textbook()
+NAMES = [*catalog.textbook(), *catalog.challenges()]
 
 HARD = sorted(set(catalog.names()) - set(NAMES))
 """The hard cases have no parameters, and `validation stability` runs each to its end."""

@@ -143,6 +143,7 @@ def test_energy_stays_within_its_bound_and_does_not_grow(name: str) -> None:
         assert error[-tenth:].max() <= max(1.5 * error[:tenth].max(), 1e-12)
 
 
+@pytest.mark.sweep
 def test_a_wrecking_ball_and_its_wall_get_no_energy_from_their_blows() -> None:
     """But for what overlaps give that are taken back: no more than to lift a brick by v dt, 5.0 J.
 

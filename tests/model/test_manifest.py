@@ -35,6 +35,7 @@ def test_a_manifest_that_makes_no_sense_is_refused_at_its_place(effects: str, to
     assert f"level.json{told}" in str(caught.value)
 
 
+@pytest.mark.sweep
 def test_more_surfaces_than_can_touch_are_refused_but_may_be_drawn() -> None:
     """16 lines of 1,999 pieces and a disc; 15 lines are within bounds."""
     points = [[i, i % 2] for i in range(2000)]

@@ -85,6 +85,7 @@ def test_more_wires_than_can_be_looked_at_are_refused() -> None:
     assert process_time() - start < 2
 
 
+@pytest.mark.sweep
 def test_polygons_with_more_edges_than_can_be_looked_at_are_refused() -> None:
     data = bare()
     corners_ = [[i, i * i] for i in range(200)]

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from validation import cli, suite
 from validation.case import Case, Outcome, run
-from validation.cases import atwood, free_fall
+from validation.tables import read
 
 FIELDS = {
     "name", "level", "parameters", "quantity", "unit", "measured", "expected", "error",
@@ -19,8 +19,8 @@ FIELDS = {
 
 
 def few() -> Iterator[Case]:
-    yield next(free_fall.cases())
-    yield next(atwood.cases())
+    yield read("free_fall")[0]
+    yield read("atwood")[0]
 
 
 @pytest.fixture(autouse=True)
@@ -50,7 +50,7 @@ def test_the_table_shows_errors_side_by_side() -> None:
 
 def test_a_missed_bound_is_exit_status_1(monkeypatch: pytest.MonkeyPatch) -> None:
     def wrong() -> Iterator[Case]:
-        case = next(free_fall.cases())
+        case = read("free_fall")[0]
         yield Case(
             name="wrong",
             level=case.level,
@@ -76,12 +76,13 @@ def test_a_folder_that_is_not_there_is_wrong_usage(tmp_path: Path) -> None:
 
 
 def test_an_event_that_never_came_is_null_in_the_json() -> None:
-    outcome = next(run([next(free_fall.cases())]))
+    outcome = next(run([read("free_fall")[0]]))
     text = json.dumps(suite.content([replace(outcome, measured=float("nan"))]), allow_nan=False)
 
     assert json.loads(text)["cases"][0]["measured"] is None
 
 
+@pytest.mark.sweep
 def test_processes_that_share_the_cases_find_what_one_finds(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

@@ -151,6 +151,7 @@ def test_a_formula_that_is_exact_is_the_yardstick() -> None:
     assert stick.error(simulate(level, record=needed(level))) < 1e-11
 
 
+@pytest.mark.sweep
 def test_a_sweep_finds_the_order_of_each_scheme() -> None:
     """Measured: 2.00 for leapfrog, 1.02 for pymunk as it comes."""
     found = errors("energy/kepler-ellipse", Budget(run=0.5, rates=(30.0, 60.0, 120.0), targets=()))
@@ -172,6 +173,7 @@ def test_runs_that_fail_stay_as_rows_without_a_price() -> None:
     assert row["error"] is None
 
 
+@pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path) -> None:
     file = tmp_path / "c.json"
 

@@ -139,6 +139,7 @@ def test_loads_cradles_bullets_and_cars_reach_ten_times_as_far_as_pymunk() -> No
         assert kept[name][-1]["figure"] >= 10 * kept[name][-1]["naive"], name
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "name",
     [
@@ -206,6 +207,7 @@ def test_pymunk_breaks_where_the_sandbox_holds() -> None:
     assert alone.figure > 0.1
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     ("name", "difficulty", "missed"),
     [

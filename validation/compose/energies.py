@@ -28,6 +28,15 @@ TINY = 1e-15
 NEXT = 2
 """How many times the leading terms may be with all that follow them: these fall by ω dt <= 1/2."""
 
+SLIGHT = 1e-4
+"""s, the step of a second difference along straight ways: of ω = 200 rad/s it is off by 3e-5."""
+
+SINGULAR = 1e-12
+"""The share of the stiffest row below which joints say the same twice."""
+
+TAUT = 1e-9
+"""m, by how much a rope may be short of its length and still hold; see `judges.JOINTS`."""
+
 KNOWN = 3e-9
 """m, to which heights are known: two surfaces stand proud by 1e-9 m, and joints hold to as much."""
 
@@ -38,7 +47,7 @@ class Energies:
     def __init__(self, course: Course, keeping: Keeping) -> None:
         document, seen = course.scene.document, course.seen
         bodies = list(document["bodies"].values())
-        self._course = course
+        self._course, self._keeping = course, keeping
         self._mass = np.array([float(b["mass"]) if is_dynamic(b) else 0.0 for b in bodies])
         self._moment = np.array([moment(b) if is_dynamic(b) else 0.0 for b in bodies])
         if "rotation" not in document["effects"]:
@@ -110,6 +119,40 @@ class Energies:
         usual = np.quantile(pulls, share) / 12 + np.quantile(jerks, share) / 6
         return float(peak * dt**2 * usual)
 
+    def swings(self) -> float:
+        """Return what leapfrog's energy is off by where joints swing what they hold hardest [J].
+
+        Their forces do no work, v · M a = 0, so v · M da/dt = −a · M a, and the terms of
+        `second_order` are a · M a dt² / 4. What a joint makes of a by holding follows from places
+        and velocities alone: J a = −dJ/dt v, with the least a · M a (Gauss). So a kick that goes
+        wrong does not set its own bound; what flies off with it does by the share (ω dt)² / 2.
+        """
+        seen = self._course.seen
+        places = Places(seen.position[..., 0], seen.position[..., 1], seen.angle, seen.t)
+        _, slopes = self._keeping.slopes(places)
+        if not slopes.size:
+            return 0.0
+        bends = self._bends(places)
+        held = np.stack([~kept.pulls_only | (kept.off > -TAUT) for kept in self._keeping(places)])
+        slopes, bends = slopes * held.T[..., None, None], bends * held.T
+        inertia = np.stack((self._mass, self._mass, self._moment), axis=1)
+        ease = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
+        mass = np.einsum("tinc,nc,tjnc->tij", slopes, ease, slopes)
+        pulls = np.linalg.pinv(mass, SINGULAR, hermitian=True) @ bends[..., None]
+        return float(np.einsum("ti,ti->t", bends, pulls[..., 0]).max() * self._course.dt**2 / 4)
+
+    def _bends(self, places: Places) -> Array:
+        """Return how what joints keep bends along straight ways: (T, m) [m/s², rad/s²]."""
+        seen = self._course.seen
+        x, y = np.moveaxis(seen.velocity, -1, 0)
+        there = []
+        for way in (-SLIGHT, 0.0, SLIGHT):
+            moved = places.x + way * x, places.y + way * y
+            turned = places.angle + way * seen.angular_velocity
+            kept = self._keeping(Places(*moved, turned, places.t + way))
+            there.append(np.stack([row.off for row in kept], axis=1))
+        return np.asarray((there[0] - 2 * there[1] + there[2]) / SLIGHT**2)
+
     def allowed(self, overlapped: float) -> float:
         """Return by how much energy may be wrong [J].
 
@@ -121,7 +164,8 @@ class Energies:
         """
         largest = max(float(np.abs(e).max()) for e in (self.kinetic, self.stored, self.high))
         late = self.weight() * overlapped
-        leading = min(self.second_order(), ROUGHEST * self.turned()) + late
+        order = max(self.second_order(), self.swings())
+        leading = min(order, ROUGHEST * self.turned()) + late
         return NEXT * leading + self.weight() * KNOWN + ROUNDING * largest + TINY
 
     def _springs(self, document: Document, keeping: Keeping) -> Array:

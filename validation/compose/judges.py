@@ -17,7 +17,8 @@ from sandbox.physics.state.snapshot import Snapshot
 from validation.compose.course import Course, positions
 from validation.compose.energies import Energies, is_passive
 from validation.compose.keeping import Keeping, Places
-from validation.compose.separation import Couple, couples
+from validation.compose.overlaps import SKIN, excess, overlapped
+from validation.compose.separation import couples
 from validation.compose.shapes import extent, is_dynamic
 from validation.compose.statics import Measured, Statics
 from validation.compose.symmetry import mirrored, turned
@@ -38,13 +39,6 @@ DRIFT = 1e-5
 JOINTS = 1e-9
 """m: rounding is 1e-15 m of the scenes' 10 m, a thousand times in some hundred of equations that
 masses of 1000 : 1 may amplify by as much."""
-
-SKIN = 1.1e-6
-"""m: the overlap that the engine leaves alone is 1e-6 m, approached from above."""
-
-SOON = 0.25
-"""s, within which the overlap of an impact that was found late must be gone: what is taken back
-slower than that is seen."""
 
 MOMENTUM = 1e-10
 """Of all that is in motion: rounding, 1e-16, of a thousand steps, and a thousand times for masses
@@ -103,7 +97,7 @@ class Case:
         touches = "contact" in self.document["effects"]
         found = couples(self.document, seen.position, seen.angle) if touches else ()
         self.couples = list(found)
-        self.overlapped = sum(_episodes(couple) for couple in self.couples)
+        self.overlapped = sum(overlapped(couple) for couple in self.couples)
         bodies = self.document["bodies"].values()
         self.extents = np.array([extent(b) if is_dynamic(b) else 0.0 for b in bodies])
 
@@ -166,13 +160,6 @@ def energy(case: Case) -> Iterator[Judgement]:
     yield _most("books", float(np.abs(case.course.unexplained).max()), allowed)
 
 
-def _episodes(couple: Couple) -> float:
-    """Return how deep two bodies came into each other, each time that they did, added up [m]."""
-    depth = np.maximum(-couple.separation, 0.0)
-    begins = np.flatnonzero((depth > 0) & (np.concatenate(([0.0], depth[:-1])) == 0))
-    return float(np.maximum.reduceat(depth, begins).sum()) if begins.size else 0.0
-
-
 def momentum(case: Case) -> Iterator[Judgement]:
     """Ask that momentum changes by impulses, and not at all where nothing gives any.
 
@@ -206,30 +193,11 @@ def overlap(case: Case) -> Iterator[Judgement]:
     pass, for a while. Where the other corner of a side comes down later, that is another impact.
     """
     if case.couples:
-        yield _most("overlap", max(_excess(case, couple) for couple in case.couples), SKIN)
-
-
-def _excess(case: Case, couple: Couple) -> float:
-    """Return by how much two bodies overlap beyond what a fresh impact explains [m]."""
-    course = case.course
-    depth = np.maximum(-couple.separation, 0.0)
-    if not (depth > SKIN).any():
-        return float(depth.max())
-    ways = _ways(case, couple)
-    allowance = np.zeros(len(depth))
-    for at in np.flatnonzero(couple.entered(SKIN)):
-        end = at + int(SOON * course.rate) + 1
-        allowance[at:end] = np.maximum(allowance[at:end], ways[at])
-    return float((depth - allowance).max())
-
-
-def _ways(case: Case, couple: Couple) -> Array:
-    """Return how far two bodies at most came closer in each step: (T,) [m]."""
-    seen, names = case.course.seen, list(case.document["bodies"])
-    a, b = (names.index(name) for name in couple.names)
-    apart = np.diff(seen.position[:, a] - seen.position[:, b], axis=0)
-    turn = sum(np.abs(np.diff(seen.angle[:, i])) * case.extents[i] for i in (a, b))
-    return np.concatenate(([0.0], np.hypot(*apart.T) + turn))
+        yield _most(
+            "overlap",
+            max(excess(case.course, couple, case.extents) for couple in case.couples),
+            SKIN,
+        )
 
 
 def order(case: Case) -> Iterator[Judgement]:

@@ -193,24 +193,25 @@ class Keeping:
         Parameters
         ----------
         places
-            At one instant.
+            At T instants.
 
         Returns
         -------
         list
             (m,), the names.
         array
-            (m, n, 3), the slopes.
+            (T, m, n, 3), the slopes.
         """
-        count = len(self._rows)
+        times, count = places.x.shape
         names = [kept.joint for kept in self(places)]
-        slopes = np.zeros((len(names), count, 3))
+        slopes = np.zeros((times, len(names), count, 3))
         for axis in range(3):
             for row in range(count):
                 moved = [np.array(part, dtype=complex) for part in places[:3]]
-                moved[axis][0, row] += 1j * STEP
+                moved[axis][:, row] += 1j * STEP
                 kept = self(Places(moved[0], moved[1], moved[2], places.t))
-                slopes[:, row, axis] = [float(k.off[0].imag) / STEP for k in kept]
+                for equation, of in enumerate(kept):
+                    slopes[:, equation, row, axis] = of.off.imag / STEP
         return names, slopes
 
 

@@ -133,7 +133,7 @@ class Statics:
     def _held(self) -> Iterator[tuple[str, Array, bool]]:
         """Yield the joints that can pull, an entry an equation, and what a unit does: (3 n,)."""
         names, slopes = self._keeping.slopes(self._places)
-        for name, slope, kept in zip(names, slopes, self._keeping(self._places), strict=True):
+        for name, slope, kept in zip(names, slopes[0], self._keeping(self._places), strict=True):
             if not kept.pulls_only or kept.off[0].real > -TOUCHING:
                 yield name, -slope.ravel(), kept.pulls_only
 

@@ -23,6 +23,7 @@ from validation.effects.growth import Growth
 from validation.stability import command as stability
 from validation.stability.run import Outcome as Hard
 from validation.stability.run import run
+from validation.tables import read
 
 SAMPLE = (
     "kinematics/projectile",
@@ -79,7 +80,7 @@ def _cases(quick: bool) -> Content:
 
 def quick_cases() -> list[Case]:
     """Return the first case of every phenomenon."""
-    return [next(iter(phenomenon.cases())) for phenomenon in PHENOMENA]
+    return [read(phenomenon)[0] for phenomenon in PHENOMENA]
 
 
 def _cost(quick: bool) -> Content:

@@ -62,6 +62,20 @@ def entry(path: Path, chapter: str) -> Entry:
     return Entry(path, chapter, title, words)
 
 
+def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
+    """Return what orders levels that have all of some words: the least comes first.
+
+    A title says more than a summary, the whole phrase more than its words; of two titles that say
+    as much, the shorter one says less beside it.
+    """
+    title, phrase = entry.title.casefold(), " ".join(words)
+    if phrase in title:
+        return 0, len(title)
+    if all(word in title for word in words):
+        return 1, len(title)
+    return (2 if phrase in entry.words else 3), 0
+
+
 class LevelList:
     """A column of buttons, one a level, below a field that finds those with some words in them.
 
@@ -128,16 +142,18 @@ class LevelList:
         )  # fmt: skip
 
     def _show(self) -> None:
-        """Put what is sought for in rows, and hide the rest."""
+        """Put what is sought for in rows, and hide the rest; the chapters head all of them only."""
         found, y = self.found, 0
-        chapters = {level.chapter for level in found}
         self._put(self._none, y, shown=not found)
+        for element in (*self._headings.values(), *self._buttons):
+            self._put(element, y, shown=False)
+        buttons = {level: button for button, level in self._buttons.items()}
         headed: set[str] = set()
-        for button, level in self._buttons.items():
-            if level.chapter not in headed:
+        for level in found:
+            if level.chapter not in headed and not self.sought.strip():
                 headed.add(level.chapter)
-                y += self._put(self._headings[level.chapter], y, shown=level.chapter in chapters)
-            y += self._put(button, y, shown=level in found)
+                y += self._put(self._headings[level.chapter], y, shown=True)
+            y += self._put(buttons[level], y, shown=True)
         size = self._width + MARGIN, max(y, HEADING) + MARGIN
         self._container.set_scrollable_area_dimensions(size)
         scroll(self._container, 0)
@@ -158,9 +174,10 @@ class LevelList:
 
     @property
     def found(self) -> list[Entry]:
-        """The levels that have each of the words that are looked for."""
+        """The levels that have each of the words that are looked for, the likeliest first."""
         words = self.sought.casefold().split()
-        return [e for e in self._buttons.values() if all(word in e.words for word in words)]
+        found = [e for e in self._buttons.values() if all(word in e.words for word in words)]
+        return sorted(found, key=lambda e: rank(e, words)) if words else found
 
     def clear(self) -> None:
         """Look for nothing any more."""

@@ -80,11 +80,17 @@ class Hollows:
             self._touching[pair] = None
             return True
         self._touching[pair] = found
-        if self._pieces[one].body == found.arc.body:
-            meeting.replace(found.normal, found.on_arc, found.on_other)
-        else:
-            meeting.replace(-found.normal, found.on_other, found.on_arc)
+        meeting.replace(*self._sides(one, found))
         return True
+
+    def sides(self, shape: pymunk.Shape, touch: Touch) -> tuple[complex, complex, complex]:
+        """Return the normal from a shape to the other of a touch, and where each is touched [m]."""
+        return self._sides(address(shape), touch)
+
+    def _sides(self, shape: int, touch: Touch) -> tuple[complex, complex, complex]:
+        if self._pieces[shape].body == touch.arc.body:
+            return touch.normal, touch.on_arc, touch.on_other
+        return -touch.normal, touch.on_other, touch.on_arc
 
     def follow(self, arbiter: pymunk.Arbiter) -> None:
         """Let what touches an arc from inside, or a curve, follow it, as far as it does not bounce.

@@ -10,6 +10,7 @@ from itertools import islice
 import pymunk
 
 from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.contacts.queries import touched
 from sandbox.physics.state.errors import SimulationError
 
 TOUCHING = 1e-6
@@ -49,20 +50,7 @@ def _pairs(
     least = max(TOUCHING, space.collision_slop)
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
-            for depth, other in _overlaps(space, shape, hollows):
-                if depth > least and other is not body:
-                    yield depth, min(name, names[other]), max(name, names[other])
-
-
-def _overlaps(
-    space: pymunk.Space, shape: pymunk.Shape, hollows: Hollows | None
-) -> Iterator[tuple[float, pymunk.Body]]:
-    """Yield what a shape overlaps, and by how much [m]."""
-    for hit in space.shape_query(shape):
-        if hit.shape is None or hit.shape.body is None or not hit.contact_point_set.points:
-            continue
-        verdict = hollows.judge(shape, hit.shape) if hollows else True
-        if verdict is True:
-            yield -min(point.distance for point in hit.contact_point_set.points), hit.shape.body
-        elif verdict:
-            yield verdict.depth, hit.shape.body
+            for found in touched(space, shape, hollows):
+                if found.depth > least and found.body is not body:
+                    other = names[found.body]
+                    yield found.depth, min(name, other), max(name, other)

@@ -437,14 +437,15 @@ class Ledger:
         across, drives = rubbing(
             completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
         )
+        drives = {name: work for name, work in drives.items() if name in self._works}
+        given = jumped + pressing - sum(drives.values())
         if (
             not kick.length
-        ):  # in an impact friction and rebound act at once, and give nothing together
-            across = min(across, 0.0)
-        drives = {name: work for name, work in drives.items() if name in self._works}
+        ):  # in an impact friction and rebound act at once, and one feeds the other
+            across = min(max(across, given), 0.0)
         self._put_in(drives)
         self._rub(across)
-        lost = jumped + pressing - across - sum(drives.values())
+        lost = given - across
         if lost > 0 and not kick.length and "sticking" in self._losses:
             self._losses["sticking"] += lost  # who sticks presses on each other in the same impact
         elif not self._elastic:

@@ -192,7 +192,7 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
         return None, None
     from sandbox.physics.scene.touching import make_direct, make_sequence
 
-    return make_direct(made), make_sequence(made, pairs.restitution)
+    return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)
 
 
 def _check_rate(made: Made, forces: Sequence[Law]) -> None:

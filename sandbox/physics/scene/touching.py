@@ -29,6 +29,7 @@ from sandbox.physics.scene.parts import Made, Pairs
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.hollow_contacts import Hollows
     from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
 
 
@@ -84,18 +85,24 @@ def _hair(*, ours: bool, direct: bool) -> float:
     return DIRECT_HAIR if direct else HAIR
 
 
-def make_direct(made: Made) -> "Direct | None":
+def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
     """Make what solves contacts and exact joints together, where the level wants it."""
     level, stepping = made.level, made.stepping
     if stepping.as_it_comes or not is_direct(level):
         return None
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.direct.surfaces import surfaces_of
+    from sandbox.physics.contacts.queries import Query
 
     assert made.joints.together
-    surfaces = surfaces_of(level, made.values, list(made.bodies.values()))
+    bodies = list(made.bodies.values())
+    surfaces = surfaces_of(level, made.values, bodies)
+    assert bodies[0].space
+    query = Query(bodies[0].space, bodies, hollows)
     dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
-    return Direct(made.batch, made.joints.together, surfaces, made.inertia, dt, strikes=strikes)
+    return Direct(
+        made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes
+    )
 
 
 def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":

@@ -144,6 +144,7 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
 # Calibration
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
 @pytest.mark.parametrize("damping", [0, 1])
 def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
@@ -241,6 +242,7 @@ def test_random_scenes_get_what_they_ask_for(
         assert delivered(scene, stepping) <= target
 
 
+@pytest.mark.sweep
 def test_runs_that_agree_on_missing_a_wall_are_not_believed() -> None:
     """At 80 m/s a step of 120 Hz is 0.67 m: below 800 Hz a bullet of 0.1 m can pass a thin wall."""
     wall = fixed({"type": "box", "width": 0.05, "height": 1}, (0.3, 0))
@@ -274,6 +276,7 @@ def test_what_pymunk_makes_of_impacts_as_it_comes_tells_nothing_of_other_rates()
     assert ladder.rate_for(1e-5) == ladder.error_at(600) == float("inf")
 
 
+@pytest.mark.sweep
 def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> None:
     """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 4e-4 is had at 85 Hz."""
     steppings = (Stepping(rate=rate, scheme="fourth-order") for rate in (60, 120, 240))
@@ -290,6 +293,7 @@ def test_an_accuracy_below_rounding_is_refused() -> None:
         calibrate(oscillator(), target=1e-15)
 
 
+@pytest.mark.sweep
 def test_what_cannot_be_reached_says_what_can() -> None:
     with pytest.raises(AccuracyError, match=r"1e-14 cannot be had; there is leapfrog at .* error"):
         calibrate(oscillator(c=1), target=1e-14)
@@ -310,6 +314,7 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     assert "not in real time, in which there is leapfrog" in str(setting)
 
 
+@pytest.mark.sweep
 def test_a_chaotic_motion_is_judged_by_its_energy() -> None:
     """Two rods that whip about for 40 s: no step is small enough to say where they end."""
     rods = {
@@ -416,6 +421,7 @@ def test_another_level_or_target_or_code_is_another_setting(
     assert len(counted) == len(kept()) == 4
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize(
     "mangle",
     [

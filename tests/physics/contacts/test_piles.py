@@ -77,6 +77,7 @@ def fallen() -> str:
     return hashlib.sha256(end.position.tobytes() + end.velocity.tobytes()).hexdigest()
 
 
+@pytest.mark.sweep
 def test_144_boxes_fall_the_same_way_every_time_and_everywhere() -> None:
     here = [fallen() for _ in range(3)]
     code = "from tests.physics.contacts.test_piles import fallen; print(fallen())"

@@ -433,6 +433,7 @@ def hung(count: int, angle: float, e: float = 1, rate: float = 1000) -> Level:
     )
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("count", [2, 5])
 def test_a_cradle_of_rods_passes_the_swing_on(count: int) -> None:
     angle = 0.5

@@ -1,7 +1,8 @@
 """The books of energy and momentum close, and show what a scheme makes up."""
 
+from cmath import rect
 from itertools import pairwise
-from math import radians
+from math import pi, radians
 
 import numpy as np
 import pytest
@@ -482,3 +483,31 @@ def test_a_rope_that_is_caught_at_the_end_of_a_drift_loses_its_jerk_in_the_next_
 
         assert ledger.balance.loss["impacts"] == pytest.approx(4.5, abs=1e-12)
         assert abs(ledger.balance.unexplained) <= 1e-12
+
+
+@given(
+    spin=st.floats(-20, 20),
+    angle=st.floats(0.2, 1.4),
+    e=st.floats(0, 1),
+    mu=st.floats(0, 1),
+)
+def test_what_friction_takes_from_a_rebound_is_booked_once(
+    spin: float, angle: float, e: float, mu: float
+) -> None:
+    """A disc strikes one that spins on the floor, all at once: one contact feeds the other."""
+    away, rough = rect(1, pi / 2 - angle), {"restitution": e, "friction": mu}
+    there, comes = 0.1000001j + 0.2000001 * away, -3 * away
+    bodies = {
+        "floor": floor(restitution=1, friction=1),
+        "spins": disc((0, 0.1000001), radius=0.1, angular_velocity=spin, **rough),
+        "comes": disc(
+            (there.real, there.imag), radius=0.1, velocity=[comes.real, comes.imag], **rough
+        ),
+    }
+    effects: Spec = {"contact": {"solver": "direct"}, "friction": {}, "restitution": {}}
+    world = build(level(bodies, {**effects, "rotation": {}}, stepping={"rate": 240}))
+
+    books = watched(world, 3)
+
+    assert world.snapshot.velocity[2] != pytest.approx((comes.real, comes.imag))
+    assert rest(books) <= 1e-12

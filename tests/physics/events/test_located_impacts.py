@@ -168,6 +168,7 @@ SIDEWAYS: Spec = {
 """Two points that touch are 2 cm apart: what each gets depends on the other's 250 times as much."""
 
 
+@pytest.mark.sweep
 @settings(max_examples=25, deadline=None)
 @given(crowds())
 @example(SQUARELY)
@@ -492,6 +493,7 @@ def test_balls_that_hang_still_do_not_tremble_against_each_other() -> None:
     assert count <= 10  # 0
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("drawn", [1, 2, 3, 4])
 def test_each_ball_of_a_cradle_hits_each_that_hangs_once(drawn: int) -> None:
     """Then those that hang, and those that swing out, lean on each other and rest.

@@ -147,6 +147,7 @@ def test_only_what_damps_looks_at_velocities(law: Law, places: Array, velocity: 
     assert law.needs_velocity or np.array_equal(still, moving)
 
 
+@pytest.mark.sweep
 @given(st.floats(0, 3), st.floats(0, 3), PLACES)
 def test_drag_takes_power_and_never_gives_any(
     linear: float, quadratic: float, velocity: Array
@@ -158,6 +159,7 @@ def test_drag_takes_power_and_never_gives_any(
     assert (force[2] == 0).all()
 
 
+@pytest.mark.sweep
 @given(ENDS, PLACES, PLACES)
 def test_a_damped_spring_pulls_both_ends_alike(
     ends: tuple[Anchor, Anchor], places: Array, velocity: Array
@@ -311,6 +313,7 @@ def test_a_centre_may_pull_by_another_power() -> None:
     assert worst(found["far.position.x"], 3 * np.cos(2 * found["t"])) < 1e-3
 
 
+@pytest.mark.sweep
 @given(
     st.lists(st.tuples(NUMBER, NUMBER, st.floats(0.1, 10)), min_size=2, max_size=8, unique=True),
     st.floats(-3, 3),
@@ -366,6 +369,7 @@ def two_stars_error(rate: float, scheme: str = "leapfrog") -> float:
     return worst(found["light.position.x"], 2 * np.cos(omega * found["t"]))
 
 
+@pytest.mark.sweep
 def test_two_stars_are_second_order() -> None:
     assert two_stars_error(60) < 1e-3  # 3.8e-4
     assert order(two_stars_error, 60) >= 1.9

@@ -202,6 +202,7 @@ def test_what_rests_on_a_curve_stays(shape: Spec, body: Spec, touches: int, solv
     assert held == pytest.approx([0, G * world.dt], abs=1e-11)
 
 
+@pytest.mark.sweep
 @SOLVERS
 def test_a_box_rocks_on_a_crest(solver: str) -> None:
     """Rolling: ω² = (ρ − h) m g / (I + m h²), h half its height, ρ the radius of the crest."""
@@ -217,6 +218,7 @@ def test_a_box_rocks_on_a_crest(solver: str) -> None:
     assert np.abs(rocks.angle).max() <= tilt * 1.01
 
 
+@pytest.mark.sweep
 @SOLVERS
 def test_a_curve_that_moves_takes_along_what_lies_in_it(solver: str) -> None:
     rub: Spec = {"friction": 1}
@@ -229,6 +231,7 @@ def test_a_curve_that_moves_takes_along_what_lies_in_it(solver: str) -> None:
     assert world.snapshot.velocity[0] == pytest.approx([1, 0], abs=1e-9)
 
 
+@pytest.mark.sweep
 @SOLVERS
 def test_a_drum_that_turns_spins_what_lies_in_it(solver: str) -> None:
     """A curve in the shape of one drags a disc as an arc that turns does."""
@@ -246,6 +249,7 @@ def test_a_drum_that_turns_spins_what_lies_in_it(solver: str) -> None:
     assert turning[1].angular_velocity[0] == pytest.approx(turning[0].angular_velocity[0], rel=1e-6)
 
 
+@pytest.mark.sweep
 @SOLVERS
 @pytest.mark.parametrize("thickness", [0, 0.1])
 def test_no_ball_trips_where_a_line_goes_on_into_a_curve(solver: str, thickness: float) -> None:
@@ -262,6 +266,7 @@ def test_no_ball_trips_where_a_line_goes_on_into_a_curve(solver: str, thickness:
     assert np.ptp(energy) <= 3e-4 * energy[0]  # 3e-5
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("impacts", ["together", "sequence"])
 def test_what_bounces_on_a_curve_keeps_its_energy(impacts: str) -> None:
     bodies = {

@@ -162,7 +162,7 @@ print(True)
 @pytest.mark.parametrize(
     "code",
     [
-        COINCIDENT.replace("COUNT", "1000") + UNFREED,
+        pytest.param(COINCIDENT.replace("COUNT", "1000") + UNFREED, marks=pytest.mark.sweep),
         COINCIDENT.replace("COUNT", "200"),
         HELD,
     ],

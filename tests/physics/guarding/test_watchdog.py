@@ -191,6 +191,7 @@ def test_joints_against_which_contacts_push_are_stopped(apart: float, says: str)
     assert says in str(stopped(build(scene)))
 
 
+@pytest.mark.sweep
 def test_joints_that_hold_bodies_in_each_other_do_so_in_peace() -> None:
     """Solved together, contacts push as hard as the rod holds, and nothing parts or moves."""
     scene = level(

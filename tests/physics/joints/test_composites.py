@@ -34,6 +34,7 @@ MASSES = st.floats(-1, 1).map(lambda power: 10.0**power)
 KEPT = ("system.momentum.x", "system.momentum.y", "system.angular_momentum")
 
 
+@pytest.mark.sweep
 @settings(max_examples=30, deadline=None)
 @given(st.floats(-0.55, 0.55), MASSES, MASSES)
 def test_discs_that_stick_off_centre_keep_momentum_and_turn(b: float, m1: float, m2: float) -> None:

@@ -92,6 +92,7 @@ def energy_swing(links: Links, rate: float) -> float:
     return float(np.abs(found["system.energy"] - found["system.energy"][0]).max())
 
 
+@pytest.mark.sweep
 @settings(max_examples=8, deadline=None)
 @given(TREES)
 def test_the_energy_of_a_hanging_tree_is_of_second_order(links: Links) -> None:
@@ -112,6 +113,7 @@ def turned_back(world: World, steps: int) -> None:
     batch.set_velocity(-batch.velocity())
 
 
+@pytest.mark.sweep
 @settings(max_examples=8, deadline=None)
 @given(TREES)
 def test_a_tree_runs_back_to_where_it_came_from(links: Links) -> None:

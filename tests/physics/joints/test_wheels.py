@@ -146,6 +146,7 @@ def dumbbell(offset: float, spin: float) -> Level:
     )
 
 
+@pytest.mark.sweep
 @settings(max_examples=20, deadline=None)
 @given(st.floats(0, 2), st.floats(-5, 5))
 def test_welded_bodies_move_as_one_and_keep_what_they_have(offset: float, spin: float) -> None:

@@ -88,6 +88,7 @@ def test_a_cycloid_takes_the_same_time_from_anywhere(angle: float) -> None:
     assert order == pytest.approx(2, abs=0.05)
 
 
+@pytest.mark.sweep
 @settings(max_examples=8)
 @given(
     st.floats(0.2, 2), st.floats(-2, 2), st.floats(-1, 1), st.floats(-1.5, 1.5), st.floats(-2, 2)

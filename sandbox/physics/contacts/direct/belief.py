@@ -3,6 +3,7 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.queries import Query
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import QUADRATIC
 
@@ -16,9 +17,15 @@ class Belief:
     Of shapes that lie parallel, far from each other, pymunk now and then finds that they touch,
     without a direction or deep in each other. What has not touched in the step before can be no
     deeper in each other than the bodies have moved.
+
+    Parameters
+    ----------
+    query
+        Finds what bodies touch that were moved.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, query: Query) -> None:
+        self._query = query
         self._pairs: set[tuple[int, int]] | None = None  # that touched in the last step, if known
 
     def forget(self) -> None:
@@ -45,6 +52,22 @@ class Belief:
             good &= ~new | (contacts.depth <= _reach(contacts, place, way))
         self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}
         return contacts if good.all() else Contacts._make(field[good] for field in contacts)
+
+    def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
+        """Return contacts, and those that there are since bodies were moved; the same if none are.
+
+        Parameters
+        ----------
+        state
+            (n, 6), where the bodies are now, see `Batch.state`.
+        shift
+            (n, 3), by what they were moved [m, rad].
+        least
+            By how much that counts [m, rad].
+        """
+        moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
+        found = self._query.more(contacts, moved) if moved else contacts
+        return contacts if found is contacts else self.sound(found, state[:, :2], np.abs(shift))
 
 
 def _reach(contacts: Contacts, place: Array, way: Array) -> Array:

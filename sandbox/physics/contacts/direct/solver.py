@@ -30,6 +30,7 @@ from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.parting import part
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
@@ -73,6 +74,8 @@ class Direct:
         (n, 3), masses, masses and moments; 0 of what nothing moves or turns [kg, kg m²].
     dt
         The time step [s].
+    query
+        Finds what bodies touch that were moved.
     strikes
         Whether impacts are found here; else somebody else has seen to them.
 
@@ -93,6 +96,7 @@ class Direct:
         surfaces: Surfaces,
         inertia: Array,
         dt: float,
+        query: Query,
         *,
         strikes: bool,
     ) -> None:
@@ -107,7 +111,7 @@ class Direct:
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[bytes, Layout] | None = None
-        self._known, self._belief = WarmStart(), Belief()
+        self._known, self._belief = WarmStart(), Belief(query)
         self.contacts: Contacts = NO_CONTACTS
         self.last = _nothing(self._begun)
         self.stages: tuple[Stage, ...] = ()
@@ -203,10 +207,9 @@ class Direct:
 
     def _look(self) -> Kick:
         """Return the rows where everything is, once overlaps are taken back."""
-        contacts, surfaces = self.contacts, self._surfaces
-        place, _ = self._joints.coordinates()
-        layout = self._lay_out()
-        kick = Kick.at(place, self._joints, contacts, layout, surfaces.running, self._lengths)
+        contacts, surfaces, joints = self.contacts, self._surfaces, self._joints
+        (place, _), laid = joints.coordinates(), self._lay_out(contacts)
+        kick = Kick.at(place, joints, contacts, laid, surfaces.running, self._lengths)
         way = part(kick, surfaces, self._known, self._spread(self._begun * self._dt))
         if way is None:
             return kick
@@ -214,13 +217,18 @@ class Direct:
         self._shift = np.where(self._moves[:, None], way[self._order], 0.0)
         state[:, :3] += self._shift
         self._batch.set_state(state)
-        return kick.moved(Coordinates(place.values + way))
+        there = Coordinates(place.values + way)
+        found = self._belief.since(contacts, state, self._shift, surfaces.slop)
+        if found is contacts:
+            return kick.moved(there)
+        self.contacts, laid = found, self._lay_out(found)
+        return Kick.at(there, joints, found, laid, surfaces.running, self._lengths)
 
-    def _lay_out(self) -> Layout:
-        contacts, joints = self.contacts, self._joints
-        key = contacts.bodies.tobytes() + contacts.touches.tobytes() + bytes(len(joints.added))
+    def _lay_out(self, contacts: Contacts) -> Layout:
+        added = bytes(len(self._joints.added))
+        key = contacts.bodies.tobytes() + contacts.touches.tobytes() + added
         if self._laid is None or self._laid[0] != key:
-            self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
+            self._laid = key, lay_out(contacts, self._joints, self._surfaces, self._moves)
         return self._laid[1]
 
     def _spread(self, rates: Array) -> Array:

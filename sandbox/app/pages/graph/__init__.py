@@ -1,0 +1,14 @@
+"""The page of graphs."""
+
+from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.graph.panel import GraphPage
+from sandbox.app.pages.page import Page
+
+PAGE = Page(
+    name="graph",
+    caption="Graph",
+    key="d",
+    text="graphs of any quantity against any other",
+    panel=GraphPage,
+    worker=Choice,
+)

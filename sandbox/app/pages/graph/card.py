@@ -1,0 +1,126 @@
+"""Graphs of what was chosen: one for each unit, with the closed form and earlier runs."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, Card
+from sandbox.app.history import History
+from sandbox.app.pages.graph import plot
+from sandbox.app.pages.graph.plot import Scale, Series
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Array, ExpressionError
+from sandbox.physics.measuring.grading import applies
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.stepping.world import World
+
+HEIGHT = 150  # px, of a graph
+NOTHING = "Choose a quantity below; several are drawn together."
+
+
+def graphs(
+    pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None
+) -> pygame.Surface:
+    """Draw quantities of the run so far against another.
+
+    Parameters
+    ----------
+    pen, width
+        What it is drawn with, and how wide [px].
+    session
+        Whose run.
+    up, across
+        The names of the quantities.
+    cursor
+        A value of the one across at which the others are told; None for their present values.
+    """
+    card = Card(pen, width)
+    if not up:
+        card.text(NOTHING, 14, theme.DIM)
+        return card.drawn()
+    names = list(dict.fromkeys([across, *up]))
+    columns, units = measured(session.world, session.history, names)
+    earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
+    span = span_of(width, [columns[across], *(each[across] for each in earlier)])
+    for unit in dict.fromkeys(units[name] for name in up):
+        these = [name for name in up if units[name] == unit]
+        _told(card, session, columns, these, up, units, across, cursor)
+        series = [
+            *_faint(earlier, these, across),
+            *_closed(session, columns, these, up, across),
+            *(Series(_color(name, up), columns[across], columns[name]) for name in these),
+        ]
+        card.put(plot.draw(pen, (width, HEIGHT), series, span, cursor), 0)
+        card.y += HEIGHT + GAP
+    card.text(f"against {across} [{units[across]}]", 12, theme.DIM)
+    return card.drawn()
+
+
+def span_of(width: int, values: Sequence[Array]) -> Scale:
+    """Return the scale across graphs of a width [px]."""
+    return plot.across(width, values)
+
+
+def measured(
+    world: World, history: History, names: Sequence[str]
+) -> tuple[Mapping[str, Array], Mapping[str, str]]:
+    """Return the quantities of a run over its instants, (k,) each, and their units."""
+    meter = Meter(world, names)
+    return meter(history.snapshots), {n: q.unit for n, q in meter.quantities.items()}
+
+
+def _color(name: str, up: Sequence[str]) -> Color:
+    return theme.BODIES[list(up).index(name) % len(theme.BODIES)]
+
+
+def _told(
+    card: Card, session: Session, columns: Mapping[str, Array], these: Sequence[str],
+    up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
+) -> None:  # fmt: skip
+    """Write the name of each line, and its value: now, or where the cursor is."""
+    row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
+    for name in these:
+        value = wording.quantity(float(columns[name][row]), units[name], 4)
+        right = card.pen.write(value, 13, theme.TEXT)
+        left = card.pen.write(
+            card.pen.shorten(name, card.width - right.width - 12, 13), 13, _color(name, up)
+        )
+        card.put(left, 0)
+        card.put(right, card.width - right.width)
+        card.y += left.height
+    if cursor is not None and session.world.steps:
+        at = wording.quantity(float(columns[across][row]), units[across], 4)
+        card.text(f"at {across} = {at}", 12, theme.NOTICE)
+
+
+def _faint(
+    earlier: Sequence[Mapping[str, Array]], these: Sequence[str], across: str
+) -> Iterator[Series]:
+    """Yield the lines of earlier runs."""
+    for index, columns in enumerate(earlier):
+        color = theme.mix(theme.STAGE, theme.LANES[index % len(theme.LANES)], 0.6)
+        yield from (Series(color, columns[across], columns[name]) for name in these)
+
+
+def _closed(
+    session: Session, columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str],
+    across: str,
+) -> Iterator[Series]:  # fmt: skip
+    """Yield the closed forms of what holds at every step, where they still describe the run."""
+    if session.changes or session.world.disturbed:
+        return
+    t = session.history.snapshots.t
+    for check in session.original.checks:
+        if check.quantity not in these or check.at or not applies(check, session.values):
+            continue
+        try:
+            formula = check.formula.over(session.values, t)
+        except ExpressionError:
+            continue
+        x = formula if across == check.quantity else columns[across]
+        color = theme.mix(_color(check.quantity, up), theme.TEXT, 0.5)
+        yield Series(color, x, formula, dashed=True)

@@ -1,0 +1,95 @@
+"""The page of graphs: what is drawn is chosen from lists, and told under the mouse."""
+
+import pygame
+from pygame_gui import UI_SELECTION_LIST_DROPPED_SELECTION, UI_SELECTION_LIST_NEW_SELECTION
+from pygame_gui.elements import UISelectionList
+
+from sandbox.app.cards.card import heading
+from sandbox.app.pages.graph.card import graphs, measured, span_of
+from sandbox.app.pages.graph.choice import Choice, offered
+from sandbox.app.pages.page import Desk
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.quantities import TIME
+
+LISTS = 168, 92  # px, how high the two lists are
+
+
+class GraphPage:
+    """Graphs, and below them the lists of what can be drawn, and against what."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._choice = desk.worker(Choice)
+        self._cursor: float | None = None
+        names = offered(desk.session.level)
+        up = [name for name in self._choice.up(desk.session) if name in names]
+        self._graphs = sheet.image(self._drawn(), MARGIN // 2)
+        self._titles = [
+            sheet.image(heading(sheet.pen, sheet.width, text), 0) for text in ("Draw", "Against")
+        ]
+        self.up = self._list(LISTS[0], names, several=True, chosen=up)
+        across = [TIME.name, *names]
+        self.across = self._list(
+            LISTS[1], across, several=False, chosen=[self._choice.across(desk.session)]
+        )
+        self.update()
+
+    def _list(
+        self, height: int, names: list[str], *, several: bool, chosen: list[str]
+    ) -> UISelectionList:
+        """Put a list of quantities, of which one or several can be chosen."""
+        rect = pygame.Rect(MARGIN, 0, self._sheet.width, height)
+        first: list[str | tuple[str, str]] | str = [*chosen] if several else chosen[0]
+        return UISelectionList(
+            rect, list(names), self._sheet.manager, container=self._sheet.container,
+            allow_multi_select=several, allow_double_clicks=False,
+            default_selection=first,
+        )  # fmt: skip
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Draw what was chosen, and follow the mouse."""
+        if event.type == pygame.MOUSEMOTION:
+            self._follow(event.pos)
+            return None
+        kinds = (UI_SELECTION_LIST_NEW_SELECTION, UI_SELECTION_LIST_DROPPED_SELECTION)
+        if event.type not in kinds:
+            return None
+        if event.ui_element is self.up:
+            self._choice.choose(self._session, tuple(self.up.get_multi_selection()))
+        elif event.ui_element is self.across and event.type == UI_SELECTION_LIST_NEW_SELECTION:
+            self._choice.against(self._session, str(self.across.get_single_selection()))
+            self._cursor = None
+        else:
+            return None
+        return ""
+
+    def _follow(self, pixel: tuple[int, int]) -> None:
+        """Tell the values under the mouse while it is over the graphs."""
+        place = self._graphs.rect
+        before, self._cursor = self._cursor, None
+        if place.collidepoint(pixel) and self._choice.up(self._session):
+            across = self._choice.across(self._session)
+            columns, _ = measured(self._session.world, self._session.history, [across])
+            span = span_of(self._sheet.width, [columns[across]])
+            value = span.value(pixel[0] - place.x)
+            self._cursor = min(max(value, span.low), span.high)
+        if self._cursor != before:
+            self.update()
+
+    def update(self) -> None:
+        """Draw the graphs anew, and put the lists below them."""
+        sheet = self._sheet
+        sheet.replace(self._graphs, self._drawn())
+        y = below(self._graphs) + 8
+        if y == self._titles[0].relative_rect.y:
+            return
+        for title, chooser, height in zip(self._titles, (self.up, self.across), LISTS, strict=True):
+            title.set_relative_position((MARGIN, y))
+            chooser.set_relative_position((MARGIN, below(title)))
+            y = below(title) + height + 8
+        sheet.end(y)
+
+    def _drawn(self) -> pygame.Surface:
+        sheet, session = self._sheet, self._session
+        up, across = self._choice.up(session), self._choice.across(session)
+        return graphs(sheet.pen, sheet.width, session, up, across, self._cursor)

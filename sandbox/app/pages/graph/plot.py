@@ -1,0 +1,127 @@
+"""Lines over an axis with numbers: what a graph is drawn with."""
+
+from collections.abc import Iterator, Sequence
+from math import ceil, floor
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from sandbox.app import lines, theme, wording
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Array
+
+LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
+MANY = 600
+"""How many points of a line are drawn: there are no more pixels."""
+
+
+class Series(NamedTuple):
+    """A line: its colour, its points, and whether it is dashed."""
+
+    color: Color
+    x: Array
+    y: Array
+    dashed: bool = False
+
+
+class Scale(NamedTuple):
+    """Numbers and pixels of an axis."""
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def pixels(self, values: Array) -> Array:
+        """Return where values are [px]."""
+        share = (values - self.low) / (self.high - self.low)
+        return np.asarray(self.start + share * (self.end - self.start))
+
+    def value(self, pixel: float) -> float:
+        """Return what stands at a pixel."""
+        share = (pixel - self.start) / (self.end - self.start)
+        return self.low + share * (self.high - self.low)
+
+    def ticks(self, most: int) -> Iterator[float]:
+        """Yield round numbers along it, about so many at the most."""
+        step = wording.nice((self.high - self.low) / most)
+        for i in range(ceil(self.low / step), floor(self.high / step) + 1):
+            yield i * step
+
+
+def scale(values: Sequence[Array], start: float, end: float, room: float) -> Scale:
+    """Return the scale for some values, with a part of it left free at both ends."""
+    finite = [v[np.isfinite(v)] for v in values]
+    known = np.concatenate(finite) if finite else np.zeros(0)
+    low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
+    least = 1e-9 * max(abs(low), abs(high), 1e-9)  # what differs less is rounding
+    spread = high - low if high - low > least else max(abs(high), 1.0)
+    middle = (low + high) / 2
+    half = spread * (0.5 + room)
+    return Scale(middle - half, middle + half, start, end)
+
+
+def draw(
+    pen: Pen, size: tuple[int, int], series: Sequence[Series], span: Scale, cursor: float | None
+) -> pygame.Surface:
+    """Draw lines, the last on top; and a cursor at a value of x, if there is one."""
+    surface = pygame.Surface(size)
+    surface.fill(theme.STAGE)
+    up = scale([each.y for each in series], size[1] - BELOW, ABOVE, 0.06)
+    _draw_axes(surface, pen, span, up)
+    for each in series:
+        _draw_line(surface, each, span, up)
+    if cursor is not None:
+        x = round(float(span.pixels(np.array(cursor))))
+        pygame.draw.line(surface, theme.NOTICE, (x, ABOVE), (x, size[1] - BELOW))
+    return surface
+
+
+def across(width: int, values: Sequence[Array]) -> Scale:
+    """Return the scale of x for graphs of a width [px]."""
+    return scale(values, LEFT, width - RIGHT, 0.0)
+
+
+def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:
+    every = max(len(series.x) // MANY, 1)
+    kept = np.unique(np.append(np.arange(0, len(series.x), every), len(series.x) - 1))
+    found = np.column_stack((span.pixels(series.x[kept]), up.pixels(series.y[kept])))
+    points = [(float(x), float(y)) for x, y in found if np.isfinite(x + y)]
+    if len(points) < 2:
+        return
+    if series.dashed:
+        lines.dashed(surface, series.color, points)
+    elif lines.near(points):
+        pygame.draw.aalines(surface, series.color, False, points)
+
+
+def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
+    bottom, left = round(up.start), round(span.start)
+    offset = _offset(up)
+    beyond = Scale(up.low - offset, up.high - offset, up.start, up.end)
+    for value in beyond.ticks(4):
+        y = round(float(beyond.pixels(np.array(value))))
+        pygame.draw.line(surface, theme.GRID_STRONG, (left, y), (span.end, y))
+        text = pen.write(_brief(value), 11, theme.DIM)
+        surface.blit(text, text.get_rect(midright=(left - 4, y)))
+    if offset:
+        surface.blit(pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, ABOVE))
+    for value in span.ticks(4):
+        x = round(float(span.pixels(np.array(value))))
+        pygame.draw.line(surface, theme.GRID_STRONG, (x, ABOVE), (x, bottom))
+        text = pen.write(_brief(value), 11, theme.DIM)
+        place = text.get_rect(midtop=(x, bottom + 3)).clamp(surface.get_rect())
+        surface.blit(text, place)
+
+
+def _offset(up: Scale) -> float:
+    """Return what numbers are told beyond, where they differ by less than a thousandth; else 0."""
+    middle = (up.low + up.high) / 2
+    return middle if up.high - up.low < 1e-3 * abs(middle) else 0.0
+
+
+def _brief(value: float) -> str:
+    """Write the number of a tick."""
+    return f"{0.0 if abs(value) < 1e-15 else value:.5g}".replace("-", wording.MINUS)

@@ -1,0 +1,137 @@
+"""What bodies touch where they are, asked of pymunk between two of its steps."""
+
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pymunk
+
+from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.geometry.distance import dot
+
+Points = tuple[complex, complex]
+"""Where two shapes touch, on the surface of each [m]."""
+
+
+class Touched(NamedTuple):
+    """What a shape touches.
+
+    Attributes
+    ----------
+    body
+        pymunk's.
+    normal
+        The unit vector to it.
+    points
+        Where they touch, one or two; the shape's own surface first.
+    depth
+        By how much they overlap where they do so most [m].
+    """
+
+    body: pymunk.Body
+    normal: complex
+    points: Sequence[Points]
+    depth: float
+
+
+def touched(space: pymunk.Space, shape: pymunk.Shape, hollows: Hollows | None) -> Iterator[Touched]:
+    """Yield what a shape touches, other shapes of its own body as well."""
+    for hit in space.shape_query(shape):
+        found = hit.contact_point_set
+        if hit.shape is None or hit.shape.body is None or not found.points:
+            continue
+        verdict = hollows.judge(shape, hit.shape) if hollows else True
+        if hollows and not isinstance(verdict, bool):
+            normal, *points = hollows.sides(shape, verdict)
+            yield Touched(hit.shape.body, normal, [(points[0], points[1])], verdict.depth)
+        elif verdict:
+            both = [(complex(*p.point_a), complex(*p.point_b)) for p in found.points]
+            depth = -min(point.distance for point in found.points)
+            yield Touched(hit.shape.body, complex(*found.normal), both, depth)
+
+
+class Query:
+    """Finds the contacts of bodies that were moved by hand; n bodies.
+
+    Parameters
+    ----------
+    space
+        In which they are.
+    bodies
+        All of them, in order.
+    hollows
+        What is hollow among them; None if nothing is.
+
+    Attributes
+    ----------
+    bodies
+        As above.
+    """
+
+    def __init__(
+        self, space: pymunk.Space, bodies: Sequence[pymunk.Body], hollows: Hollows | None
+    ) -> None:
+        self._space, self.bodies, self._hollows = space, bodies, hollows
+        self._rows = {body: row for row, body in enumerate(bodies)}
+
+    def more(self, known: Contacts, moved: Collection[int]) -> Contacts:
+        """Return contacts, and those that bodies have since they were moved.
+
+        Two bodies that touch at more shapes than they did are taken as they are found now; the
+        others keep what is known of them.
+
+        Parameters
+        ----------
+        known
+            The contacts where the bodies were before.
+        moved
+            The rows of those that were moved.
+        """
+        found: dict[tuple[int, int], list[Touched]] = {}
+        for row, other, contact in self._found(moved):
+            found.setdefault((row, other), []).append(contact)
+        pairs = [(min(pair), max(pair)) for pair in known.bodies.tolist()]
+        new = {pair: all_ for pair, all_ in found.items() if len(all_) > pairs.count(pair)}
+        if not new:
+            return known
+        keep = [pair not in new for pair in pairs]
+        rest = Contacts._make(field[keep] for field in known)
+        return rest.and_(_contacts(new)).in_order()
+
+    def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, Touched]]:
+        """Yield the rows of two bodies that touch, the lower first, and how."""
+        for row in moved:
+            self._space.reindex_shapes_for_body(self.bodies[row])
+        for row in moved:
+            for shape in self.bodies[row].shapes:
+                for found in touched(self._space, shape, self._hollows):
+                    other = self._rows[found.body]
+                    if row < other:
+                        yield row, other, found
+                    elif other < row and other not in moved:  # or it has found it itself
+                        back = [(there, here) for here, there in found.points]
+                        yield other, row, found._replace(normal=-found.normal, points=back)
+
+
+def _contacts(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
+    """Return contacts as a step has them, without impulses."""
+    rows = [(pair, contact) for pair, contacts in found.items() for contact in contacts]
+    count = len(rows)
+    points, depths = np.zeros((count, 2), dtype=complex), np.zeros((count, 2))
+    for row, (_, contact) in enumerate(rows):
+        for place, (here, there) in enumerate(contact.points):
+            points[row, place] = (here + there) / 2
+            depths[row, place] = dot(here - there, contact.normal)
+    normals = np.array([contact.normal for _, contact in rows])
+    return NO_CONTACTS._replace(
+        bodies=np.array([pair for pair, _ in rows], dtype=np.intp),
+        first=np.ones(count, dtype=bool),
+        direction=np.stack((normals.real, normals.imag), axis=1),
+        normal=np.zeros(count),
+        friction=np.zeros(count),
+        touches=np.array([len(contact.points) for _, contact in rows], dtype=np.intp),
+        points=np.stack((points.real, points.imag), axis=2),
+        impulse=np.zeros((count, 2)),
+        depths=depths,
+    )

@@ -1,0 +1,149 @@
+"""Graphs: what is drawn is what was measured, at its place."""
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme
+from sandbox.app.history import History
+from sandbox.app.pages.graph import plot
+from sandbox.app.pages.graph.card import measured
+from sandbox.app.pages.graph.choice import Choice, offered
+from sandbox.app.pages.graph.panel import GraphPage
+from sandbox.app.pages.graph.plot import Scale, Series
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.trail import CAPACITY
+from sandbox.model import catalog
+from sandbox.model.loading import load
+from tests.app.person import Person
+
+
+def opened(name: str, steps: int) -> Session:
+    session = Session(load(catalog.find(name)))
+    for _ in range(steps):
+        session.step()
+    return session
+
+
+def page(person: Person) -> GraphPage:
+    side = person.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, GraphPage)
+    return side.page
+
+
+def test_a_history_gives_back_every_state_it_has_noted() -> None:
+    session = opened("newton/atwood", 30)
+
+    states = session.history.snapshots
+
+    assert len(session.history) == 31
+    assert states.t[-1] == session.world.snapshot.t
+    np.testing.assert_array_equal(states.position[-1], session.world.snapshot.position)
+    np.testing.assert_array_equal(states.tension[-1], session.world.snapshot.tension)
+
+
+def test_a_history_is_bounded_and_then_has_every_second_state() -> None:
+    world = opened("kinematics/free-fall", 0).world
+    history = History(world.snapshot)
+    for _ in range(2 * CAPACITY):
+        history.note(world.snapshot)
+
+    assert len(history) <= CAPACITY
+
+
+def test_what_is_drawn_is_what_the_closed_form_says() -> None:
+    session = opened("kinematics/projectile", 60)
+
+    columns, units = measured(session.world, session.history, ["t", "ball.position.y"])
+
+    rise = 25 * np.sin(np.pi / 4)
+    expected = rise * columns["t"] - 9.81 * columns["t"] ** 2 / 2
+    np.testing.assert_allclose(columns["ball.position.y"], expected, atol=1e-12)
+    assert units == {"t": "s", "ball.position.y": "m"}
+
+
+def test_every_quantity_that_is_offered_can_be_drawn() -> None:
+    for name in ("newton/atwood", "momentum/cradle", "rotation/motor", "lagrange/bead-on-a-wire"):
+        session = opened(name, 5)
+        names = offered(session.level)
+        columns, _ = measured(session.world, session.history, names)
+        assert all(columns[each].shape == (6,) for each in names)
+
+
+def test_a_line_goes_through_its_points(pen: Pen) -> None:
+    span = plot.across(300, [np.array([0.0, 1.0])])
+    y = np.array([0.0, 1.0])
+    drawn = plot.draw(pen, (300, 150), [Series((255, 0, 0), y, y)], span, cursor=None)
+
+    pixels = pygame.surfarray.array3d(drawn)
+    red = np.argwhere((pixels[..., 0] > 100) & (pixels[..., 1] < 60))
+    assert red[:, 0].min() <= plot.LEFT + 1
+    assert red[:, 0].max() >= 300 - plot.RIGHT - 1
+    corner = red[red[:, 0].argmin()], red[red[:, 0].argmax()]
+    assert corner[0][1] > corner[1][1]  # it rises
+
+
+@pytest.mark.parametrize(("low", "high"), [(0, 1), (-3e-9, 7e-9), (1e9, 5e9), (-1, -0.999)])
+def test_ticks_are_round_few_and_inside(low: float, high: float) -> None:
+    ticks = list(Scale(low, high, 0, 100).ticks(4))
+
+    assert 1 <= len(ticks) <= 6
+    assert all(low <= tick <= high for tick in ticks)
+
+
+def test_what_hardly_changes_is_drawn_beyond_an_offset_and_rounding_is_a_straight_line() -> None:
+    noise = plot.scale([np.array([5.0, 5.0 + 1e-14])], 0, 1, 0.06)
+    assert noise.high - noise.low > 1
+
+    nothing = plot.scale([np.array([np.nan, np.inf])], 0, 1, 0.06)
+    assert np.isfinite([nothing.low, nothing.high]).all()
+
+
+def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_d, "d")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.3)
+    choice = person.window.workers.of(Choice)
+    assert choice.up(person.session) == ("ball.position.x",)
+
+    rows = page(person).up.item_list_container.elements
+    person.click(next(row for row in rows if row.text == "ball.position.y").rect)
+    person.wait(0.1)  # the list tells it two frames after its button
+    assert choice.up(person.session) == ("ball.position.x", "ball.position.y")
+
+    person.press(pygame.K_o, "o")
+    person.press(pygame.K_d, "d")
+    assert set(page(person).up.get_multi_selection()) == {"ball.position.x", "ball.position.y"}
+
+
+def test_a_quantity_is_drawn_against_another(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_d, "d")
+    choice = person.window.workers.of(Choice)
+
+    choice.choose(person.session, ("ball.position.y",))
+    choice.against(person.session, "ball.position.x")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.5)
+
+    assert choice.across(person.session) == "ball.position.x"
+    graph = pygame.surfarray.array3d(page(person)._graphs.image)
+    assert (graph == theme.BODIES[0]).all(axis=2).any()
+
+
+def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_d, "d")
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.5)
+    person.press(pygame.K_SPACE, " ")
+    graph = page(person)._graphs.rect
+
+    person.move((graph.centerx, graph.y + 60))
+
+    assert page(person)._cursor == pytest.approx(person.session.t / 2, rel=0.2)
+    person.move((600, 300))
+    assert page(person)._cursor is None

@@ -1,0 +1,62 @@
+"""How deep bodies come into each other over a run, and how deep they may."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import is_direct
+from validation.compose.course import Course
+from validation.compose.separation import Couple
+
+SKIN = 1.1e-6
+"""m: the overlap that the engine leaves alone is 1e-6 m, approached from above."""
+
+SOON = 0.25
+"""s, within which the overlap of an impact that was found late must be gone: what is taken back
+slower than that is seen."""
+
+SLOWLY = 0.2
+"""The share of an overlap that a step takes back where it is left to pymunk and nothing bounces; of
+what bounces it takes back none (docs/levels.md, `correction`). So much may be left of it later."""
+
+
+def overlapped(couple: Couple) -> float:
+    """Return how deep two bodies came into each other, each time that they did, added up [m]."""
+    depth = np.maximum(-couple.separation, 0.0)
+    begins = np.flatnonzero((depth > 0) & (np.concatenate(([0.0], depth[:-1])) == 0))
+    return float(np.maximum.reduceat(depth, begins).sum()) if begins.size else 0.0
+
+
+def excess(course: Course, couple: Couple, extents: Array) -> float:
+    """Return by how much two bodies overlap beyond what a fresh impact explains [m].
+
+    Parameters
+    ----------
+    extents
+        (n,), how far bodies reach from their centres [m].
+    """
+    depth = np.maximum(-couple.separation, 0.0)
+    if not (depth > SKIN).any():
+        return float(depth.max())
+    ways = _ways(course, couple, extents)
+    allowance = np.zeros(len(depth))
+    step = np.arange(len(depth))
+    share = np.where(step <= SOON * course.rate, 1.0, _left(course) ** step)
+    for at in np.flatnonzero(couple.entered(SKIN)):
+        allowance[at:] = np.maximum(allowance[at:], ways[at] * share[: len(depth) - at])
+    return float((depth - allowance).max())
+
+
+def _left(course: Course) -> float:
+    """Return which share of an overlap a step leaves; 0 where it shall soon be gone."""
+    if is_direct(course.level):
+        return 0.0
+    return 1.0 if course.level.effects.restitution else 1 - SLOWLY
+
+
+def _ways(course: Course, couple: Couple, extents: Array) -> Array:
+    """Return how far two bodies at most came closer in each step: (T,) [m]."""
+    seen, names = course.seen, list(course.scene.document["bodies"])
+    a, b = (names.index(name) for name in couple.names)
+    apart = np.diff(seen.position[:, a] - seen.position[:, b], axis=0)
+    turn = sum(np.abs(np.diff(seen.angle[:, i])) * extents[i] for i in (a, b))
+    return np.concatenate(([0.0], np.hypot(*apart.T) + turn))
