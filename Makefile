@@ -6,6 +6,10 @@ PYTHON ?= python3 python3.14 python3.13 python3.12 python3.11 python
 ARGS ?=
 # Which levels `make fuzz` makes.
 SEED ?= 0
+# How long `make soak` and `make faults` go on: events, steps, processes that are killed.
+EVENTS ?= 100000
+STEPS ?= 10000000
+KILLS ?= 1000
 # Processes that share the tests.
 WORKERS ?= 2
 
@@ -23,7 +27,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test sweep lint check-levels pytest validate quick fuzz report format docs clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -58,6 +62,23 @@ quick: $(FOR_TEST) ## hard cases and costs in short: do frontiers lie where they
 fuzz: $(FOR_TEST) ## three minutes of levels that nobody would write: is each of them answered
 	$(HEADLESS) $(PY) -m validation fuzz --minutes 3 --seed $(SEED)
 
+soak: $(FOR_TEST) ## hours of the window by random events, and of levels: memory and time stay as they are
+	$(PY) -m tests.endurance.window --events $(EVENTS) --seed $(SEED)
+	$(PY) -m tests.endurance.levels --steps $(STEPS)
+
+faults: $(FOR_TEST) ## every typo in every level is answered, every killed writing leaves a whole file
+	$(PY) -m tests.endurance.typos --seed $(SEED)
+	$(PY) -m tests.endurance.kills --count $(KILLS) --seed $(SEED)
+
+lock: $(FOR_TEST) ## write requirements.lock anew: the versions that development is tried with
+	.ci/lock $(PY)
+
+audit: $(FOR_TEST) ## known weaknesses and licences of what requirements.lock names
+	.ci/audit $(PY)
+
+packages: $(FOR_TEST) ## wheel and sources, installed bare on every Python found, and tried
+	.ci/packages $(PY)
+
 report: $(FOR_TEST) ## all of the validation as one page, out/report/report.html: some minutes
 	$(HEADLESS) $(PY) -m validation report --output out/report
 
@@ -65,8 +86,9 @@ format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .
 	$(PY) -m ruff format .
 
-docs: $(FOR_RUN) ## write anew what is generated: the levels' JSON Schema, the map of the chapter
+docs: $(FOR_RUN) ## write anew what is generated: the formats' JSON Schemas, the map of the chapter
 	$(PY) -m sandbox.model.schema
+	$(PY) -m sandbox.experiments.schema
 	$(PY) -m validation.chapter
 
 clean: ## remove the environment, caches and builds

@@ -1,6 +1,8 @@
-"""What is packed has all that it tells of."""
+"""What is packed has all that it tells of, and what it needs is named."""
 
+import re
 import tomllib
+from itertools import chain
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -13,3 +15,17 @@ def test_the_sources_that_are_packed_hold_every_document_and_the_makefile() -> N
 
     assert documents | {"Makefile", "LICENSE"} <= packed
     assert all((ROOT / name).exists() for name in packed)
+
+
+def test_the_lock_names_one_version_of_whatever_the_project_asks_for() -> None:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    asked = [*project["dependencies"], *chain(*project["optional-dependencies"].values())]
+    lines = (ROOT / "requirements.lock").read_text(encoding="utf-8").splitlines()[1:]
+    locked = dict(line.split("==") for line in lines)
+
+    assert len(locked) == len(lines)
+    for requirement in asked:
+        found = re.match(r"[\w-]+", requirement)
+        assert found
+        name = found[0].lower()
+        assert {name, name.replace("_", "-"), name.replace("-", "_")} & locked.keys(), name

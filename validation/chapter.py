@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
+from sandbox.model.loading import load
 
 PAGE = Path("docs") / "chapter.md"
 """In the project's sources."""
@@ -224,17 +225,32 @@ PARTS = (
 )
 
 
+def parts() -> list[Part]:
+    """Return all parts, and what levels say of themselves that none of them names."""
+    named = {name for part in PARTS for name in part.levels}
+    others = (name for name in catalog.textbook() if name not in named)
+    every = [*PARTS, *map(_by_reference, others)]
+    sections = list(dict.fromkeys(part.section for part in every))
+    return sorted(every, key=lambda part: sections.index(part.section))
+
+
+def _by_reference(level: str) -> Part:
+    section, _, text = load(catalog.find(level)).reference.partition(": ")
+    return Part(section, text, (level,))
+
+
 def page() -> str:
     """Return the map as Markdown."""
-    owed = sum(not part.levels for part in PARTS)
+    every = parts()
+    owed = sum(not part.levels for part in every)
     lines = [
         "# The chapter, part by part",
         "",
-        f"{len(PARTS) - owed} of {len(PARTS)} parts can be played.",
+        f"{len(every) - owed} of {len(every)} parts can be played.",
         "This page is written by `make docs`.",
     ]
     section = ""
-    for part in PARTS:
+    for part in every:
         if part.section != section:
             section = part.section
             lines += ["", f"## {section}", "", "| part | levels |", "|---|---|"]

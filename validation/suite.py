@@ -7,11 +7,11 @@ from functools import cache
 
 from rich.table import Table
 
+from sandbox.processes import spread
 from validation.case import Case, Outcome, run, together
 from validation.cases import all_cases
 from validation.environment import environment
 from validation.output import finite, progress
-from validation.processes import spread
 
 HEADINGS = ("measured", "expected", "error", "bound", "order", "naive error", "step", "naive")
 

@@ -37,7 +37,8 @@ class Banner:
         if session.trying and isinstance(session.failure, SimulationError):
             return f"{session.failure.told('')} – trying what helps …", theme.FAILED
         if session.failure is not None:
-            return f"{session.failure} – R restarts", theme.FAILED
+            onwards = ", Space goes on, though it is no longer right" if session.doubted else ""
+            return f"{session.failure} – R restarts{onwards}", theme.FAILED
         if session.waiting:
             asked = wording.error(session.level.stepping.accuracy or 0.0)
             text = f"Looking for the cheapest setting with an error of {asked} …"

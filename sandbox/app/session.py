@@ -202,6 +202,11 @@ class Session:
             return None
         return self.failure.rate
 
+    @property
+    def doubted(self) -> bool:
+        """Whether a run had to stop that could go on, though it is no longer to be trusted."""
+        return self.failure is not None and self.world.doubted
+
     def take(self, advice: Advice) -> None:
         """Take in what was found to help a run that had to stop."""
         self.trying, self.advice = False, advice
@@ -271,7 +276,11 @@ class Session:
         self._stop(SandboxError(why))
 
     def toggle(self) -> None:
-        """Play, or pause."""
+        """Play, or pause; go on with a run that had to stop, if it can."""
+        if self.doubted:
+            self.world.go_on()
+            self.failure, self.advice, self.trying = None, None, False
+            self.books.restart()
         self.playing = not self.playing and self.failure is None
 
     def step(self) -> None:

@@ -1,6 +1,6 @@
 """`--accuracy`: a setting that is asked for, found out and told; or one that is chosen."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 import typer
@@ -40,10 +40,10 @@ def asking(level: Level, accuracy: float | None, choice: Choice = NOTHING) -> Le
     return level.model_copy(update={"stepping": _stepping({"accuracy": accuracy})})
 
 
-def settled(level: Level, values: Values, choice: Choice) -> Stepping:
+def settled(level: Level, values: Values, choice: Choice, also: Sequence[str] = ()) -> Stepping:
     """Return how a level is run: as it says, but for what is chosen."""
     if not choice.given:
-        return find_out(level, values)
+        return find_out(level, values, also)
     own = level.stepping
     _stepping(choice.given)  # a mistake is that of what was chosen
     return _stepping({**own.at(own.rate).model_dump(), **choice.given})
@@ -60,8 +60,10 @@ def _stepping(given: Mapping[str, float | str]) -> Stepping:
         raise UsageError(f"--{name} {said}: {rule}") from error
 
 
-def find_out(level: Level, values: Values) -> Stepping:
+def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping:
     """Return how a level is run; where it asks for an accuracy, say what that takes.
+
+    It is that of the motion, of the checks, and of what else is recorded.
 
     Raises
     ------
@@ -74,7 +76,11 @@ def find_out(level: Level, values: Values) -> Stepping:
 
     with Console(stderr=True).status("Finding the cheapest setting ..."):
         setting = calibrated(
-            level, values, level.stepping.accuracy, tell=lambda why: typer.echo(why, err=True)
+            level,
+            values,
+            level.stepping.accuracy,
+            tell=lambda why: typer.echo(why, err=True),
+            also=also,
         )
     typer.echo(setting)
     return setting.chosen.stepping

@@ -10,6 +10,9 @@ from sandbox.model.level import Level
 from sandbox.model.remarks import remarks
 from sandbox.model.schemes import bounds_the_rate
 
+FEW = 30
+"""Joints that are never too many for a step."""
+
 
 def check(arguments: Sequence[str]) -> int:
     """Say every mistake, and what is declared for nothing, and return the exit status."""
@@ -34,12 +37,12 @@ def check(arguments: Sequence[str]) -> int:
 
 
 def _check_start(level: Level) -> None:
-    """Refuse a level whose rate is too low for it, or in which bodies overlap at the start.
+    """Refuse a level with too low a rate, with bodies that overlap, or too much for a step.
 
     Only where either could be, the engine is needed.
     """
-    contact = level.effects.contact
-    if bounds_the_rate(level) or (contact and not contact.overlaps):
+    crowded = level.effects.contact or len(level.joints) > FEW
+    if bounds_the_rate(level) or crowded:
         from sandbox.physics.advising.preflight import refusal
 
         if error := refusal(level, advised=True):

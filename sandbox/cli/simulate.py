@@ -15,6 +15,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
+from sandbox.physics.accuracy.runs import lasting
 from sandbox.physics.advising.remedies import tried
 from sandbox.physics.measuring.comparison import Difference, differences
 from sandbox.physics.measuring.csv_export import write_csv
@@ -46,7 +47,8 @@ def simulate(
     source, level = usage.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
-    stepping = settled(asking(level, accuracy, choice), values, choice)
+    asked = lasting(asking(level, accuracy, choice), values, duration)
+    stepping = settled(asked, values, choice, names if record else ())
     varied = vary(level, off, on, stepping)
     if duration is not None:
         usage.payable(duration, stepping, "--duration")

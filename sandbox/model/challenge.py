@@ -1,15 +1,14 @@
 """What a level asks of the person who plays it: which numbers to find, and for what."""
 
 from collections.abc import Mapping
-from typing import Annotated, Self
+from typing import Annotated
 
-from pydantic import Field, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
 from sandbox.model.instants import Instant
-from sandbox.model.mention import QuantityName
+from sandbox.model.mention import ParameterName, QuantityName
 
 Sentence = Annotated[str, Field(min_length=1, max_length=200)]
 
@@ -28,12 +27,6 @@ class Goal(Model):
     label: Sentence
     """what has to be reached, in a few words"""
 
-    @model_validator(mode="after")
-    def _bounded(self) -> Self:
-        if self.above is None and self.below is None:
-            raise PydanticCustomError("bounds", "needs 'above', 'below', or both")
-        return self
-
 
 class Challenge(Model):
     """A task: some parameters may be changed, and the run has to reach its goals.
@@ -44,7 +37,7 @@ class Challenge(Model):
 
     task: Sentence
     """what is asked for, in one or two sentences"""
-    free: Annotated[tuple[str, ...], Field(min_length=1, max_length=50)]
+    free: Annotated[tuple[ParameterName, ...], Field(min_length=1, max_length=50)]
     """the parameters that may be changed; all others are locked"""
     goals: Annotated[tuple[Goal, ...], Field(min_length=1, max_length=10)]
     """what has to be reached for the first star"""

@@ -3,7 +3,7 @@
 import codecs
 import hashlib
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from math import isfinite
 from operator import getitem
@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import rules, wording
+from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import dangling
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
@@ -128,8 +129,17 @@ def digest(level: Level) -> str:
     return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()[:16]
 
 
-def choose(level: Level, settings: Mapping[str, float]) -> Values:
+def choose(
+    level: Level, settings: Mapping[str, float], among: Iterable[Condition] | None = None
+) -> Values:
     """Return the level's parameters, with some set to other values than their defaults.
+
+    Parameters
+    ----------
+    level, settings
+        Whose parameters, and the values of those that are set.
+    among
+        What `rules.depending` says of the level, where it is known already.
 
     Raises
     ------
@@ -148,7 +158,8 @@ def choose(level: Level, settings: Mapping[str, float]) -> Values:
         if not parameter.min <= value <= parameter.max:
             raise ValueRangeError(f"'{name}' is {value:g}, but must lie {_range(parameter)}")
     values = {**level.defaults, **settings}
-    if settings and (fault := next(rules.broken(level, values), None)):
+    held = rules.depending(level) if among is None and settings else among or ()
+    if fault := next(rules.broken(held, values), None):
         chosen = ", ".join(f"{name} = {value:g}" for name, value in settings.items())
         place = ".".join(map(str, fault.path))
         raise ValueRangeError(f"{chosen} is not possible: {place}: {fault.rule}")

@@ -22,12 +22,13 @@ class Mention:
     Attributes
     ----------
     of
-        A body, a couple of two different bodies, a list in which none stands twice, or a quantity.
+        A body, a couple of two different bodies, a list in which none stands twice, a quantity,
+        or a parameter.
     acted_on
         Whether something acts on the body, so that it must be one that forces move.
     """
 
-    of: Literal["body", "couple", "bodies", "quantity"]
+    of: Literal["body", "couple", "bodies", "quantity", "parameter"]
     acted_on: bool = False
 
     def __get_pydantic_json_schema__(
@@ -50,3 +51,6 @@ Couple = Annotated[tuple[BodyName, BodyName], Mention("couple")]
 
 QuantityName = Annotated[str, Mention("quantity")]
 """A quantity that can be measured."""
+
+ParameterName = Annotated[str, Mention("parameter")]
+"""A parameter of the level."""

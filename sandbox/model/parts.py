@@ -1,6 +1,6 @@
 """Walking through the parts of a level."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.base import Model
@@ -28,18 +28,19 @@ def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expressio
         if isinstance(part, Expression):
             yield path, part
         else:
-            inside = [((*path, name), child) for name, child in _children(part)]
-            pending += reversed(inside)
+            pending += [
+                ((*path, name), child)
+                for name, child in reversed(_children(part))
+                if not (child is None or isinstance(child, str))  # most of what there is
+            ]
 
 
-def _children(part: object) -> Iterable[tuple[str | int, object]]:
+def _children(part: object) -> Sequence[tuple[str | int, object]]:
     if isinstance(part, Model):
-        return [(name, getattr(part, name)) for name in type(part).model_fields]
+        return list(vars(part).items())
     if isinstance(part, tuple):
-        return enumerate(part)
-    if part is None or isinstance(part, str):
-        return ()  # most of what there is
-    return part.items() if isinstance(part, Mapping) else ()
+        return list(enumerate(part))
+    return list(part.items()) if isinstance(part, Mapping) else ()
 
 
 def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:

@@ -11,13 +11,12 @@ from typing import Literal
 
 from sandbox.model import accounts
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.joints import Joint, Motor, Weld, Wire
 from sandbox.model.level import Level
 from sandbox.model.suggest import closest, suggestion
 
 Component = Literal["x", "y"]
-Owner = Literal["body", "joint", "fixture", "wire", "system", "time"]
-"""What a quantity belongs to; a fixture is a joint that keeps an angle."""
+Owner = Literal["body", "joint", "system", "time"]
+"""What a quantity belongs to."""
 
 _VECTORS: Mapping[Owner, Mapping[str, str]] = {
     "body": {"position": "m", "velocity": "m/s", "acceleration": "m/s²", "momentum": "kg·m/s"},
@@ -36,9 +35,6 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
         "contact.normal": "N",
         "contact.friction": "N",
     },
-    "joint": {"tension": "N", "length": "m", "potential_energy": "J"},
-    "wire": {"tension": "N"},
-    "fixture": {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"},
     "system": {
         "kinetic_energy": "J",
         "potential_energy": "J",
@@ -109,7 +105,7 @@ def quantities(level: Level) -> Iterator[Quantity]:
     """Yield every quantity of a level that can be measured."""
     yield TIME
     for subject, owner in _owners(level).items():
-        yield from _of(owner, subject)
+        yield from _of(owner, subject, level)
     yield from _of_accounts(level)
 
 
@@ -129,7 +125,7 @@ def quantity(name: str, level: Level) -> Quantity:
         close = closest(subject, owners)
         hint = suggestion(name, [f"{close}{dot}{brief(rest)}"] if close else [TIME.name, *owners])
         raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
-    found = [*_of(owners[subject], subject)]
+    found = [*_of(owners[subject], subject, level)]
     if owners[subject] == "system":
         found += _of_accounts(level)
     known = {quantity.name: quantity for quantity in found}
@@ -142,15 +138,9 @@ def quantity(name: str, level: Level) -> Quantity:
 def _owners(level: Level) -> dict[str, Owner]:
     return {
         **dict.fromkeys(level.bodies, "body"),
-        **{name: _kind(joint) for name, joint in level.joints.items()},
+        **dict.fromkeys(level.joints, "joint"),
         "system": "system",
     }
-
-
-def _kind(joint: Joint) -> Owner:
-    if isinstance(joint, Wire):
-        return "wire"
-    return "fixture" if isinstance(joint, Weld | Motor) else "joint"
 
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:
@@ -177,11 +167,12 @@ def _of_system(attribute: str, unit: str, component: Component | None = None) ->
     return Quantity(name, "system", "system", attribute, component, unit)
 
 
-def _of(owner: Owner, subject: str) -> Iterator[Quantity]:
+def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
     for attribute, unit in _VECTORS.get(owner, {}).items():
         name = f"{subject}.{attribute}"
         yield Quantity(f"{name}.x", owner, subject, attribute, "x", unit)
         yield Quantity(f"{name}.y", owner, subject, attribute, "y", unit)
         yield Quantity(name, owner, subject, attribute, None, unit)
-    for attribute, unit in _SCALARS.get(owner, {}).items():
+    scalars = level.joints[subject].kind.quantities if owner == "joint" else _SCALARS[owner]
+    for attribute, unit in scalars.items():
         yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)

@@ -9,23 +9,8 @@ from contextlib import suppress
 
 from sandbox.model.expressions import Expression, ExpressionError, Formula
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.rules import corners
-
-STRENGTHS = {
-    "gravity": "acceleration",
-    "attraction": "mu",
-    "gravitation": "constant",
-    "centrifugal": "rate",
-    "force": "force",
-    "thrust": "exhaust",
-    "belt": "velocity",
-}
-"""The field of an effect without which it does nothing; a drag without any is refused."""
-
-SURFACES = ("friction", "restitution")
-"""Effects whose strength is a coefficient of bodies and pairs."""
 
 
 def remarks(level: Level) -> Iterator[Fault]:
@@ -50,26 +35,14 @@ def _ever_holds(condition: Formula, level: Level) -> bool:
 
 
 def _without_strength(level: Level) -> Iterator[Fault]:
-    for name, field in STRENGTHS.items():
-        for path, effect in _declared(level, name):
-            if _is_nothing(getattr(effect, field)):
-                rule = (
-                    f"{name!r} has no strength: it changes nothing, and is paid for; leave it out"
-                )
-                yield Fault((*path, field), rule)
-    for name in SURFACES:
-        effect = getattr(level.effects, name)
-        coefficients = [getattr(body, name) for body in level.bodies.values()]
-        if effect and _is_nothing((*coefficients, effect)):
-            yield Fault(("effects", name), f"{name!r} has no strength: every coefficient is 0")
-
-
-def _declared(level: Level, name: str) -> Iterator[tuple[Path, object]]:
-    effect = getattr(level.effects, name)
-    if isinstance(effect, tuple):
-        yield from ((("effects", name, index), one) for index, one in enumerate(effect))
-    elif effect is not None:
-        yield ("effects", name), effect
+    for effect, place, said in level.effects.said:
+        name = effect.name
+        if effect.strength and _is_nothing(tuple(getattr(said, f) for f in effect.strength)):
+            rule = f"'{name}' has no strength: it changes nothing, and is paid for; leave it out"
+            yield Fault((*place, effect.strength[0]), rule)
+        coefficients = tuple(getattr(body, name, None) for body in level.bodies.values())
+        if effect.coefficient and _is_nothing((*coefficients, said)):
+            yield Fault(place, f"'{name}' has no strength: every coefficient is 0")
 
 
 def _is_nothing(part: object) -> bool:

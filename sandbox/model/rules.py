@@ -5,13 +5,14 @@ run, so that an author sees all mistakes at once. What depends on the values of 
 `Condition` (see `sandbox.model.conditions`), and must hold at the corners of their ranges.
 """
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from functools import cache
 from itertools import chain, islice, product
 
 import numpy as np
 
 from sandbox.model.conditions import conditions
+from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
@@ -43,10 +44,15 @@ def _most(found: Iterator[Fault]) -> list[Fault]:
     return list(islice(found, MAX_MISTAKES + 1))
 
 
-def broken(level: Level, values: Values) -> Iterator[Fault]:
+def depending(level: Level) -> list[Condition]:
+    """Return what must hold in a level that depends on its parameters."""
+    return [condition for condition in conditions(level) if condition.names]
+
+
+def broken(among: Iterable[Condition], values: Values) -> Iterator[Fault]:
     """Yield every part of a level that the given parameters make impossible."""
-    for condition in conditions(level):
-        if condition.names and (rule := condition.fault(values)):
+    for condition in among:
+        if rule := condition.fault(values):
             yield Fault(condition.path, rule)
 
 

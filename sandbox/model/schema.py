@@ -9,6 +9,7 @@ from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox.model import catalog
+from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
@@ -45,12 +46,21 @@ def grammar() -> dict[str, Any]:
 
     An object that has such a key has names for keys.
     """
-    return Level.model_json_schema(by_alias=True, schema_generator=_Generate)
+    return _grammar(Level)
+
+
+def _grammar(model: type[Model]) -> dict[str, Any]:
+    return model.model_json_schema(by_alias=True, schema_generator=_Generate)
 
 
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of a level."""
-    explained: dict[str, Any] = _explain({"$schema": DIALECT, **grammar()})
+    return of(Level)
+
+
+def of(model: type[Model]) -> dict[str, Any]:
+    """Return the JSON Schema of a format."""
+    explained: dict[str, Any] = _explain({"$schema": DIALECT, **_grammar(model)})
     return explained
 
 

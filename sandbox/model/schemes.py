@@ -7,18 +7,15 @@ rods, pins, rails and wires: it holds back in time as well.
 from collections.abc import Iterator
 
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Formula
-from sandbox.model.joints import Joint, Motor, Pivot, Pulley, Rod, Rope, Spring, Weld, Winding
+from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
-
-_SMOOTH = ("gravity", "attraction", "gravitation", "force", "rotation")
-"""The effects with which fourth order was measured; whatever else there is keeps leapfrog."""
+from sandbox.model.parts import names_in
 
 
 def bounds_the_rate(level: Level) -> bool:
-    """Whether a level has springs, or effects that slow down: they may be too strong for a step."""
-    springs = any(isinstance(joint, Spring) for joint in level.joints.values())
-    return springs or bool(level.effects.drag or level.effects.accretion)
+    """Whether a level has springs, or effects that see velocities: a step may be too long."""
+    springs = any(joint.kind.force for joint in level.joints.values())
+    return springs or any(effect.sees_velocity for effect in level.effects.told)
 
 
 def unsmooth(level: Level) -> str | None:
@@ -31,26 +28,26 @@ def unsmooth(level: Level) -> str | None:
 
 
 def _obstacles(level: Level) -> Iterator[str]:
-    for effect in level.effects.declared:
-        if effect not in _SMOOTH:
-            yield f"the effect '{effect}'"
+    for effect in level.effects.told:
+        if "fourth-order" in effect.excludes:
+            yield f"the effect '{effect.name}'"
     for name, joint in level.joints.items():
         if reason := _unsmooth_joint(joint, f"'{brief(name)}'"):
             yield reason
 
 
 def _unsmooth_joint(joint: Joint, name: str) -> str | None:
-    match joint:
-        case Spring(damping=damping) if damping.source != 0:
-            return f"the damping of {name}"
-        case Spring(pushes_only=True):
-            return f"that {name} lets go"
-        case Rope() | Pulley() | Winding():
-            return f"the {joint.type} {name}, which can go slack"
-        case Motor():
-            return f"the motor {name}, which drives what it holds"
-        case Rod(length=Formula(names=names)) if "t" in names:
-            return f"that {name} changes its length"
-        case Rod(exact=False) | Pivot(exact=False) | Weld(exact=False):
-            return f"the {joint.type} {name}, which is pymunk's own"
+    kind = joint.kind
+    if isinstance(joint, Spring) and joint.damping.source != 0:
+        return f"the damping of {name}"
+    if isinstance(joint, Spring) and joint.pushes_only:
+        return f"that {name} lets go"
+    if kind.goes_slack:
+        return f"the {joint.type} {name}, which can go slack"
+    if kind.drives:
+        return f"the {joint.type} {name}, which drives what it holds"
+    if "t" in names_in(joint):
+        return f"that {name} changes its length"
+    if not (kind.force or is_exact(joint)):
+        return f"the {joint.type} {name}, which is pymunk's own"
     return None

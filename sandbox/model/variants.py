@@ -12,32 +12,27 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import wording
-from sandbox.model.bounds import Coefficient
 from sandbox.model.consistency import inconsistencies
-from sandbox.model.effects import Effects
+from sandbox.model.effects import EFFECTS, Effects
+from sandbox.model.effects.contract import Settings
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.expressions import Expression, ExpressionError, Fraction
+from sandbox.model.expressions import Expression, ExpressionError
 from sandbox.model.level import Body, Level
 from sandbox.model.parts import Fault
 from sandbox.model.rules import faults
 from sandbox.model.suggest import suggestion
 
-Settings = Mapping[str, object]
-"""What is said of an effect: its fields, as they would stand in a level's file."""
-
 DEFAULTS: Mapping[str, Settings] = {
-    "gravity": {"acceleration": [0, -9.81]},
-    "contact": {},
-    "friction": {"coefficient": 0.5},
-    "restitution": {"coefficient": 1},
-    "rotation": {},
-    "attraction": {"mu": 1},
-    "gravitation": {"constant": 1},
-    "drag": {"linear": 0.1},
+    name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None
 }
 """What is switched on where nothing is said of it; other effects must be told what they are."""
 
-_COEFFICIENTS: Mapping[str, type[Expression]] = {"friction": Coefficient, "restitution": Fraction}
+TOLD = ("parameters", "checks", "ghosts", "challenge")
+"""The parts of a level that tell what the scene should do, and may have lost their meaning."""
+
+_COEFFICIENTS: Mapping[str, type[Expression]] = {
+    name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
+}
 """The effects that have a coefficient a body: 'coefficient' is that of every pair."""
 
 
@@ -69,8 +64,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
     """Yield what contradicts itself in the scene; what is told of it may have lost its meaning."""
-    told = ("parameters", "checks", "ghosts")
-    return (fault for fault in inconsistencies(level) if fault.path[0] not in told)
+    return (fault for fault in inconsistencies(level) if fault.path[0] not in TOLD)
 
 
 def _dropped(level: Level, effect: str) -> Level:
@@ -124,7 +118,7 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
         changed = _with_coefficient(changed, effect, coefficient)
     known = set(faults(level))
     for fault in faults(changed):
-        if fault not in known and fault.path[0] not in ("parameters", "checks", "ghosts"):
+        if fault not in known and fault.path[0] not in TOLD:
             place = ".".join(map(str, fault.path))
             raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
     return changed

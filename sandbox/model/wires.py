@@ -13,6 +13,9 @@ PIECES = 4096
 """How many pieces a wire or curve is cut into, of equal s: a quintic through six points of such
 pieces is right to rounding for any curve that a person would call smooth."""
 
+FIRST = 1.0
+"""How many pieces before the first its angle is 0, where pieces are closer at the ends."""
+
 NEAR = 1e-9
 """How far apart points may be that are meant to be the same, of the size of the wire."""
 
@@ -27,6 +30,23 @@ def along(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> Points:
     """Return the points of a wire or curve at equal steps of s, with both ends: (n + 1,) [m]."""
     first, last = (end(values) for end in wire.s)
     return places(wire, values, np.linspace(first, last, pieces + 1))
+
+
+def graded(wire: Wire | Curve, values: Values, pieces: int = PIECES) -> tuple[Points, Points]:
+    """Return points that lie ever closer towards both ends, and those half-way between them.
+
+    s goes as the cosine of an angle, so that pieces are some 1000 times shorter where a curve may
+    be no smooth function of s, as at the cusp of a cycloid; but not from 0, or the first were none.
+
+    Returns
+    -------
+    The points (n + 1,) and those between (n,), at equal steps of that angle [m].
+    """
+    first, last = (end(values) for end in wire.s)
+    begin = np.pi * FIRST / (pieces + 2 * FIRST)
+    way = np.cos(begin) - np.cos(np.linspace(begin, np.pi - begin, 2 * pieces + 1))
+    found = places(wire, values, first + (last - first) * way / way[-1])
+    return found[::2], found[1::2]
 
 
 def is_closed(points: Points) -> bool:

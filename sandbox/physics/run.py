@@ -4,7 +4,7 @@ A level may ask for an accuracy instead of a rate. The search for a setting runs
 what takes such a level stands above it.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import partial
 
@@ -14,6 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.accuracy.runs import lasting
 from sandbox.physics.energy.closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.measuring.step_timing import step_costs
@@ -56,6 +57,7 @@ def simulate(
     stepping: Stepping | None = None,
     *,
     books: bool = False,
+    until: Callable[[World], bool] | None = None,
 ) -> Trace:
     """Run a level and record it.
 
@@ -73,6 +75,8 @@ def simulate(
         How time advances; as the level says if left out.
     books
         Whether to keep the books of its energy along, which costs about 0.1 ms a step.
+    until
+        Tells after each step whether that was the last.
 
     Raises
     ------
@@ -81,7 +85,11 @@ def simulate(
     SimulationError
         If the run had to stop.
     """
-    world = build(level, values, stepping)
+    values = level.defaults if values is None else values
+    record = None if record is None else list(record)
+    asked = lasting(level, values, duration)
+    chosen = resolved(asked, values, stepping or level.stepping, record or ())
+    world = build(level, values, chosen)
     try:
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
@@ -91,6 +99,8 @@ def simulate(
                 recorder.note()
                 if closer:
                     closer.note()
+                if until and until(world):
+                    break
             trace = recorder.trace
             return replace(trace, closing=closer.closing) if closer else trace
     except SandboxError:

@@ -1,10 +1,13 @@
 """A level being played, without a window."""
 
+import json
+
 import numpy as np
 import pytest
 
 from sandbox.app.pace import SPEEDS, Pace
 from sandbox.app.session import Session
+from sandbox.model.crowds import crowd
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.recording import count_steps
@@ -257,3 +260,30 @@ def test_a_full_trail_is_thinned_and_keeps_its_beginning() -> None:
     assert session.trail.points[-1, 0] == pytest.approx(
         session.world.snapshot.position[0], rel=1e-3
     )
+
+
+def test_a_run_that_is_no_longer_to_be_trusted_goes_on_if_somebody_wants_it() -> None:
+    session = Session(parse(json.dumps(crowd("gas", 300))))
+    session.toggle()
+    while session.failure is None:
+        session.update(0.1, budget=10.0)
+    assert session.doubted
+
+    session.toggle()
+    at = session.t
+    session.update(0.5, budget=10.0)
+
+    assert session.failure is None
+    assert session.playing
+    assert session.t > at
+    assert session.milestones() == ()
+
+
+def test_a_run_that_is_lost_does_not_go_on() -> None:
+    session = scenes.play(Session(parse(scenes.runaway())))
+    assert session.failure is not None
+
+    session.toggle()
+
+    assert session.failure is not None
+    assert not session.playing

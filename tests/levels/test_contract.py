@@ -172,8 +172,7 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
     """
     world = build(level)
     effects = level.effects
-    forces = ("attraction", "gravitation", "centrifugal", "drag", "force", "thrust", "accretion")
-    laws = set(effects.declared).intersection(forces)
+    laws = any(effect.is_law for effect in effects.told)
     pairs = (effects.friction.pairs if effects.friction else ()) or effects.sticking
     sticky = any(body.static_friction for body in level.bodies.values())
     sequence = effects.in_sequence

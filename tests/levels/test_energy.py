@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.joints import Joint, Motor, Rod, Rope, Spring
+from sandbox.model.accounts import losses, works
+from sandbox.model.joints import Rope
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps
 from sandbox.physics.run import build, simulate
@@ -21,17 +22,6 @@ TIMES = 10
 
 STRIDE = 5
 """Steps from one look to the next; no lasting motion is so quick that its extremes fall between."""
-
-CONSERVATIVE = {
-    "gravity",
-    "contact",
-    "restitution",
-    "rotation",
-    "attraction",
-    "gravitation",
-    "centrifugal",
-    "force",
-}
 
 LAND = {
     "kinematics/doubled-speed",
@@ -87,22 +77,11 @@ def conservative(level: Level) -> bool:
     )
     return (
         not level.stepping.as_it_comes
-        and set(effects.declared) <= CONSERVATIVE
+        and not works(level)
+        and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
-        and not any(body.type == "kinematic" for body in level.bodies.values())
-        and not any(force.frame == "body" for force in effects.force or ())
-        and not any("t" in f.names for force in effects.force or () for f in force.force)
-        and all(_lossless(joint, level) for joint in level.joints.values())
+        and not any(isinstance(joint, Rope) for joint in level.joints.values())
     )
-
-
-def _lossless(joint: Joint, level: Level) -> bool:
-    match joint:
-        case Rod(length=length):
-            return length is None or "t" not in length.names
-        case Spring(damping=damping):
-            return damping(level.defaults) == 0
-    return not isinstance(joint, Motor | Rope)
 
 
 NAMES = [n for n in catalog.textbook() if n not in LAND and conservative(textbook(n))]

@@ -2,7 +2,7 @@
 
 import json
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from copy import deepcopy
 from typing import Any
 
@@ -18,35 +18,46 @@ from tests.model.levels import Data, bare, hanging, mistakes, mistakes_in
 SCHEMA = grammar()
 Place = tuple[str | int, ...]
 Sample = tuple[Place, Any]
-"""Where in a part of a level a body is named, and the part, as little of it as there can be."""
+"""Where in a part of a level something is named, and the part, as little of it as there can be."""
 
 WRONG = "nobody"
 
+Wanted = Callable[[dict[str, Any]], bool]
 
-def _naming(part: dict[str, Any]) -> Iterator[Sample]:
-    """Yield the least value for each text that names a body in a part of the schema."""
+
+def _names(what: str) -> Wanted:
+    return lambda part: part.get("names") == what
+
+
+def _is_formula(part: dict[str, Any]) -> bool:
+    """Whether a part of the schema may be a formula over the parameters."""
+    return "string" in part.get("type", "") and "number" in part["type"]
+
+
+def _wherever(part: dict[str, Any], wanted: Wanted) -> Iterator[Sample]:
+    """Yield the least value for each text of a part of the schema that is wanted, wrongly named."""
     part = _resolved(part)
-    if part.get("names") == "body":
+    if wanted(part):
         keyed = part["type"] == "object"
         yield ((WRONG,), {WRONG: _least(_values(part))}) if keyed else ((), WRONG)
     for choice in part.get("oneOf", ()):
-        yield from _naming(choice)
+        yield from _wherever(choice, wanted)
     for key, inside in part.get("properties", {}).items():
-        for place, value in _naming(inside):
+        for place, value in _wherever(inside, wanted):
             yield (key, *place), {**_least(part), key: value}
     for inside in part.get("patternProperties", {}).values():
-        for place, value in _naming(inside):
+        for place, value in _wherever(inside, wanted):
             yield ("thing", *place), {"thing": value}
-    yield from _naming_in_lists(part)
+    yield from _in_lists(part, wanted)
 
 
-def _naming_in_lists(part: dict[str, Any]) -> Iterator[Sample]:
+def _in_lists(part: dict[str, Any], wanted: Wanted) -> Iterator[Sample]:
     for index, inside in enumerate(part.get("prefixItems", ())):
-        for place, value in _naming(inside):
+        for place, value in _wherever(inside, wanted):
             made = [_least(item) for item in part["prefixItems"]]
             made[index] = value
             yield (index, *place), made
-    for place, value in _naming(part["items"]) if "items" in part else ():
+    for place, value in _wherever(part["items"], wanted) if "items" in part else ():
         rest = [_least(part["items"])] * (part.get("minItems", 1) - 1)
         yield (0, *place), [value, *rest]
 
@@ -81,34 +92,75 @@ def _least(part: dict[str, Any]) -> Any:  # noqa: ANN401 (whatever JSON holds)
     return {"string": "ball"}.get(str(part["type"]), 1)
 
 
-SAMPLES = list(_naming(SCHEMA))
-
-
 def _told(place: Place) -> str:
     return ".".join(map(str, place))
 
 
+def _samples(wanted: Wanted) -> list[Any]:
+    found = {_told(place): (place, value) for place, value in _wherever(SCHEMA, wanted)}
+    return [pytest.param(*sample, id=told) for told, sample in found.items()]
+
+
+BODIES, QUANTITIES = _samples(_names("body")), _samples(_names("quantity"))
+FORMULAS, PARAMETERS = _samples(_is_formula), _samples(_names("parameter"))
+
+
+def _with(place: Place, value: Data) -> Data:
+    """Return a level in which a part is what is given."""
+    part = str(place[0])
+    return {**bare(), "ghosts": {}, "joints": {}, part: deepcopy(value[part])}
+
+
 def test_the_schema_tells_that_effects_joints_checks_ghosts_and_the_view_name_bodies() -> None:
-    places = {_told(place) for place, _ in SAMPLES}
+    places = {sample.id for sample in BODIES}
 
     assert {"effects.drag.bodies.0", "joints.thing.ends.0.body", "joints.thing.over.0"} < places
     assert {"ghosts.nobody", "checks.0.at.bodies.1", "view.landscape.body"} < places
 
 
-@pytest.mark.parametrize(("place", "value"), SAMPLES, ids=[_told(place) for place, _ in SAMPLES])
+@pytest.mark.parametrize(("place", "value"), BODIES)
 @pytest.mark.parametrize("quantity", ["ball.speed", "system.energy", "system.work.joints"])
 def test_an_unknown_body_is_told_wherever_one_is_named(
     place: Place, value: Data, quantity: str
 ) -> None:
-    part = str(place[0])
-    data: Data = {**bare(), "ghosts": {}, part: deepcopy(value[part])}
-    data.setdefault("joints", {})
-    if part != "checks":
+    data = _with(place, value)
+    if place[0] != "checks":
         data["checks"] = [{"quantity": quantity, "formula": 1, "tolerance": 1}]
 
     told = [mistake.rule for mistake in mistakes(data) if mistake.path == _told(place)]
 
     assert told == ["unknown body 'nobody'; known: ball"]
+
+
+@pytest.mark.parametrize("name", ["nobody.tension", "ball.tension", "string.speed", "system.speed"])
+@pytest.mark.parametrize(("place", "value"), QUANTITIES)
+def test_an_unknown_joint_or_quantity_is_told_wherever_one_is_asked_for(
+    place: Place, value: Data, name: str
+) -> None:
+    part = str(place[0])
+    data = hanging() | {part: json.loads(json.dumps(value[part]).replace(WRONG, name))}
+
+    told = [mistake.rule for mistake in mistakes(data) if mistake.path == _told(place)]
+
+    assert len(told) == 1
+    assert told[0].startswith(f"'{name}' is not a quantity of this level")
+
+
+@pytest.mark.parametrize(("place", "value"), [*FORMULAS, *PARAMETERS])
+def test_an_unknown_parameter_is_told_wherever_one_may_stand(place: Place, value: Data) -> None:
+    found = mistakes(_with(place, value))
+
+    told = [mistake.rule for mistake in found if mistake.path == _told(place)]
+    assert told
+    assert told[0].startswith("unknown parameter 'nobody'")
+    assert not [mistake for mistake in found if "nothing can be computed" in mistake.rule]
+
+
+def test_formulas_stand_in_bodies_effects_joints_and_checks() -> None:
+    places = {sample.id for sample in FORMULAS}
+
+    assert {"effects.drag.linear", "joints.thing.stiffness", "bodies.thing.mass"} < places
+    assert {"effects.force.0.force.1", "checks.0.formula", "ghosts.thing.0", "duration"} < places
 
 
 def test_a_misspelt_body_beside_a_check_of_the_energy_is_told() -> None:

@@ -1,37 +1,40 @@
 """Effects that are declared, and have no strength whatever the parameters are, are told."""
 
-from typing import Any
-
 import pytest
 
 from sandbox.model import catalog
+from sandbox.model.effects import EFFECTS
 from sandbox.model.loading import load
 from sandbox.model.remarks import remarks
+from tests.effects import idle
 from tests.model.levels import bare, level, setting, touching
 
-NOTHING: dict[str, Any] = {
-    "gravity": {"acceleration": [0, "0*2"]},
-    "attraction": [{"mu": 1}, {"mu": 0}],
-    "gravitation": {"constant": 0},
-    "centrifugal": {"rate": 0},
-    "force": [{"body": "ball", "force": [0, 0]}],
-    "thrust": [{"body": "ball", "exhaust": [0, 0], "rate": 1, "propellant": 0.5}],
-}
+STRONG = [effect.name for effect in EFFECTS.values() if effect.strength and effect.is_force]
 
 
-@pytest.mark.parametrize("name", NOTHING)
+@pytest.mark.parametrize("name", STRONG)
 def test_an_effect_without_strength_is_told(name: str) -> None:
-    ball = bare()["bodies"]["ball"] | {"mass": 1, "position": [1, 0]}
-    bodies = {"ball": ball, "other": {**ball, "position": [9, 0]}}
-    data = {"format": 1, "title": "Still", "effects": {name: NOTHING[name]}, "bodies": bodies}
+    ball = bare()["bodies"]["ball"] | {"mass": 2, "position": [1, 0]}
+    bodies = {"a": ball, "b": {**ball, "position": [9, 0]}}
+    data = {"format": 1, "title": "Still", "effects": {name: idle(name)}, "bodies": bodies}
 
     (found,) = remarks(level(data))
 
     assert found.path[:2] == ("effects", name)
+    assert found.path[-1] in EFFECTS[name].strength
     assert found.rule.startswith(f"'{name}' has no strength")
 
 
-@pytest.mark.parametrize("name", ["friction", "restitution"])
+def test_a_belt_without_speed_is_told() -> None:
+    data = touching()
+    data["effects"]["belt"] = [{"body": "floor", "velocity": [0, "0*2"]}]
+
+    (found,) = remarks(level(data))
+
+    assert found.path == ("effects", "belt", 0, "velocity")
+
+
+@pytest.mark.parametrize("name", [n for n, effect in EFFECTS.items() if effect.coefficient])
 def test_surfaces_whose_coefficients_are_all_zero_are_told(name: str) -> None:
     data = touching()
     for body in data["bodies"].values():

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.model.errors import MAX_MISTAKES
 from sandbox.model.parts import expressions
-from sandbox.model.rules import broken, corners
+from sandbox.model.rules import broken, corners, depending
 from tests.model.levels import (
     Change,
     Data,
@@ -331,8 +331,8 @@ def test_a_formula_need_not_have_a_value_where_it_is_not_valid() -> None:
 def test_what_the_parameters_make_impossible_between_the_ends_is_found_for_them() -> None:
     made = level(bare(), setting("bodies.ball.position", ["1/(m - 3)", 0]))
 
-    assert not list(broken(made, {"m": 2, "g": 1}))
-    [fault] = broken(made, {"m": 3, "g": 1})
+    assert not list(broken(depending(made), {"m": 2, "g": 1}))
+    [fault] = broken(depending(made), {"m": 3, "g": 1})
     assert fault.path == ("bodies", "ball", "position", 0)
 
 

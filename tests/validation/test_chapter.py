@@ -5,11 +5,21 @@ from pathlib import Path
 import pytest
 
 from sandbox.model import catalog
-from validation.chapter import PAGE, PARTS, main, page
+from validation import chapter
+from validation.chapter import PAGE, PARTS, main, page, parts
 
 
 def test_every_level_plays_a_part_of_the_document() -> None:
-    assert {name for part in PARTS for name in part.levels} == set(catalog.textbook())
+    assert {name for part in parts() for name in part.levels} == set(catalog.textbook())
+
+
+def test_a_level_that_no_part_names_is_a_part_by_its_reference(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(chapter, "PARTS", [p for p in PARTS if "newton/incline" not in p.levels])
+    (found,) = (part for part in parts() if "newton/incline" in part.levels)
+
+    assert found == ("4. Newton's laws", "block on an incline", ("newton/incline",))
 
 
 def test_parts_have_names_of_their_own() -> None:

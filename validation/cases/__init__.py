@@ -1,11 +1,12 @@
 """The cases: a file of tables a phenomenon, and beside it what its formulas call `own`."""
 
 from collections.abc import Iterator
+from pathlib import Path
 
 from validation.case import Case
 from validation.tables import read
 
-PHENOMENA = (
+_ORDER = (
     "free_fall", "projectile", "uniform_acceleration", "throws", "circular_motion", "first_law",
     "second_and_third_law", "changing_mass", "atwood", "atwood_push", "incline", "incline_limits",
     "static_friction", "table_pulley", "belts", "work", "circular_orbit", "orbits", "gravitation",
@@ -14,7 +15,10 @@ PHENOMENA = (
     "springs", "driven", "torques", "given_forces", "least_action", "chapter_code", "beads",
     "machines", "mechanisms",
 )  # fmt: skip
-"""The files of tables, in the order of the chapter."""
+_FOUND = {path.stem for path in Path(__file__).parent.glob("*.toml")}
+
+PHENOMENA = (*_ORDER, *sorted(_FOUND.difference(_ORDER)))
+"""The files of tables, in the order of the chapter; others follow by name."""
 
 
 def all_cases() -> Iterator[Case]:

@@ -6,9 +6,19 @@ import is imported when it is called.
 
 import typer
 
-from validation.cli import compose, cost, effects, fuzz, report, run, stability
+from validation.cli import (
+    compose,
+    cost,
+    effects,
+    fuzz,
+    pace,
+    report,
+    requests,
+    run,
+    stability,
+)
 
-COMMANDS = (run, compose, cost, effects, report, stability, fuzz)
+COMMANDS = (run, compose, cost, requests, pace, effects, report, stability, fuzz)
 """In the order of the help; a command is called as its module."""
 
 app = typer.Typer(

@@ -6,8 +6,8 @@ from typing import Annotated
 
 import typer
 
+from sandbox.extras import needed_for
 from validation.cli.options import FAILED, Jobs, JsonFile, told
-from validation.extras import needed_for
 
 
 def command(

@@ -8,11 +8,11 @@ import typer
 
 from sandbox.model.files import check_writable, write_atomically
 from sandbox.model.writing import text
+from sandbox.processes import spread
 from validation import output
 from validation.compose.outcome import Outcome, judged, playable
 from validation.compose.report import by_family, complaints
 from validation.environment import environment
-from validation.processes import spread
 
 
 def measure(

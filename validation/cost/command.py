@@ -5,6 +5,7 @@ from pathlib import Path
 
 import typer
 
+from sandbox.extras import needed_for
 from sandbox.model import catalog
 from sandbox.model.files import check_writable, make_folder
 from validation import output
@@ -13,7 +14,6 @@ from validation.cost.run import sweeps
 from validation.cost.summary import failed
 from validation.cost.sweep import QUICK, Budget, Sweep
 from validation.environment import environment
-from validation.extras import needed_for
 
 
 def measure(

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from sandbox.model.files import write_atomically
-from validation import plots
+from sandbox.reporting import plots
 from validation.cost.summary import LEAST
 from validation.cost.sweep import Point, Sweep
 

@@ -4,8 +4,8 @@ import os
 from collections.abc import Iterator, Sequence
 from functools import partial
 
+from sandbox.processes import spread
 from validation.cost.sweep import Budget, Sweep, errors, timed
-from validation.processes import spread
 
 
 def sweeps(names: Sequence[str], budget: Budget) -> Iterator[Sweep]:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model import catalog
+from sandbox.model import catalog, effects, variants
 from sandbox.model.crowds import crowd
 from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
@@ -23,36 +23,34 @@ COUNTS = (1, 10, 100, 1000, 10_000)
 QUICK = COUNTS[:3]
 
 DECLARED: Mapping[str, object] = {
-    "gravity": {"acceleration": [0, -9.81]},
-    "contact": {},
+    **variants.DEFAULTS,
     "friction": {},
     "restitution": {},
-    "rotation": {},
     "attraction": [{"mu": 1, "center": [-50, -50]}],
-    "drag": {"linear": 0.1},
+    "centrifugal": {"rate": 0.1},
     "force": [{"body": "disc1", "force": [1, 0]}],
     "thrust": [{"body": "disc1", "exhaust": [0, -1], "rate": 1e-3, "propellant": 0.5}],
     "accretion": [{"body": "disc1", "rate": 1e-3}],
     "belt": [{"body": "walls", "velocity": [0.1, 0]}],
     "gravitation": {"constant": 1e-6, "softening": 1},
 }
-"""Every effect that is measured, as it is declared; what names a body acts on one."""
+"""Every effect that is measured: as it is tried, or as it is declared here; what names a body acts
+on one."""
+
+ALONE = tuple(name for name in DECLARED if effects.EFFECTS[name].is_force)
+"""Those that need no other effect."""
 
 LAWS = ("attraction", "drag", "force")
-"""Those that are force laws, which share one hook."""
+"""Those that are measured together, too: force laws share one hook."""
 
 EFFECTS: Mapping[str, tuple[str, ...]] = {
-    "gravity": ("gravity",),
+    **{name: (name,) for name in ALONE},
     "contact": ("contact",),
     "friction": ("contact", "friction"),
     "restitution": ("contact", "restitution"),
     "rotation": ("contact", "rotation"),
-    **{law: (law,) for law in LAWS},
     " + ".join(LAWS): LAWS,
-    "thrust": ("thrust",),
-    "accretion": ("accretion",),
     "belt": ("contact", "friction", "belt"),
-    "gravitation": ("gravitation",),
 }
 """What is declared to measure an effect, or several that act together."""
 

@@ -5,7 +5,7 @@ from itertools import cycle
 
 from matplotlib.figure import Figure
 
-from validation import plots
+from sandbox.reporting import plots
 from validation.effects.costs import EffectCost
 
 MICRO = 1e6

@@ -106,6 +106,8 @@ class Grammar:
         random = self._random
         if part.get(NAMES) == "body":
             return random.choice(self._bodies if random.random() > WILD else ("nobody",))
+        if part.get(NAMES) == "parameter":
+            return random.choice(("p", "q") if random.random() > WILD else ("nobody",))
         if part.get(NAMES) == "quantity":
             return random.choice(QUANTITIES)
         return "#4cc9f0" if "pattern" in part else random.choice(("", "text", "\u200b"))

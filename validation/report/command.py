@@ -8,7 +8,7 @@ from rich.console import Console
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
-from validation import plots
+from sandbox.reporting import plots
 from validation.output import save
 from validation.report import page, parts
 

@@ -5,12 +5,12 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from math import floor, isfinite, log10
 
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from sandbox.model.errors import SandboxError
-from validation import plots
+from sandbox.reporting import pages, plots
+from sandbox.reporting.svg import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
 from validation.cost.summary import TARGETS, cost_to_reach
@@ -20,7 +20,6 @@ from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 from validation.effects.tables import rows
 from validation.report import digest, parts
-from validation.report.svg import inline
 from validation.stability import report as stability_report
 
 SHOWN = 4
@@ -114,14 +113,8 @@ def figure_name(level: str) -> str:
 
 def html(found: Report) -> str:
     """Return the page."""
-    environment = Environment(
-        loader=PackageLoader("validation.report"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters.update(
+    templates = pages.environment("validation.report")
+    templates.filters.update(
         sci=scientific,
         number=number,
         target=target,
@@ -138,7 +131,7 @@ def html(found: Report) -> str:
         chosen=digest.chosen,
         groupby_chapter=lambda pairs: digest.by_chapter(pairs, lambda pair: pair[0]),
     )
-    page = environment.get_template("report.html")
+    page = templates.get_template("report.html")
     return page.render(
         report=found,
         hooks=digest.hooks(found.levels or []),

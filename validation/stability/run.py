@@ -13,7 +13,7 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level
 from sandbox.model.loading import choose, load
 from sandbox.physics.run import build
-from validation.processes import spread
+from sandbox.processes import spread
 from validation.stability.case import Frontier, HardCase, figure_of, make, watch
 from validation.stability.families import all_cases, all_frontiers
 from validation.stability.figures import Run

@@ -10,6 +10,7 @@ from sandbox.cli.commands import (
     check,
     describe,
     effects,
+    experiment,
     generate,
     play,
     render,
@@ -19,7 +20,19 @@ from sandbox.cli.commands import (
 )
 from sandbox.cli.commands import list as listing
 
-COMMANDS = (play, listing, check, simulate, describe, effects, render, replay, generate, tour)
+COMMANDS = (
+    play,
+    listing,
+    check,
+    simulate,
+    describe,
+    effects,
+    experiment,
+    render,
+    replay,
+    generate,
+    tour,
+)
 """In the order of the help; a command is called as its module."""
 
 app = typer.Typer(

@@ -5,7 +5,8 @@ from functools import partial
 from math import dist
 
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.effects import Attraction, Gravitation
+from sandbox.model.effects.attraction import Attraction
+from sandbox.model.effects.gravitation import Gravitation
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level

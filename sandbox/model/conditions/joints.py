@@ -35,7 +35,7 @@ def conditions(level: Level) -> Iterator[Condition]:
             continue
         held = [level.bodies[body] for body in bodies_of(joint)]
         names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
-        last = "ends" if isinstance(joint, Pivot | Motor | Winding | Rail) else "length"
+        last = "ends" if joint.kind.points_meet else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
         yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
 

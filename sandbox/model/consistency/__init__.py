@@ -5,7 +5,16 @@ Each rule yields what contradicts it; a file a topic.
 
 from collections.abc import Callable, Iterator
 
-from sandbox.model.consistency import bodies, challenge, effects, joints, names, stepping, surfaces
+from sandbox.model.consistency import (
+    bodies,
+    challenge,
+    effects,
+    joints,
+    names,
+    sizes,
+    stepping,
+    surfaces,
+)
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
 
@@ -21,6 +30,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.timeless_conditions,
     challenge.known_parameters,
     challenge.solution_within_ranges,
+    challenge.goals_are_bounded,
     challenge.goals_can_be_met,
     surfaces.contact_declared,
     bodies.fields_fit,
@@ -51,6 +61,7 @@ _ALONE = frozenset(
         names.timeless_conditions,
         challenge.known_parameters,
         challenge.solution_within_ranges,
+        challenge.goals_are_bounded,
         surfaces.contact_declared,
         bodies.fields_fit,
         bodies.rise_and_fall,
@@ -67,6 +78,8 @@ _SIZES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     bodies.not_too_many,
     bodies.not_too_many_edges,
     joints.not_too_many_wires,
+    sizes.not_too_many_pulls,
+    sizes.not_too_many_sticking,
 )
 """What is asked before anything that takes longer, the more there is."""
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from sandbox.model.consistency.mentions import named_parameters
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
@@ -12,14 +13,14 @@ def known_parameters(level: Level) -> Iterator[Fault]:
     """Free parameters exist and stand once; a solution changes no others."""
     if level.challenge is None:
         return
-    free = level.challenge.free
-    for index, name in enumerate(free):
-        path = ("challenge", "free", index)
+    for path, name in named_parameters(level):
         if name not in level.parameters:
             hint = suggestion(name, level.parameters)
             yield Fault(path, f"unknown parameter '{brief(name)}'{hint}")
-        elif name in free[:index]:
-            yield Fault(path, f"'{name}' is named twice")
+    free = level.challenge.free
+    for index, name in enumerate(free):
+        if name in level.parameters and name in free[:index]:
+            yield Fault(("challenge", "free", index), f"'{name}' is named twice")
     for name in level.challenge.solution:
         if name not in free:
             rule = f"'{brief(name)}' is not one of the 'free' parameters{suggestion(name, free)}"
@@ -34,6 +35,14 @@ def solution_within_ranges(level: Level) -> Iterator[Fault]:
         if parameter and not parameter.min <= value <= parameter.max:
             bounds = f"between 'min', {parameter.min:g}, and 'max', {parameter.max:g}"
             yield Fault(("challenge", "solution", name), f"is {value:g}, but must lie {bounds}")
+
+
+def goals_are_bounded(level: Level) -> Iterator[Fault]:
+    """Goals say within which bounds a quantity has to lie."""
+    for kind in ("goals", "stars"):
+        for index, goal in enumerate(getattr(level.challenge, kind, ())):
+            if goal.above is None and goal.below is None:
+                yield Fault(("challenge", kind, index), "needs 'above', 'below', or both")
 
 
 def goals_can_be_met(level: Level) -> Iterator[Fault]:

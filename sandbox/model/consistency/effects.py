@@ -5,17 +5,19 @@ from collections.abc import Iterator
 from sandbox.model.consistency.bodies import given
 from sandbox.model.consistency.mentions import acted_on, lists_of_bodies
 from sandbox.model.consistency.surfaces import coefficients_fit, undeclared
+from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import brief
-from sandbox.model.joints import Held, Motor, Weld, Winding, points
+from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
-    """Drags do something, and what a force acts on can move."""
-    drag = level.effects.drag
-    if drag and drag.linear.source == drag.quadratic.source == 0:
-        yield Fault(("effects", "drag"), "needs 'linear' or 'quadratic' greater than 0")
+    """Effects do something, and what a force acts on can move."""
+    for effect, place, said in level.effects.said:
+        if effect.needs and all(getattr(said, field).source == 0 for field in effect.needs):
+            rule = f"needs {' or '.join(map(repr, effect.needs))} greater than 0"
+            yield Fault(place, rule)
     for path, name in acted_on(level):
         if (kind := level.bodies[name].type) != "dynamic":
             yield Fault(path, f"'{brief(name)}' is {kind}, so no force moves it")
@@ -35,8 +37,9 @@ def effects_used(level: Level) -> Iterator[Fault]:
         yield Fault(("effects", name), f"'{name}' is declared but no body is dynamic")
     if level.effects.contact and dynamic and len(level.bodies) < 2:
         yield Fault(("effects", "contact"), "'contact' is declared but there is only one body")
-    for kind in ("friction", "restitution"):
-        yield from coefficients_fit(level, kind)
+    for kind, effect in EFFECTS.items():
+        if effect.coefficient:
+            yield from coefficients_fit(level, kind)
 
 
 def rotation_used(level: Level) -> Iterator[Fault]:
@@ -56,7 +59,7 @@ def rotation_used(level: Level) -> Iterator[Fault]:
 
 def _levers(level: Level) -> bool:
     """Whether a joint turns a body, or one or a force acts on it away from its centre."""
-    if any(isinstance(joint, Motor | Weld | Winding) for joint in level.joints.values()):
+    if any(joint.kind.turns for joint in level.joints.values()):
         return True
     held = (end for joint in level.joints.values() for end in points(joint))
     points_of_bodies = [end.at for end in held if isinstance(end, Held)]

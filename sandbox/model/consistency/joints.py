@@ -7,8 +7,6 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import (
     Joint,
     Own,
-    Rod,
-    Spring,
     Wire,
     bodies_of,
     body_of,
@@ -16,7 +14,7 @@ from sandbox.model.joints import (
     points,
 )
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.parts import Fault, names_in
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200
@@ -53,8 +51,7 @@ def own_apart(level: Level) -> Iterator[Fault]:
         if not isinstance(joint, Own) or joint.exact:
             continue
         path = ("joints", name, "exact")
-        formula = joint.length if isinstance(joint, Rod) else getattr(joint, "rate", None)
-        if formula is not None and "t" in formula.names:
+        if "t" in names_in(joint):
             yield Fault(path, "only an exact joint can change with the time 't'; leave out 'exact'")
         for body in moving.intersection(bodies_of(joint)) & exact:
             rule = f"'{brief(body)}' is held exactly, too; let all that holds it be exact, or none"
@@ -93,6 +90,6 @@ def constant_masses(level: Level) -> Iterator[Fault]:
     changing = {name for _, name in bodies_of_flows(level)}
     for name, joint in level.joints.items():
         for body in changing.intersection(bodies_of(joint)):
-            if not isinstance(joint, Spring):
+            if not joint.kind.force:
                 rule = f"'{brief(body)}' changes its mass, so only a spring can hold it"
                 yield Fault(("joints", name, "ends"), rule)

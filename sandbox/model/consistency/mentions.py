@@ -6,7 +6,9 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, Union, get_args, get_origin, get_type_hints
 
 from sandbox.model.base import Model
-from sandbox.model.effects import Friction, Restitution
+from sandbox.model.effects import EFFECTS
+from sandbox.model.effects.friction import Friction
+from sandbox.model.effects.restitution import Restitution
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
 from sandbox.model.mention import Mention
@@ -41,6 +43,11 @@ def named_quantities(level: Level) -> Iterator[tuple[Path, str]]:
     return ((path, name) for path, name, mention in mentions(level) if mention.of == "quantity")
 
 
+def named_parameters(level: Level) -> Iterator[tuple[Path, str]]:
+    """Yield every parameter that is named outside of a formula, and where."""
+    return ((path, name) for path, name, mention in mentions(level) if mention.of == "parameter")
+
+
 def acted_on(level: Level) -> Iterator[tuple[Path, str]]:
     """Yield the bodies that an effect acts on."""
     return ((path, name) for path, name, mention in mentions(level) if mention.acted_on)
@@ -58,15 +65,15 @@ def couples(level: Level) -> Iterator[tuple[Path, tuple[str, str]]]:
 
 def bodies_of_flows(level: Level) -> Iterator[tuple[Path, str]]:
     """Yield the bodies whose mass changes."""
-    for kind in ("thrust", "accretion"):
-        for index, flow in enumerate(getattr(level.effects, kind) or ()):
-            yield ("effects", kind, index, "body"), flow.body
+    changing = {name for name, effect in EFFECTS.items() if effect.changes_mass}
+    for path, name in acted_on(level):
+        if path[0] == "effects" and path[1] in changing:
+            yield path, name
 
 
 def coefficients(level: Level) -> dict[str, Friction | Restitution]:
     """Return those effects that have a coefficient a body."""
-    declared = {"friction": level.effects.friction, "restitution": level.effects.restitution}
-    return {kind: effect for kind, effect in declared.items() if effect is not None}
+    return {effect.name: said for effect, _, said in level.effects.said if effect.coefficient}
 
 
 @cache

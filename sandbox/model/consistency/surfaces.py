@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from sandbox.model.consistency.bodies import given
 from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, named_quantities
-from sandbox.model.effects import Pair
+from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
 from sandbox.model.level import Body, ContactEvent, Level, is_alone

@@ -5,7 +5,7 @@ accuracy, the sandbox's code and the versions of what it stands on. So nothing s
 """
 
 import platform
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from hashlib import sha256
 from json import dumps
@@ -48,12 +48,13 @@ def calibrated(
     progress: Progress | None = None,
     stop: Stop = never,
     tell: Callable[[str], None] | None = None,
+    also: Sequence[str] = (),
 ) -> Setting:
     """Return the cheapest setting that reaches an accuracy, from memory if it is there.
 
     Parameters
     ----------
-    level, values, target, progress, stop
+    level, values, target, progress, stop, also
         As for `calibrate`.
     tell
         Is told why a setting that was found cannot be kept.
@@ -68,21 +69,27 @@ def calibrated(
         If the level does not run at all.
     """
     values = level.defaults if values is None else values
-    if found := recalled(level, values, target):
+    if found := recalled(level, values, target, also):
         return found
-    setting = calibrate(level, values, target, progress=progress, stop=stop)
-    keep(level, values, setting, tell)
+    setting = calibrate(level, values, target, progress=progress, stop=stop, also=also)
+    keep(level, values, setting, tell, also)
     return setting
 
 
-def recalled(level: Level, values: Values, target: float) -> Setting | None:
+def recalled(
+    level: Level, values: Values, target: float, also: Sequence[str] = ()
+) -> Setting | None:
     """Return the setting that was found for an accuracy before; None if none was."""
-    key = _key(level, values, target)
+    key = _key(level, values, target, also)
     return _unkept.get(key) or _read(_path(key), key, level)
 
 
 def keep(
-    level: Level, values: Values, setting: Setting, tell: Callable[[str], None] | None = None
+    level: Level,
+    values: Values,
+    setting: Setting,
+    tell: Callable[[str], None] | None = None,
+    also: Sequence[str] = (),
 ) -> None:
     """Keep a setting that was found, for the next time or, if that cannot be, for this process.
 
@@ -92,8 +99,10 @@ def keep(
         What was found, and for what.
     tell
         Is told why it is not kept longer.
+    also
+        The other quantities that are as accurate.
     """
-    key = _key(level, values, setting.target)
+    key = _key(level, values, setting.target, also)
     path = _path(key)
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -107,11 +116,21 @@ def keep(
             tell(f"the setting is not kept for the next time: {error}")
 
 
-def resolved(level: Level, values: Values, stepping: Stepping) -> Stepping:
-    """Return a setting that is chosen, found out if only an accuracy is asked for."""
+def resolved(
+    level: Level, values: Values, stepping: Stepping, also: Sequence[str] = ()
+) -> Stepping:
+    """Return a setting that is chosen, found out if only an accuracy is asked for.
+
+    Parameters
+    ----------
+    level, values, stepping
+        What is run.
+    also
+        Quantities that are to be so accurate, besides those of the checks and the motion.
+    """
     if stepping.accuracy is None:
         return stepping
-    return calibrated(level, values, stepping.accuracy).chosen.stepping
+    return calibrated(level, values, stepping.accuracy, also=also).chosen.stepping
 
 
 def folder() -> Path:
@@ -147,8 +166,8 @@ def _hash(key: str, setting: Setting) -> str:
     return sha256(key.encode() + _SETTING.dump_json(setting)).hexdigest()
 
 
-def _key(level: Level, values: Values, target: float) -> str:
-    told = (digest(level), sorted(values.items()), target, _code())
+def _key(level: Level, values: Values, target: float, also: Sequence[str]) -> str:
+    told = (digest(level), sorted(values.items()), target, sorted(set(also)), _code())
     return sha256(dumps(told).encode()).hexdigest()[:32]
 
 

@@ -3,15 +3,21 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import floor
+from typing import NamedTuple
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
-from sandbox.physics.accuracy.refinement import SLOWEST, Ladder, rounded
+from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Ladder, furthest, in_step
+from sandbox.physics.accuracy.runs import Watched
+from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
 """s of computing for a second of the scene; the rest is for drawing it."""
 
 CAUTION = 0.7
 """The share of the accuracy that a setting may use up by what is only expected of it."""
+
+NOT_SEEN = 1e-3
+"""By which share an error counts as above what is asked for, where too few finer runs were seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +44,22 @@ class Offer:
         return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {price}"
 
 
+class Candidate(NamedTuple):
+    """A setting whose price is not measured yet."""
+
+    stepping: Stepping
+    error: float
+    """the largest of the run that is expected"""
+    trace: Trace | None
+    """the run in which it was seen; None if it is what the order promises"""
+    work: float
+    """of a second of the scene [s], as counted"""
+
+    def offer(self, step: float) -> Offer:
+        """Return it at the price of a step [s]."""
+        return Offer(self.stepping, self.error, step * self.stepping.rate)
+
+
 @dataclass(frozen=True, slots=True)
 class Offers:
     """What can be had of the schemes that were tried.
@@ -46,49 +68,67 @@ class Offers:
     ----------
     ladders
         Their runs; first the one that the others are held against.
-    steps
-        What a step of each takes to compute [s].
+    work
+        How much a step of each is [s], as counted: by that they are chosen.
     """
 
     ladders: Sequence[Ladder]
-    steps: Sequence[float]
+    work: Sequence[float]
 
     @property
     def fine(self) -> Stepping:
         """A setting that comes close to the best run, at half its price."""
         return self.ladders[0].traces[-2].stepping
 
-    def best(self, target: float) -> tuple[bool, Offer]:
-        """Return the cheapest setting that reaches a target, and whether it was seen to do so.
+    def best(self, target: float) -> Candidate:
+        """Return the cheapest setting that reaches a target.
 
         Where none does, it is the most accurate.
         """
 
-        def rank(offer: tuple[bool, Offer]) -> tuple[float, float]:
-            return max(offer[1].error, target), offer[1].price
+        def rank(found: Candidate) -> tuple[float, bool, float]:
+            return max(found.error, target), found.trace is None, found.work
 
-        pairs = zip(self.ladders, self.steps, strict=True)
-        return min((_offer(step, ladder, target) for ladder, step in pairs), key=rank)
+        pairs = zip(self.ladders, self.work, strict=True)
+        return min((_candidate(work, ladder, target) for ladder, work in pairs), key=rank)
 
-    def in_real_time(self) -> Offer | None:
-        """Return the most accurate setting that runs in real time."""
-        pairs = zip(self.ladders, self.steps, strict=True)
+    def in_real_time(self, steps: Sequence[float]) -> Offer | None:
+        """Return the most accurate setting that runs in real time, where a step takes so long."""
+        pairs = zip(self.ladders, steps, strict=True)
         found = (offer for ladder, step in pairs for offer in _affordable(step, ladder))
         return min(found, key=lambda offer: offer.error, default=None)
 
+    def decisive(self, found: Candidate, wanted: Sequence[Watched]) -> str:
+        """Return the quantity that is furthest off in a setting's run, or in the nearest to it."""
+        best = self.ladders[0].traces[-1]
+        trace = found.trace or self._nearest(found.stepping)
+        if trace is best:
+            trace = self.ladders[0].traces[-2]
+        item = furthest(trace, best, wanted)[1]
+        return "" if item is None else item.quantity
 
-def _offer(step: float, ladder: Ladder, target: float) -> tuple[bool, Offer]:
-    """Return a ladder's cheapest setting, or its best, at a price a step [s]."""
+    def _nearest(self, stepping: Stepping) -> Trace:
+        """Return the finest run of a scheme."""
+        last = (ladder.traces[-1] for ladder in self.ladders)
+        return next(trace for trace in last if trace.stepping.scheme == stepping.scheme)
+
+
+def _candidate(work: float, ladder: Ladder, target: float) -> Candidate:
+    """Return a ladder's cheapest setting, or its best, where a step is so much work [s]."""
     last = ladder.traces[-1].stepping
     if good := ladder.cheapest(target):
         trace, error = good
-        return True, Offer(trace.stepping, error, step * trace.stepping.rate)
-    rate = rounded(max(ladder.rate_for(target * CAUTION), SLOWEST))
-    if rate <= HIGHEST_RATE:
-        return False, Offer(last.at(rate), ladder.error_at(rate), step * rate)
+        return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
+    if ladder.believable(target):
+        parts = 1 if ladder.traces[0].level.effects.contact else PARTS
+        needed = min(max(ladder.rate_for(target * CAUTION), SLOWEST), 2 * HIGHEST_RATE)
+        rate = in_step(needed, last.rate, parts)
+        if rate <= HIGHEST_RATE:
+            return Candidate(last.at(rate), ladder.error_at(rate), None, work * rate)
     runs = zip(ladder.traces, ladder.errors, strict=True)
     trace, error = min(runs, key=lambda run: run[1])
-    return True, Offer(trace.stepping, error, step * trace.stepping.rate)
+    error = max(error, target * (1 + NOT_SEEN))
+    return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
 
 
 def _affordable(step: float, ladder: Ladder) -> Iterator[Offer]:

@@ -1,11 +1,18 @@
-"""Whether a motion is chaotic: how a change too small to be seen grows until the end of a run."""
+"""Whether a motion is chaotic, and until when it can be foretold.
+
+Both are measured: how a change too small to be seen grows, and where two runs part.
+"""
+
+from collections.abc import Sequence
+from math import log
 
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.accuracy.runs import BLOCK, Stop
+from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.making import make_world
@@ -15,12 +22,42 @@ NUDGE = 1e-9
 """m, by which one body is moved at the start."""
 
 WILD = 1e4
-"""By how much a change grows, at the least, in a chaotic motion; that of an orbit grows with the
-number of its turns, some tenfold each."""
+"""By how much a change has grown, at the least, before it is asked how."""
+
+STEADY = 0.75
+"""The share of the digits, at the most, that are lost in half of the time where a change grows by
+the same factor again and again; what a first touch makes of it all at once is more, and what grows
+in proportion to time loses but one more in twice the time."""
 
 
-def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> float:
-    """Return how many times as large a small change of a place is at the end.
+def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> str:
+    """Return how a small change grows, in words, if it does so again and again; empty if not.
+
+    Parameters
+    ----------
+    level, values, stepping
+        The run, which is taken twice.
+    stop
+        Is asked now and then whether to give up.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    """
+    t, times = growth(level, values, stepping, stop)
+    wild = np.flatnonzero(times >= WILD)
+    if not len(wild):
+        return ""
+    at = int(wild[0])
+    half = float(times[: at // 2 + 1].max())
+    if log(max(half, 1.0)) > STEADY * log(times[at]):
+        return ""
+    return f"a small change grows {times[at]:.0e} times in {t[at]:.3g} s"
+
+
+def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> tuple[Array, Array]:
+    """Return times [s], and how many times as large a small change of a place is then: (T,) each.
 
     Parameters
     ----------
@@ -35,25 +72,35 @@ def growth(level: Level, values: Values, stepping: Stepping, stop: Stop) -> floa
         If `stop` said so.
     """
     name = next((n for n, body in level.bodies.items() if body.type == "dynamic"), None)
+    nothing = np.zeros(0), np.zeros(0)
     if name is None:
-        return 0.0
+        return nothing
     try:
         first, other = make_world(level, values, stepping), make_world(level, values, stepping)
         x, y = other.snapshot.position[list(level.bodies).index(name)]
         other.place({name: (float(x) + NUDGE, float(y) + NUDGE)})
-        ends = [_end(world, stop) for world in (first, other)]
+        return _parting(first, other, stop)
     except SimulationError:
-        return 0.0
-    return float(np.abs(ends[0] - ends[1]).max()) / NUDGE
+        return nothing
 
 
-def _end(world: World, stop: Stop) -> Array:
-    """Return where the bodies are when the run is over: (n, 2) [m]."""
-    left = count_steps(world)
+def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
+    """Return times [s], and how far two worlds are apart then, over what they were at the start."""
+    left, t, apart = count_steps(first), [], []
+    block = max(min(BLOCK, left // BLOCK), 1)
     while left:
         if stop():
             raise Cancelled
-        steps = min(left, BLOCK)
-        world.advance(steps)
+        steps = min(left, block)
+        now = [world.advance(steps).position for world in (first, other)]
+        t.append(first.t)
+        apart.append(float(np.abs(now[0] - now[1]).max()) / NUDGE)
         left -= steps
-    return world.snapshot.position
+    return np.array(t), np.array(apart)
+
+
+def foretold(ladders: Sequence[Ladder], wanted: Sequence[Watched], error: float) -> float:
+    """Return until when the two finest runs of the best ladder agree to an error [s]."""
+    coarse, fine = ladders[0].traces[-2:]
+    times = (departure(coarse, fine, item, error) for item in wanted)
+    return min((t for t in times if t is not None), default=float(fine.t[-1]))

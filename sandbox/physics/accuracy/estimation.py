@@ -7,7 +7,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.physics.accuracy.cache import resolved
 from sandbox.physics.accuracy.richardson import extrapolated
-from sandbox.physics.accuracy.runs import Stop, Watched, never, record, watched
+from sandbox.physics.accuracy.runs import Stop, Watched, checked, motion, never, record
 from sandbox.physics.measuring.recording import Trace
 
 
@@ -72,7 +72,7 @@ def estimate(
     """
     values = level.defaults if values is None else values
     stepping = resolved(level, values, stepping or level.stepping)
-    items = watched(level, values) if wanted is None else wanted
+    items = checked(level, values) or tuple(motion(level)) if wanted is None else wanted
     finer = (stepping.model_copy(update={"rate": stepping.rate * times}) for times in (1, 2, 4))
     traces = [record(level, values, each, items, stop) for each in finer]
     return tuple(_estimate(traces, item) for item in items)

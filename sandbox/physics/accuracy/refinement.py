@@ -1,13 +1,12 @@
 """Runs of one scheme with smaller and smaller steps, and what they tell of others."""
 
-from bisect import bisect
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from math import ceil, floor, inf, log2, log10
+from math import ceil, floor, inf, log2
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level
+from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.accuracy.runs import Watched, apart, scale, size
 from sandbox.physics.measuring.recording import Trace
@@ -17,8 +16,25 @@ from sandbox.physics.stepping.making import make_world
 NEARLY = 0.75
 """The share of its order that a scheme shows where its steps are small enough for it."""
 
-WORTHWHILE = 0.9
-"""The share of a rate, at the most, to which it is worth while to lower it."""
+PARTS = 4
+"""Into how many parts an octave of rates is divided: runs whose rates are in the ratio of small
+whole numbers share many instants, and can be held against each other at them."""
+
+WITNESSES = 2
+"""How many finer runs of the same scheme must be seen before a run is believed; one, if the runs
+show the order of the scheme."""
+
+RUNS = 4
+"""Runs, at the least, that show an order."""
+
+COUNTS = 0.1
+"""The share of the largest error from which on one must show the order."""
+
+ROUNDING = 1e-12
+"""The share of a rate by which another is no lower."""
+
+SPARE = 0.8
+"""The share of an accuracy that a rate between two runs is meant to use up."""
 
 SLOWEST = 30.0
 """Hz, the lowest rate that is chosen: fewer steps look like none."""
@@ -46,85 +62,76 @@ class Ladder:
     growth
         For each quantity the error of the last run and the power of the step by which it goes on:
         less than zero where it is rounding, which grows with the rate.
+    seen
+        How many of the runs, from the first, are seen to be as accurate as is told.
     """
 
     traces: tuple[Trace, ...]
     errors: tuple[float, ...]
     growth: tuple[tuple[float, float], ...]
+    seen: int = 0
 
     def cheapest(self, error: float) -> tuple[Trace, float] | None:
-        """Return the first run with no larger error, as runs with smaller steps say, and that.
-
-        Where bodies touch, two such runs must agree: one can do so by chance.
-        """
-        witnesses = 2 if self._contact else 1
-        runs = zip(self.traces[:-witnesses], self.errors, strict=False)
+        """Return the first run that is seen to have no larger error, and that."""
+        runs = zip(self.traces[: self.seen], self.errors, strict=False)
         return next((r for r in runs if r[1] <= error and r[0].stepping.rate >= SLOWEST), None)
 
     def between(self, error: float) -> float | None:
         """Return a rate below the first run that will do, at which one might do as well [Hz].
 
-        It is on the power of the rate through that run and the one before; None if that is none of
-        the scheme's, as where bodies touch: there errors jump about.
+        It is on the power of the rate through that run and the one before, and parts an octave in
+        the ratio of small numbers; None if there is none.
         """
         found = self.cheapest(error)
         if not found or found[0] is self.traces[0]:
             return None
-        rate, little = found[0].stepping.rate, found[1]
-        much = self.errors[self.traces.index(found[0]) - 1]
-        if much <= error:
-            return SLOWEST if rate > SLOWEST else None
-        order = ORDERS[self.traces[-1].stepping.scheme]
-        if self._contact or not 0 < little < error < much < little * 2 ** (2 * order):
+        at = self.traces.index(found[0])
+        low, high = (trace.stepping.rate for trace in self.traces[at - 1 : at + 1])
+        little, much = found[1], self.errors[at - 1]
+        if not 0 < little < SPARE * error < much < little * 2 ** (2 * self._order):
             return None
-        lower = rounded(rate * (little / error) ** (1 / log2(much / little)))
-        return max(lower, SLOWEST) if lower < WORTHWHILE * rate else None
-
-    def joined(self, trace: Trace, wanted: Sequence[Watched]) -> "Ladder":
-        """Return the same with one run more, at a rate between."""
-        rates = [other.stepping.rate for other in self.traces]
-        at = bisect(rates, trace.stepping.rate)
-        error = _off(trace, self.traces[-1], wanted) + self.errors[-1]
-        traces = (*self.traces[:at], trace, *self.traces[at:])
-        return replace(self, traces=traces, errors=(*self.errors[:at], error, *self.errors[at:]))
+        power = log2(much / little) / log2(high / low)
+        rate = high * (little / (SPARE * error)) ** (1 / power)
+        parted = in_step(rate, low)
+        return parted if SLOWEST <= parted < high else None
 
     @property
-    def _contact(self) -> bool:
-        return bool(self.traces[0].level.effects.contact)
+    def _order(self) -> int:
+        return ORDERS[self.traces[-1].stepping.scheme]
 
     def believable(self, target: float) -> bool:
         """Whether it tells how far there is to go to an error.
 
-        Of fourth order it has to show that: a lower one would ask for far too many steps.
+        It has to show the order of its scheme: a lower one would ask for far too many steps.
         """
-        scheme = self.traces[-1].stepping.scheme
-        shown = NEARLY * ORDERS[scheme] if scheme == "fourth-order" else -inf
+        shown = NEARLY * self._order
         return all(order >= shown for off, order in self.growth if off > target)
 
     def rate_for(self, error: float) -> float:
-        """Return the rate at which no error is expected to be larger [Hz]; infinite if none is.
+        """Return the rate from which on no error is expected to be larger [Hz]; infinite if none.
 
         What pymunk makes of impacts as it comes is a matter of chance, and nothing follows from it.
         """
         if self.traces[-1].stepping.as_it_comes:
             return inf
-        rate = last = self.traces[-1].stepping.rate
+        rate, last = 0.0, self.traces[-1].stepping.rate
         for off, order in self.growth:
-            if off > error:
-                rate = max(rate, last * (off / error) ** (1 / order) if order > 0 else inf)
+            if order > 0:
+                rate = max(rate, last * (off / error) ** (1 / order))
+            elif off > error:
+                return inf
         return rate
 
     def error_at(self, rate: float) -> float:
-        """Return the largest error that is expected at a rate beyond the last [Hz]."""
+        """Return the largest error that is expected at a rate [Hz]."""
         if self.traces[-1].stepping.as_it_comes:
             return inf
         ratio = self.traces[-1].stepping.rate / rate
         return max((off * ratio**order for off, order in self.growth), default=inf)
 
 
-def step_prices(level: Level, values: Values, ladders: Iterable[Ladder]) -> tuple[float, ...]:
-    """Return what a step of each ladder costs [s], at its highest rate."""
-    steppings = (ladder.traces[-1].stepping for ladder in ladders)
+def step_prices(level: Level, values: Values, *steppings: Stepping) -> tuple[float, ...]:
+    """Return what a step of some settings takes [s], timed in turn."""
     return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 
 
@@ -133,29 +140,45 @@ def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Ladder:
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
     worst = tuple(max(column) for column in zip(*(part.relative for part in parts), strict=True))
     growth = tuple((part.relative[-1], part.order or -part.rise) for part in parts)
-    return Ladder(tuple(traces), worst or (inf,) * len(traces), growth)
+    seen = max(len(traces) - WITNESSES, 0)
+    ladder = Ladder(tuple(traces), worst or (inf,) * len(traces), growth, seen)
+    shown = len(traces) >= RUNS and ladder.believable(COUNTS * ladder.errors[-1])
+    contact = traces[0].level.effects.contact
+    return replace(ladder, seen=seen + 1) if shown and not contact else ladder
 
 
 def held_against(ladder: Ladder, better: Ladder, wanted: Sequence[Watched]) -> Ladder:
-    """Return a ladder with its errors against the last run of a better one."""
+    """Return a ladder with its errors against the last run of a better one.
+
+    All its runs are seen to have them if the other is of another scheme; else those that have at
+    least twice the step twice over.
+    """
     last, own = better.traces[-1], better.errors[-1]
-    errors = tuple(max(_off(trace, last, wanted) + own, own) for trace in ladder.traces)
-    return replace(ladder, errors=errors)
+    errors = tuple(max(furthest(trace, last, wanted)[0] + own, own) for trace in ladder.traces)
+    finest = last.stepping.rate / 2**WITNESSES
+    alike = last.stepping.scheme == ladder.traces[-1].stepping.scheme
+    seen = sum(not alike or trace.stepping.rate <= finest for trace in ladder.traces)
+    return replace(ladder, errors=errors, seen=seen)
 
 
-def _off(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> float:
-    """Return the largest relative difference of two runs."""
-    worst = 0.0
+def furthest(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> tuple[float, Watched | None]:
+    """Return the largest relative difference of two runs, and the quantity that it is in."""
+    worst: tuple[float, Watched | None] = 0.0, None
     for item in wanted:
         difference = apart(trace, best, item)
         if difference is not None:
-            worst = max(worst, difference / scale(size(best, item), difference))
+            relative = difference / scale(size(best, item), difference)
+            worst = max(worst, (relative, item), key=lambda found: found[0])
     return worst
 
 
-def rounded(rate: float) -> float:
-    """Return a rate rounded up to three digits [Hz]."""
-    if rate == inf:
-        return rate
-    unit = 10.0 ** (ceil(log10(rate)) - 3)
-    return ceil(rate / unit) * unit
+def in_step(rate: float, with_: float, parts: int = PARTS) -> float:
+    """Return the least rate not below one [Hz] that is in step with another.
+
+    It is that rate doubled or halved again and again, and on by so many parts of an octave.
+
+    >>> in_step(100.0, 30.0)
+    105.0
+    """
+    octave = with_ * 2.0 ** floor(log2(rate / with_))
+    return octave * ceil(parts * rate / octave * (1 - ROUNDING)) / parts

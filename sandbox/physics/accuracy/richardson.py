@@ -14,6 +14,10 @@ LEAST_ORDER = 0.5
 ORDERS = {"leapfrog": 2, "fourth-order": 4, "symplectic-euler": 1, "explicit-euler": 1}
 """The orders of the schemes; no error is expected to fall faster."""
 
+ROUGHLY = 2.0
+"""How many times their difference two runs may be off that show no order: rounding is a matter of
+chance."""
+
 ROUNDING = 1e-15
 """Of the size of a quantity: differences below this say nothing."""
 
@@ -50,7 +54,7 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
 
     e_n = (y_n − y_{n−1}) / (2^p − 1) is that of the last, with the order p by which the differences
     fall, but not more than the scheme's; each other's is its difference from the last, and that.
-    Where no order shows, the error of the last counts as all of the difference.
+    Where no order shows, the error of the last counts as twice the difference.
 
     None if an instant comes in none of the runs.
     """
@@ -60,7 +64,7 @@ def extrapolated(traces: Sequence[Trace], item: Watched) -> Errors | None:
     differences = [inf if step is None else step for step in steps]
     floor = ROUNDING * size(traces[-1], item)
     order, jump = _order(differences, floor, ORDERS[traces[-1].stepping.scheme])
-    last = jump / (2 ** (order or 1.0) - 1)
+    last = jump / (2**order - 1) if order else ROUGHLY * jump
     whole = (apart(trace, traces[-1], item) for trace in traces[:-1])
     rise = 0.0 if order else _rise(differences)
     errors = (*(inf if w is None else w + last for w in whole), last)

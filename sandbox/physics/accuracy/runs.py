@@ -1,15 +1,17 @@
 """Runs that are held against each other, and what is watched in them."""
 
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from math import log2
 
 import numpy as np
 
+from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
 from sandbox.physics.stepping.making import make_world
@@ -26,8 +28,18 @@ SEEN = 240.0
 FADING = 0.5
 """The share of itself that is left, at the most, of what fades as the step is halved."""
 
+ROUNDING = 1e-12
+"""The share of the largest value by which nothing that jumps changes."""
+
 SAME = 1e-9
 """Times that differ by this share are the same."""
+
+
+LITTLE = 1e-2
+"""The share of the largest in the scene to which a small coordinate or velocity is relative."""
+
+JUMPS = 5.0
+"""How many times as much as around it a velocity changes, at the least, where it jumps."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,17 +47,64 @@ class Watched:
     """A quantity of which the error is estimated, at every step or at an instant.
 
     Its error is relative to its largest value, or to a scale if that is larger.
+
+    Attributes
+    ----------
+    quantity, at, scale
+        What, when, and relative to what at the least.
+    motion
+        Whether it is watched because its body moves. Where such a velocity jumps, as in an impact,
+        two runs are not compared: how late it jumps is seen in the places.
     """
 
     quantity: str
     at: Instant | None = None
     scale: float = 0.0
+    motion: bool = False
 
 
-def watched(level: Level, values: Values) -> tuple[Watched, ...]:
-    """Return what the checks that apply measure; if there are none, where bodies are, how fast."""
-    checked = (by_check(check, values) for check in level.checks if applies(check, values))
-    return tuple(dict.fromkeys(checked)) or tuple(_motion(level))
+def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Watched, ...]:
+    """Return what is judged: what the checks that apply measure, what else, and all motion.
+
+    Parameters
+    ----------
+    level, values
+        What is run.
+    also
+        Other quantities, such as those that are recorded.
+    """
+    named = tuple(dict.fromkeys((*checked(level, values), *(Watched(name) for name in also))))
+    throughout = {item.quantity for item in named if item.at is None}
+    return (*named, *(item for item in motion(level) if item.quantity not in throughout))
+
+
+def checked(level: Level, values: Values) -> tuple[Watched, ...]:
+    """Return what the checks that apply measure."""
+    found = (by_check(check, values) for check in level.checks if applies(check, values))
+    return tuple(dict.fromkeys(found))
+
+
+def scaled(wanted: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
+    """Return what is watched, of motion only what moves in a run, and with its least scale.
+
+    A coordinate that stays small beside the others of the scene is relative to a share of these.
+    """
+    largest: dict[str, float] = {}
+    for item in wanted:
+        if item.motion:
+            kind = _kind(item)
+            largest[kind] = max(largest.get(kind, 0.0), _largest(trace.columns[item.quantity]))
+    return tuple(
+        replace(item, scale=LITTLE * largest[_kind(item)]) if item.motion else item
+        for item in wanted
+        if not item.motion or np.ptp(trace.columns[item.quantity]) > 0
+    )
+
+
+def _kind(item: Watched) -> str:
+    """Return what sort of motion it is: position, velocity, angle or angular_velocity."""
+    *_, before, last = item.quantity.rsplit(".", 2)
+    return before if last in ("x", "y") else last
 
 
 def by_check(check: Check, values: Values) -> Watched:
@@ -53,12 +112,20 @@ def by_check(check: Check, values: Values) -> Watched:
     return Watched(check.quantity, check.at, least_scale(check, values))
 
 
-def _motion(level: Level) -> Iterator[Watched]:
+def motion(level: Level) -> Iterator[Watched]:
+    """Yield the places and velocities of the bodies that move freely."""
     parts = ["position.x", "position.y", "velocity.x", "velocity.y"]
     parts += ["angle", "angular_velocity"] if level.effects.rotation else []
     for name, body in level.bodies.items():
         if body.type == "dynamic":
-            yield from (Watched(f"{name}.{part}") for part in parts)
+            yield from (Watched(f"{name}.{part}", motion=True) for part in parts)
+
+
+def lasting(level: Level, values: Values, duration: float | None) -> Level:
+    """Return a level that lasts as long as it is run [s], if that is longer than its own."""
+    if duration is None or duration <= level.duration(values):
+        return level
+    return level.model_copy(update={"duration": Duration(duration)})
 
 
 def never() -> bool:
@@ -100,11 +167,10 @@ def record(
     recorder = Recorder(world, names)
     all_ = any(_needs_all(level, item) for item in wanted)
     stride = 1 if all_ else _stride(stepping.rate / seen)
-    steps = count_steps(world)
-    for look, step in enumerate(range(0, steps, stride)):
+    for look in range(-(-count_steps(world) // stride)):  # to the end at the least:
         if look % BLOCK == 0 and stop():
             raise Cancelled
-        world.advance(min(stride, steps - step))
+        world.advance(stride)  # instants are read off samples at equal steps
         recorder.note()
     return recorder.trace
 
@@ -131,9 +197,54 @@ def apart(one: Trace, other: Trace, item: Watched) -> float | None:
     if item.at is not None:
         return _largest(found[1] - wanted[1])
     (t, some), (times, many) = found, wanted
+    shared, places = shared_times(t, times)
+    off = some[shared] - many[places]
+    if item.motion and "velocity" in _kind(item) and len(off):
+        off[_jumping((t, some), (times, many), t[shared])] = 0.0
+    return _largest(off)
+
+
+def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | None:
+    """Return until when two runs agree in where things are, to a relative error [s].
+
+    None if they do to the end, or if it is no place that is watched.
+    """
+    if item.at is not None or (item.motion and "velocity" in _kind(item)):
+        return None
+    (t, some), (times, many) = ((r.t, r.columns[item.quantity]) for r in (one, other))
+    shared, places = shared_times(t, times)
+    unit = scale(size(other, item), 0.0)
+    apart = np.flatnonzero(~(np.abs(some[shared] - many[places]) <= error * unit))
+    return float(t[shared][max(apart[0] - 1, 0)]) if len(apart) else None
+
+
+def shared_times(t: Array, times: Array) -> tuple[Integers, Integers]:
+    """Return which of some times are among others, and where there."""
     places = np.searchsorted(times, t * (1 - SAME)).clip(max=len(times) - 1)
-    shared = np.abs(times[places] - t) <= SAME * t
-    return _largest(some[shared] - many[places[shared]])
+    shared = np.flatnonzero(np.abs(times[places] - t) <= SAME * t)
+    return shared, places[shared]
+
+
+def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) -> Integers:
+    """Return which of some times are beside a jump of one of two runs, each (times, values)."""
+    found = np.concatenate([_jumps(*run) for run in (one, other)])
+    if not len(found):
+        return np.empty(0, dtype=np.intp)
+    wide = float(max(np.diff(run[0]).max(initial=0.0) for run in (one, other)))
+    near = np.abs(at[:, None] - found).min(axis=1)
+    return np.flatnonzero(near <= wide * (1 + SAME))
+
+
+def _jumps(t: Array, values: Array) -> Array:
+    """Return when values jump for good: between two looks, by far more than around them."""
+    change = np.abs(np.diff(values))
+    padded = np.concatenate(([0.0, 0.0], change, [0.0, 0.0]))
+    around = np.maximum(padded[:-4], padded[4:])
+    apart = np.abs(values[2:] - values[:-2])  # what returns at once is no jump
+    stays = np.minimum(np.append(apart, np.inf), np.append(np.inf, apart))
+    sharp = (change > JUMPS * around) & (stays > change / 2)
+    sharp &= change > ROUNDING * np.abs(values).max(initial=0.0)
+    return (t[:-1][sharp] + t[1:][sharp]) / 2
 
 
 def size(trace: Trace, item: Watched) -> float:

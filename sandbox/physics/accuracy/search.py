@@ -1,20 +1,20 @@
-"""Taking runs with smaller and smaller steps, of several schemes in turn, as far as the time goes.
+"""Taking runs with smaller and smaller steps, of several schemes in turn, as far as the work goes.
 
-Whichever next run takes least is taken, so that no scheme spends the time of the others. A scheme
-that tells how far it has to go waits for those that do not yet, and what cannot be the cheapest any
-more is left.
+Whichever next run takes least is taken, so that no scheme spends the time of the others, and what
+cannot be the cheapest any more is left. Work is counted, so the same request takes the same runs;
+a clock ends only what is far more work than the count tells.
 """
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, field
 from math import inf
 from time import thread_time
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
-from sandbox.physics.accuracy.refinement import Ladder, judged
-from sandbox.physics.accuracy.runs import Stop, Watched, record
+from sandbox.physics.accuracy.refinement import SLOWEST, Ladder, held_against, judged
+from sandbox.physics.accuracy.runs import SEEN, Stop, Watched, record
+from sandbox.physics.accuracy.work import LOOK, step_work
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
 
@@ -22,18 +22,18 @@ Progress = Callable[[float, str], None]
 """Is told which share of the time is spent, and what comes next."""
 
 FEWEST = 3
-"""Runs that must agree before it is believed, as long as there is time for them."""
-
-OVERDRAFT = 1.25
-"""How often the time may be spent as long as nothing tells how far it has to go."""
+"""Runs of a scheme before it tells how far it has to go."""
 
 DEARER = 2.0
-"""How many times as long as what will do a run takes, looked at as it is, that will not do."""
+"""How many times as much work as another, as far as both tell what they need, is too much."""
+
+PATIENCE = 6.0
+"""How many times as long as counted the runs may take."""
 
 
 @dataclass(slots=True)
 class Climber:
-    """Runs a level at a rate, and at twice that again and again, until one but the last will do.
+    """Runs a level at a rate, and at twice that again and again.
 
     A run that has to stop, for its steps are too long, counts for nothing.
 
@@ -47,6 +47,8 @@ class Climber:
         The runs so far; None if there are no two.
     failure
         Why the last one had to stop; None if it did not.
+    step
+        How much work a step is [s], as counted.
     """
 
     level: Level
@@ -56,8 +58,11 @@ class Climber:
     target: float
     ladder: Ladder | None = None
     failure: SimulationError | None = None
+    step: float = 0.0
     _traces: list[Trace] = field(default_factory=list)
-    _seconds: float = 0.0  # what the last run took
+
+    def __post_init__(self) -> None:
+        self.step = step_work(self.level, self.values, self.stepping)
 
     def run(self, stop: Stop) -> None:
         """Take the next run.
@@ -67,7 +72,6 @@ class Climber:
         Cancelled
             If `stop` said so.
         """
-        begun = thread_time()
         self.failure = None
         try:
             self._traces.append(record(self.level, self.values, self.stepping, self.wanted, stop))
@@ -75,94 +79,101 @@ class Climber:
             self._traces, self.ladder, self.failure = [], None, error
         if len(self._traces) > 1:
             self.ladder = judged(self._traces, self.wanted)
-        self._seconds = thread_time() - begun
         self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
 
-    def refine(self, stop: Stop) -> None:
-        """Take one run at a rate between two others, of which only the finer will do.
-
-        Raises
-        ------
-        Cancelled
-            If `stop` said so.
-        """
-        rate = self.ladder and self.ladder.between(self.target)
-        if not (self.ladder and rate):
-            return
-        with suppress(SimulationError):
-            stepping = self.stepping.at(rate)
-            trace = record(self.level, self.values, stepping, self.wanted, stop)
-            self.ladder = self.ladder.joined(trace, self.wanted)
+    def work(self, rate: float) -> float:
+        """Return how much work a run at a rate is [s], as counted."""
+        looks = min(rate, 2 * SEEN)
+        return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
 
     @property
-    def next_seconds(self) -> float:
-        """What the next run will take [s]; 0 if there was none yet."""
-        return 2 * self._seconds
+    def over(self) -> bool:
+        """Whether there is no higher rate."""
+        return self.stepping.rate > HIGHEST_RATE
 
     @property
-    def done(self) -> bool:
-        """Whether a run will do, or there is no higher rate."""
-        found = self.ladder and len(self._traces) >= FEWEST and self.ladder.cheapest(self.target)
-        return bool(found) or self.stepping.rate > HIGHEST_RATE
-
-    @property
-    def promised(self) -> float:
-        """What a run that will do takes [s], as far as one can tell; infinite if one cannot."""
+    def needed(self) -> float:
+        """The rate from which on its errors are as small as asked for, as far as it tells [Hz]."""
         ladder = self.ladder
         if not ladder or len(self._traces) < FEWEST:
             return inf
-        last = ladder.traces[-1].stepping.rate
-        if found := ladder.cheapest(self.target):
-            return self._seconds * found[0].stepping.rate / last
         rate = ladder.rate_for(self.target) if ladder.believable(self.target) else inf
-        return self._seconds * rate / last if rate <= HIGHEST_RATE else inf
+        return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
+
+    def lags(self, enough: float) -> bool:
+        """Whether it does not tell yet how far it has to go, and may be cheaper than enough [s]."""
+        return self.needed == inf and self.step * self.stepping.rate <= enough
 
     @property
-    def least(self) -> float:
-        """What a run that will do takes [s] at the least: none that is done with but the last."""
-        return min(self._seconds, self.promised)
+    def promised(self) -> float:
+        """What a second of the scene is expected to take that will do [s], as counted."""
+        return self.step * self.needed
 
 
 def climb(
     climbers: Sequence[Climber], seconds: float, stop: Stop, progress: Progress | None = None
-) -> None:
-    """Take runs in turn, until all will do, or the time is spent; then lower rates, if any is left.
+) -> list[Ladder]:
+    """Take runs in turn, until the cheapest that will do is seen, or the work is done.
 
-    Where bodies touch, the first is the judge of the others, and is never too dear.
+    Where bodies touch, the first is the judge of the others.
+
+    Returns
+    -------
+    The ladders, each with its errors held against the best, in the order of those that have any.
 
     Raises
     ------
     Cancelled
         If `stop` said so.
     """
-    begun = thread_time()
-    while left := _worthwhile(climbers):
-        next_ = min(left, key=lambda climber: climber.next_seconds)
-        known = any(climber.promised < inf for climber in climbers)
-        budget = seconds if known else OVERDRAFT * seconds
-        spent = thread_time() - begun
-        if spent + next_.next_seconds > budget:
+    spent, begun = 0.0, thread_time()
+    ladders: list[Ladder] = []
+    while left := _worthwhile(climbers, ladders):
+        next_ = min(left, key=lambda climber: climber.work(climber.stepping.rate))
+        work = next_.work(next_.stepping.rate)
+        if spent + work > seconds or thread_time() - begun > PATIENCE * seconds:
             break
         if progress:
-            progress(spent / budget, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+            progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+        spent += work
         next_.run(stop)
-    enough = DEARER * min(climber.promised for climber in climbers)
-    for climber in climbers:
-        if climber.promised <= min(enough, begun + seconds - thread_time()):
-            climber.refine(stop)
+        ladders = held(climbers)
+    return ladders
 
 
-def _worthwhile(climbers: Sequence[Climber]) -> list[Climber]:
-    """Return those that may still find something cheaper, or show that it is as they promise.
+def held(climbers: Sequence[Climber]) -> list[Ladder]:
+    """Return what has been climbed, each ladder with its errors against the best, that first."""
+    found = [climber.ladder for climber in climbers if climber.ladder]
+    if not found:
+        return []
+    best = min(found, key=lambda ladder: ladder.errors[-1])
+    if climbers[0].level.effects.contact:
+        best = found[0]  # only more sweeps of the solver show what it still owes
+    wanted = climbers[0].wanted
+    others = [held_against(ladder, best, wanted) for ladder in found if ladder is not best]
+    return [best, *others]
 
-    Where bodies touch all must show it, unless that is dear and pymunk as it comes.
+
+def price(climbers: Sequence[Climber], ladder: Ladder) -> float:
+    """Return how much work a step of a ladder is [s], as counted."""
+    return next(c.step for c in climbers if c.ladder and c.ladder.traces is ladder.traces)
+
+
+def _worthwhile(climbers: Sequence[Climber], ladders: Sequence[Ladder]) -> list[Climber]:
+    """Return those that may still find something cheaper than what is seen to do.
+
+    A run is as cheap as any finer one is not: it must be below what was found already.
     """
-    left = [climber for climber in climbers if not climber.done]
-    contact = climbers[0].level.effects.contact
-    trusted = [c for c in climbers[bool(contact) :] if not c.stepping.as_it_comes]
-    enough = DEARER * min((climber.promised for climber in trusted), default=inf)
-    if contact:
-        return [c for c in left if c in trusted or c is climbers[0] or c.least <= enough]
-    left = [climber for climber in left if climber.least <= enough]
-    unknown = [climber for climber in left if climber.promised == inf]
-    return unknown or [climber for climber in left if climber.promised <= enough]
+    left = [climber for climber in climbers if not climber.over]
+    target = climbers[0].target
+    seen = [
+        price(climbers, ladder) * found[0].stepping.rate
+        for ladder in ladders
+        if (found := ladder.cheapest(target))
+    ]
+    least = min(seen, default=inf)
+    left = [climber for climber in left if climber.step * climber.stepping.rate < least]
+    if climbers[0].level.effects.contact:
+        return left
+    enough = DEARER * min(climber.promised for climber in climbers)
+    return [climber for climber in left if climber.promised <= enough or climber.lags(enough)]

@@ -184,7 +184,8 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
     if not ladders:
         return
     best = min(ladders, key=lambda ladder: ladder.errors[-1])
-    for ladder, step in zip(ladders, step_prices(level, values, ladders), strict=True):
+    steps = step_prices(level, values, *(ladder.traces[-1].stepping for ladder in ladders))
+    for ladder, step in zip(ladders, steps, strict=True):
         told = ladder if ladder is best else held_against(ladder, best, wanted)
         yield from _points(told, step)
 

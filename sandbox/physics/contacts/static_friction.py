@@ -130,10 +130,11 @@ def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
     if level.effects.friction is None:
         return {}
     bodies = {name: body for name, body in level.bodies.items() if body.friction is not None}
+    stick = {name for name, body in bodies.items() if body.static_friction}
     pairs = {
         (a, b): _product(bodies[a], bodies[b], values)
-        for a, b in combinations(sorted(bodies), 2)
-        if bodies[a].static_friction or bodies[b].static_friction
+        for a, b in (combinations(sorted(bodies), 2) if stick else ())
+        if a in stick or b in stick
     }
     for named in level.effects.friction.pairs:
         a, b = sorted(named.bodies)

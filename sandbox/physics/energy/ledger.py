@@ -32,8 +32,9 @@ from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip import Stop
-from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.turning import given
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.joints.pulls import Pulls, pulls_of
@@ -143,6 +144,7 @@ class Ledger:
         """Book a kick that changes velocities so: (n, 3)."""
         rest = kick.inertia * change
         rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
+        rest -= sum((self._turn(turn, kick) for turn in self._scene.turns), np.zeros_like(rest))
         rest -= self._joints(kick, pulls)
         jump = self._jump(kick)
         rest -= jump
@@ -224,15 +226,15 @@ class Ledger:
 
     def _stored(self, motion: Instant) -> float:
         """Return what is stored somewhere [J]."""
-        stores = (law for law in self._laws if law.book == "potential")
+        stores = (law for law in self._laws if law.effect.book == "potential")
         return sum(float(law.potential_energy(motion).sum()) for law in stores)
 
     def _store(self, motion: Instant) -> float:
         """Note what is stored, and return the whole energy [J]."""
         self._potential = dict.fromkeys(self._potential, 0.0)
         for law in self._laws:
-            if law.book == "potential":
-                self._potential[law.effect] += float(law.potential_energy(motion).sum())
+            if law.effect.book == "potential":
+                self._potential[law.effect.booked] += float(law.potential_energy(motion).sum())
         return self._kinetic(motion) + sum(self._potential.values())
 
     def _momentum(self, motion: Instant) -> Array:
@@ -310,10 +312,10 @@ class Ledger:
 
     def _do(self, law: Law, work: float) -> None:
         """Book the work of a law that is not booked by what it stores."""
-        if law.book == "work":
-            self._works[law.effect] += work
-        elif law.book == "loss":
-            self._losses[law.effect] += work
+        if law.effect.book == "work":
+            self._works[law.effect.booked] += work
+        elif law.effect.book == "loss":
+            self._losses[law.effect.booked] += work
 
     def _put_in(self, works: Mapping[str, float]) -> None:
         """Book works by what did them, where there is an account for it."""
@@ -342,18 +344,26 @@ class Ledger:
     def _stored_with(self, motion: Instant, t: float) -> Array:
         """Return by how much each body stores more with its mass at another time: (n,) [J]."""
         other = motion._replace(t=np.asarray(t))
-        stores = [law for law in self._laws if law.book == "potential"]
+        stores = [law for law in self._laws if law.effect.book == "potential"]
         more = [law.potential_energy(other) - law.potential_energy(motion) for law in stores]
         return sum(more, np.zeros(len(self._mass)))
 
     def _force(self, law: Law, kick: Kick) -> Array:
         """Book the impulse of a law, and return it: (n, 3)."""
         impulse = self._impulse(law, kick)
-        self._give(law.effect, impulse, kick.place)
+        self._give(law.effect.name, impulse, kick.place)
         self._do(law, kick.work(impulse))
         if isinstance(law, SpringForce) and law.damping:
             elastic = self._impulse(replace(law, damping=0.0), kick)
             self._losses["damping"] += kick.work(impulse - elastic)
+        return impulse
+
+    def _turn(self, turn: Turn, kick: Kick) -> Array:
+        """Book the impulse of what turns velocities, which does no work; return it: (n, 3)."""
+        impulse = np.zeros_like(self._mass)
+        change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
+        impulse[:, :2] = kick.inertia[:, :2] * change
+        self._give(turn.effect.name, impulse, kick.place)
         return impulse
 
     def _impulse(self, law: Law, kick: Kick) -> Array:
@@ -460,7 +470,7 @@ def _carriers(flows: MassFlows) -> dict[str, list[int]]:
     """Return the bodies that lose or gain matter, by the effect that lets them."""
     found: dict[str, list[int]] = {}
     for flow in flows.flows:
-        bodies = found.setdefault("thrust" if flow.rate < 0 else "accretion", [])
+        bodies = found.setdefault(flow.effect, [])
         if flow.body not in bodies:
             bodies.append(flow.body)
     return found

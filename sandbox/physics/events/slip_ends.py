@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joints import Spring, bodies_of, is_exact
+from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.level import Level
 from sandbox.physics.contacts.materials import pair_coefficients
 from sandbox.physics.contacts.post_impact import impacts, reached
@@ -289,7 +289,7 @@ def stop(
         rows = sorted(names.index(body) for body in {*bodies_of(joint)})
         if is_exact(joint) and name not in scene.joints.strings:
             tied[rows] = True
-        elif len(rows) > 1 and not isinstance(joint, Spring):
+        elif len(rows) > 1 and not joint.kind.force:
             linked = np.append(linked, [rows], axis=0)
     for pair in level.effects.sticking.pairs if level.effects.sticking else ():
         tied[[names.index(body) for body in pair.bodies]] = True

@@ -1,14 +1,17 @@
 """Attraction to a fixed centre."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
 
+from sandbox.model.effects import attraction as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.model.shapes import XY
+from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.engine.batch import Integers, in_place
-from sandbox.physics.forces.law import Book
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -20,9 +23,7 @@ class Attraction:
     With p = 2 it is Newton's, and U = −mu m / |r|.
     """
 
-    effect: ClassVar[str] = "attraction"
-    book: ClassVar[Book] = "potential"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Attraction.effect
 
     mu: float  # m^(p + 1)/s²
     center: XY  # m
@@ -61,3 +62,11 @@ class Attraction:
         if self.power == 1:
             return np.log(distance)
         return -1 / ((self.power - 1) * distance ** (self.power - 1))
+
+
+def laws(said: Sequence[declared.Attraction], given: Given) -> Iterator[Law]:
+    """Yield the attraction to each centre."""
+    values = given.values
+    for one in said:
+        center, power = evaluate(one.center, values), one.power(values)
+        yield Attraction(one.mu(values), center, given.mass, power, given.share)

@@ -1,12 +1,15 @@
 """What a frame that turns does to what lies in it."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
+from sandbox.model.effects import centrifugal as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Book
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -19,9 +22,7 @@ class Centrifugal:
     holds bodies in the plane carries it.
     """
 
-    effect: ClassVar[str] = "centrifugal"
-    book: ClassVar[Book] = "potential"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Centrifugal.effect
 
     rate: float  # rad/s, ω
     axis: float  # m, x0
@@ -37,3 +38,9 @@ class Centrifugal:
         """Return −m ω² (x − x0)² / 2."""
         mass = self.mass * self.share(motion.t)
         return np.asarray(-mass * self.rate**2 * (motion.position[..., 0] - self.axis) ** 2 / 2)
+
+
+def laws(said: declared.Centrifugal, given: Given) -> Iterator[Law]:
+    """Yield what the turning plane does."""
+    rate, axis = said.rate(given.values), said.axis(given.values)
+    yield Centrifugal(rate, axis, given.mass, given.share)

@@ -1,26 +1,25 @@
-"""The force laws that a level may declare, one file each, with the energy beside the force.
+"""The force laws that a level declares; each effect's own module makes them.
 
 A law is imported where a level declares it: what a scene does not call for is not even loaded.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
-from sandbox.model.accounts import does_work
-from sandbox.model.effects import Effects
+from sandbox.model.effects import EFFECTS, Effects
+from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.expressions import Array, Values
-from sandbox.model.joints import Spring
 from sandbox.model.level import Level
-from sandbox.model.shapes import XY, evaluate
-from sandbox.physics.engine.batch import in_place
+from sandbox.model.shapes import evaluate
 from sandbox.physics.forces.gravity import Gravity
-from sandbox.physics.forces.law import Law
-from sandbox.physics.forces.variable_mass import Share, accretion_flows, thrust_flows
+from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
 
-__all__ = ["Gravity", "Law", "any_law", "gravity", "laws"]
+__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share"]
+
+_ROOM = __name__.rpartition(".")[0]
 
 
 def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Gravity | None:
@@ -30,126 +29,79 @@ def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Grav
     return Gravity(evaluate(effects.gravity.acceleration, values), mass, share)
 
 
-def laws(
-    effects: Effects,
-    values: Values,
-    names: Sequence[str],
-    mass: Array,
-    share: Share,
-    step: float,
-) -> tuple[Law, ...]:
-    """Return the declared laws that pymunk does not apply by itself.
+def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
+    """Return the declared laws that pymunk does not apply by itself: forces, and what turns.
 
-    Parameters
-    ----------
-    effects, values
-        Of the level.
-    names, mass
-        (n,), of its bodies; the mass [kg] is that at the start, 0 for those that nothing moves.
-    share
-        How the masses change.
-    step
-        How long a kick lasts [s].
+    Raises
+    ------
+    IncompleteError
+        If what an effect makes is not what it says of itself.
     """
-    given = _Given(effects, values, names, mass, share, step)
-    declared = (make for name, make in _MAKERS.items() if getattr(effects, name) is not None)
-    return tuple(law for make in declared for law in make(given))
+    forces: list[Law] = []
+    turns: list[Turn] = []
+    for effect in effects.told:
+        if not effect.is_law:
+            continue
+        for law in _part(effect, "laws")(getattr(effects, effect.name), given):
+            _require(effect, law)
+            (turns if effect.turns else forces).append(law)
+    return tuple(forces), tuple(turns)
+
+
+def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
+    """Return how the masses of a level's bodies change; `steady` if nothing flows."""
+    found: list[Flow] = []
+    for effect in effects.told:
+        if effect.changes_mass:
+            found += _part(effect, "flows")(getattr(effects, effect.name), values, names)
+    return MassFlows(found, mass) if found else steady
 
 
 def any_law(level: Level) -> bool:
     """Whether a level has forces that pymunk does not apply by itself, springs among them."""
-    declared = any(name in _MAKERS for name in level.effects.declared)
-    return declared or any(isinstance(joint, Spring) for joint in level.joints.values())
+    declared = any(effect.is_law for effect in level.effects.told)
+    return declared or any(joint.kind.force for joint in level.joints.values())
 
 
-class _Given(NamedTuple):
-    """What the laws of a level are made of; see `laws`."""
-
-    effects: Effects
-    values: Values
-    names: Sequence[str]
-    mass: Array
-    share: Share
-    step: float
+def missing(effects: Iterable[Effect]) -> Iterator[str]:
+    """Yield what is missing of effects that act by a law, without loading any."""
+    for effect in effects:
+        if effect.is_law and find_spec(f"{_ROOM}.{effect.name}") is None:
+            yield _told(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
 
 
-def _attraction(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.attraction import Attraction
-
-    values = given.values
-    for a in given.effects.attraction or ():
-        center, power = evaluate(a.center, values), a.power(values)
-        yield Attraction(a.mu(values), center, given.mass, power, given.share)
-
-
-def _gravitation(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.gravitation import Gravitation
-
-    if pull := given.effects.gravitation:
-        rows = _rows(pull.bodies, given.names, given.mass)
-        constant, softening = pull.constant(given.values), pull.softening(given.values)
-        yield Gravitation(constant, rows, given.mass, softening, given.share)
+def _part(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
+    """Return what an effect's own module makes something with."""
+    module = import_module(f"{_ROOM}.{effect.name}")
+    if not hasattr(module, function):
+        raise IncompleteError(_told(effect, f"add a function '{function}' to {_file(effect)}"))
+    found: Callable[..., Iterable[Any]] = getattr(module, function)
+    return found
 
 
-def _centrifugal(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.centrifugal import Centrifugal
-
-    if turning := given.effects.centrifugal:
-        rate, axis = turning.rate(given.values), turning.axis(given.values)
-        yield Centrifugal(rate, axis, given.mass, given.share)
-
-
-def _drag(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.drag import Drag
-
-    if drag := given.effects.drag:
-        rows = in_place(_rows(drag.bodies, given.names, given.mass))
-        yield Drag(drag.linear(given.values), drag.quadratic(given.values), rows)
+def _require(effect: Effect, law: Law | Turn) -> None:
+    """Refuse a law that is not what its effect says of itself."""
+    needed = ("rate",) if effect.turns else ("add", "potential_energy")
+    if lacking := [name for name in needed if not hasattr(law, name)]:
+        kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"
+        which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
+        raise IncompleteError(_told(effect, f"{which} has no '{lacking[0]}'"))
+    if law.effect.name != effect.name:
+        which = f"{type(law).__name__} in {_file(effect)} says that it is of '{law.effect.name}'"
+        raise IncompleteError(_told(effect, which))
 
 
-def _force(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.applied import Push, Steady
-
-    steady: list[tuple[int, XY, XY]] = []
-    for force in given.effects.force or ():
-        point, body = evaluate(force.at, given.values), given.names.index(force.body)
-        if does_work(force):
-            yield Push(force.force, given.values, body, point, force.frame == "body")
-        else:
-            x, y = (component(given.values) for component in force.force)
-            steady.append((body, point, (x, y)))
-    if steady:
-        yield Steady.of(steady)
+def _told(effect: Effect, rule: str) -> str:
+    return f"the effect '{effect.name}' is declared in {_declaration(effect)}, but {rule}"
 
 
-def _thrust(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.thrust import Thrust
-
-    flows = thrust_flows(given.effects, given.values, given.names)
-    for thrust, flow in zip(given.effects.thrust or (), flows, strict=True):
-        yield Thrust(flow, evaluate(thrust.exhaust, given.values), given.step)
+def _declaration(effect: Effect) -> str:
+    return f"sandbox/model/effects/{effect.name}.py"
 
 
-def _accretion(given: _Given) -> Iterator[Law]:
-    from sandbox.physics.forces.thrust import Accretion
-
-    flows = accretion_flows(given.effects, given.values, given.names)
-    for accretion, flow in zip(given.effects.accretion or (), flows, strict=True):
-        yield Accretion(flow, evaluate(accretion.velocity, given.values), given.step)
+def _file(effect: Effect) -> str:
+    return f"{_ROOM.replace('.', '/')}/{effect.name}.py"
 
 
-_MAKERS: Mapping[str, Callable[[_Given], Iterator[Law]]] = {
-    "attraction": _attraction,
-    "gravitation": _gravitation,
-    "centrifugal": _centrifugal,
-    "drag": _drag,
-    "force": _force,
-    "thrust": _thrust,
-    "accretion": _accretion,
-}
-"""What makes the laws of an effect, by its name in the manifest."""
-
-
-def _rows(bodies: Sequence[str] | None, names: Sequence[str], mass: Array) -> NDArray[np.intp]:
-    """Return the rows of the bodies that a law names, of all that move if it names none."""
-    return np.flatnonzero(mass) if bodies is None else np.array([names.index(b) for b in bodies])
+if _lacking := next(missing(EFFECTS.values()), None):
+    raise IncompleteError(_lacking)

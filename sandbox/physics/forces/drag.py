@@ -1,13 +1,16 @@
 """Drag through a fluid at rest."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
+from sandbox.model.effects import drag as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.batch import Integers
-from sandbox.physics.forces.law import Book
+from sandbox.physics.engine.batch import Integers, in_place
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
 
 
@@ -15,9 +18,7 @@ from sandbox.physics.state.motion import Motion
 class Drag:
     """F = −(linear + quadratic |v|) v: Stokes's drag, and that of a turbulent wake."""
 
-    effect: ClassVar[str] = "drag"
-    book: ClassVar[Book] = "loss"
-    needs_velocity: ClassVar[bool] = True
+    effect: ClassVar[Effect] = declared.Drag.effect
 
     linear: float  # kg/s
     quadratic: float  # kg/m
@@ -32,3 +33,9 @@ class Drag:
     def potential_energy(self, motion: Motion) -> Array:
         """Return zero: what drag takes never comes back."""
         return np.zeros(motion.position.shape[:-1])
+
+
+def laws(said: declared.Drag, given: Given) -> Iterator[Law]:
+    """Yield the drag of the fluid."""
+    rows = in_place(given.rows(said.bodies))
+    yield Drag(said.linear(given.values), said.quadratic(given.values), rows)

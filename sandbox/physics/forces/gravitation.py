@@ -7,8 +7,10 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from sandbox.model.effects import gravitation as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Book
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -24,9 +26,7 @@ class Gravitation:
     energy of a pair belongs in equal parts to both.
     """
 
-    effect: ClassVar[str] = "gravitation"
-    book: ClassVar[Book] = "potential"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Gravitation.effect
 
     constant: float  # m³/(kg s²), G
     bodies: NDArray[np.intp]  # (k,)
@@ -73,3 +73,9 @@ class Gravitation:
         """Return the masses of the bodies at the time: (..., k) [kg]."""
         mass: Array = (self.mass * self.share(motion.t))[..., self.bodies]
         return mass
+
+
+def laws(said: declared.Gravitation, given: Given) -> Iterator[Law]:
+    """Yield what all pull at each other with."""
+    constant, softening = said.constant(given.values), said.softening(given.values)
+    yield Gravitation(constant, given.rows(said.bodies), given.mass, softening, given.share)

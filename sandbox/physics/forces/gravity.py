@@ -3,9 +3,10 @@
 from dataclasses import dataclass
 from typing import ClassVar
 
+from sandbox.model.effects import gravity as declared
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
-from sandbox.physics.forces.law import Book
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
@@ -14,9 +15,7 @@ from sandbox.physics.state.motion import Motion
 class Gravity:
     """F = m g, U = −m g · r. pymunk applies it itself, at no cost."""
 
-    effect: ClassVar[str] = "gravity"
-    book: ClassVar[Book] = "potential"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Gravity.effect
 
     acceleration: XY  # m/s²
     mass: Array  # (n,) kg at the start, 0 for bodies that nothing moves

@@ -1,12 +1,23 @@
-"""What a force law is."""
+"""What a force law is, and what it is made of.
 
-from typing import Literal, Protocol
+The law of an effect is a module of its name in this folder, with a function
 
-from sandbox.model.expressions import Array
+    def laws(said: Drag, given: Given) -> Iterator[Law]: ...
+
+which makes it from what a level says of the effect: a `Law`, or, of an effect that does no work, a
+`Turn`. What the effect says of itself is in `sandbox.model.effects`; a law hands it on.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array, Values
+from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.state.motion import Motion
-
-Book = Literal["potential", "loss", "work"]
-"""Where the energy is that a force takes: stored, lost, or put in from outside."""
 
 
 class Law(Protocol):
@@ -17,18 +28,8 @@ class Law(Protocol):
     """
 
     @property
-    def effect(self) -> str:
-        """The name of what declares it: an effect, or `spring`."""
-        ...
-
-    @property
-    def book(self) -> Book:
-        """Where the ledger of energies finds what the force takes."""
-        ...
-
-    @property
-    def needs_velocity(self) -> bool:
-        """Whether the force depends on velocities."""
+    def effect(self) -> Effect:
+        """What declares it: an effect, or what a spring says of itself."""
         ...
 
     def add(self, motion: Motion, wrench: Array) -> None:
@@ -38,3 +39,50 @@ class Law(Protocol):
     def potential_energy(self, motion: Motion) -> Array:
         """Return the potential energy of each body [J]: (..., n)."""
         ...
+
+
+class Turn(Protocol):
+    """A force at right angles to the velocity, F = m ω (−vy, vx): it turns it, and does no work.
+
+    A law says how fast, and no more: the kick turns velocities by it without changing how long they
+    are (see `sandbox.physics.forces.turning`).
+    """
+
+    @property
+    def effect(self) -> Effect:
+        """What declares it."""
+        ...
+
+    def rate(self, motion: Motion) -> Array:
+        """Return ω of each body, counter-clockwise [rad/s]: (..., n), 0 where it does not act."""
+        ...
+
+
+class Given(NamedTuple):
+    """What the laws of a level are made of.
+
+    Attributes
+    ----------
+    values
+        Of its parameters.
+    names, mass
+        (n,), of its bodies; the mass [kg] is that at the start, 0 for those that nothing moves.
+    share
+        How the masses change.
+    step
+        How long a kick lasts [s].
+    """
+
+    values: Values
+    names: Sequence[str]
+    mass: Array
+    share: Share
+    step: float
+
+    def row(self, body: str) -> int:
+        """Return the row of a body."""
+        return self.names.index(body)
+
+    def rows(self, bodies: Sequence[str] | None) -> NDArray[np.intp]:
+        """Return the rows of bodies that a law names, of all that move if it names none."""
+        return np.flatnonzero(self.mass) if bodies is None else np.array([*map(self.row, bodies)])

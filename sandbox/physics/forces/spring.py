@@ -1,14 +1,17 @@
 """A spring with a damper, between two points."""
 
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.law import Book
+from sandbox.model.joints import ELASTIC
 from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
+
+DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
+"""What a spring with a damper says of itself as a force."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,9 +23,6 @@ class SpringForce:
     Its energy belongs in equal parts to the bodies at its ends, all of it where there is but one.
     """
 
-    effect: ClassVar[str] = "spring"
-    book: ClassVar[Book] = "potential"
-
     ends: tuple[Anchor, Anchor]
     stiffness: float  # N/m, k
     length: float  # m, l0
@@ -30,9 +30,9 @@ class SpringForce:
     pushes_only: bool = False
 
     @property
-    def needs_velocity(self) -> bool:
-        """Whether it damps."""
-        return self.damping > 0
+    def effect(self) -> Effect:
+        """What it says of itself as a force."""
+        return DAMPED if self.damping > 0 else ELASTIC
 
     def tension(self, motion: Motion) -> Array:
         """Return the force with which it pulls [N]; negative where it pushes."""

@@ -1,16 +1,19 @@
-"""What pushes a body that loses or gains matter: m dv/dt = F + u dm/dt.
+"""What pushes a body that loses matter: m dv/dt = F + u dm/dt.
 
-u is the velocity of what leaves or comes relative to the body (Meshchersky's equation).
+u is the velocity of what leaves relative to the body (Meshchersky's equation).
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
-from sandbox.model.expressions import Array
-from sandbox.model.shapes import XY
-from sandbox.physics.forces.law import Book
+from sandbox.model.effects import thrust as declared
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array, Values
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.state.motion import Motion
 
@@ -19,9 +22,7 @@ from sandbox.physics.state.motion import Motion
 class Thrust:
     """A rocket's: F = u dm/dt, with the exhaust's u along the body's axes and dm/dt < 0."""
 
-    effect: ClassVar[str] = "thrust"
-    book: ClassVar[Book] = "work"
-    needs_velocity: ClassVar[bool] = False
+    effect: ClassVar[Effect] = declared.Thrust.effect
 
     flow: Flow
     exhaust: XY  # m/s, relative to the body, along its axes
@@ -41,24 +42,14 @@ class Thrust:
         return np.zeros(motion.position.shape[:-1])
 
 
-@dataclass(frozen=True, slots=True)
-class Accretion:
-    """A body gathers what moves at a velocity of its own: F = (w − v) dm/dt."""
+def flows(said: Sequence[declared.Thrust], values: Values, names: Sequence[str]) -> Iterator[Flow]:
+    """Yield what the rockets of a level burn, in their order."""
+    for thrust in said:
+        rate, propellant = thrust.rate(values), thrust.propellant(values)
+        yield Flow(names.index(thrust.body), -rate, propellant / rate, thrust.effect.name)
 
-    effect: ClassVar[str] = "accretion"
-    book: ClassVar[Book] = "work"
-    needs_velocity: ClassVar[bool] = True
 
-    flow: Flow
-    velocity: XY  # m/s, w
-    step: float  # s
-
-    def add(self, motion: Motion, wrench: Array) -> None:
-        """Add (w − v) dm/dt."""
-        body = self.flow.body
-        rate = self.flow.mean_rate(motion.t, self.step)
-        wrench[..., body, :2] += rate[..., None] * (self.velocity - motion.velocity[..., body, :])
-
-    def potential_energy(self, motion: Motion) -> Array:
-        """Return zero: what comes brings none."""
-        return np.zeros(motion.position.shape[:-1])
+def laws(said: Sequence[declared.Thrust], given: Given) -> Iterator[Law]:
+    """Yield the thrust of each rocket."""
+    for thrust, flow in zip(said, flows(said, given.values, given.names), strict=True):
+        yield Thrust(flow, evaluate(thrust.exhaust, given.values), given.step)

@@ -6,8 +6,7 @@ from math import inf
 
 import numpy as np
 
-from sandbox.model.effects import Effects
-from sandbox.model.expressions import Array, Values
+from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
 Share = Callable[[Array], Array | float]
@@ -29,6 +28,7 @@ class Flow:
     body: int
     rate: float  # kg/s, negative where the body loses it
     until: float = inf  # s
+    effect: str = ""  # what lets it flow
 
     def gained(self, t: Array) -> Array:
         """Return what has come up to a time [kg]; as if it had always flowed before the start."""
@@ -58,26 +58,3 @@ class MassFlows:
         for flow in self.flows:
             share[..., flow.body] += flow.gained(t) / self.mass[flow.body]
         return share
-
-
-def thrust_flows(effects: Effects, values: Values, names: Sequence[str]) -> list[Flow]:
-    """Return what the thrusts of a level burn, in their order."""
-    flows = []
-    for thrust in effects.thrust or ():
-        rate, propellant = thrust.rate(values), thrust.propellant(values)
-        flows.append(Flow(names.index(thrust.body), -rate, propellant / rate))
-    return flows
-
-
-def accretion_flows(effects: Effects, values: Values, names: Sequence[str]) -> list[Flow]:
-    """Return what the bodies of a level gather, in the order of its accretions."""
-    return [
-        Flow(names.index(accretion.body), accretion.rate(values))
-        for accretion in effects.accretion or ()
-    ]
-
-
-def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
-    """Return how the masses of a level's bodies change; `steady` if it declares no flow."""
-    flows = [*thrust_flows(effects, values, names), *accretion_flows(effects, values, names)]
-    return MassFlows(flows, mass) if flows else steady

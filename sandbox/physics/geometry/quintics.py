@@ -6,11 +6,16 @@ The parameter counts the pieces between the points. The plane is complex here.
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from sandbox.model.wires import Points, is_closed
+from sandbox.model.expressions import Values
+from sandbox.model.joints import Wire
+from sandbox.model.wires import PIECES, Points, along, graded, is_closed
 
 _FIT = np.linalg.inv(np.vander(np.arange(-2.0, 4.0), increasing=True))
 _BEFORE = np.array([6.0, -15.0, 20.0, -15.0, 6.0, -1.0])
 """What the quintic through six points is, one point earlier."""
+
+BETTER = 0.1
+"""The share of what equal steps are off by, at the most, that points closer at the ends may be."""
 
 
 class Quintics:
@@ -40,6 +45,25 @@ class Quintics:
             b + u * (2 * c + u * (3 * d + u * (4 * e + u * 5 * f))),
             2 * c + u * (6 * d + u * (12 * e + u * 20 * f)),
         )
+
+
+def course(wire: Wire, values: Values) -> Points:
+    """Return points through which quintics follow a wire: (n + 1,) [m].
+
+    They are at equal steps of its own parameter, or closer at its ends where that follows better.
+    """
+    even = along(wire, values, 2 * PIECES)
+    if is_closed(even):
+        return even[::2]
+    closer, between = graded(wire, values)
+    return closer if _off(closer, between) < BETTER * _off(even[::2], even[1::2]) else even[::2]
+
+
+def _off(points: Points, between: Points) -> float:
+    """Return how far quintics through points are from those half-way between, at the most [m]."""
+    halves = _quintics(points, is_closed(points)) @ 0.5 ** np.arange(6)
+    off = np.abs(halves - between)
+    return float(off.max()) if np.isfinite(off).all() else np.inf
 
 
 def _quintics(points: Points, closed: bool) -> Points:

@@ -60,7 +60,7 @@ class Gains:
     ) -> None:
         self._scene, self._swing, self._dt = scene, swing, 1 / rate
         self._laws = (*([scene.gravity] if scene.gravity else []), *scene.laws)
-        self._stores = [law for law in self._laws if law.book == "potential"]
+        self._stores = [law for law in self._laws if law.effect.book == "potential"]
         energy, self._lowest = self.energies(start)
         self._before = self._level = energy
         self._last = start

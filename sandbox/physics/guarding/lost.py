@@ -28,11 +28,14 @@ class Lost:
     ----------
     good
         The last state in which all was well.
+    doubts, trusts
+        Of no meaning here: what it stops is lost, and cannot go on.
     """
 
     def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:
         self._names, self._stepping = list(scene.bodies), stepping
         self.good = self._last = start
+        self.doubts = self.trusts = False
         kinetic = kinetic_energy(scene.mass, scene.moment, start)
         stored = float(scene.gravity.potential_energy(start).sum()) if scene.gravity else 0.0
         if not isfinite(float(kinetic.sum()) + stored):

@@ -119,7 +119,7 @@ def slowing(scene: Scene, row: int, then: Motion) -> Iterator[Need]:
     It is taken as fast as it is, or as all else would drive it against the law, if that is more.
     """
     for law in scene.laws:
-        if law.needs_velocity:
+        if law.effect.sees_velocity:
             motion = _driven(scene, law, row, Instant.of(then))
             nudge = NUDGE * max(float(np.hypot(*motion.velocity[row])), PROBE)
             slope = _slope(scene, law, row, motion, "velocity", nudge)
@@ -173,4 +173,4 @@ def called(scene: Scene, law: Law) -> str:
     for name, spring in scene.joints.springs.items():
         if spring is law:
             return f"the spring '{name}'"
-    return f"the effect '{law.effect}'"
+    return f"the effect '{law.effect.name}'"

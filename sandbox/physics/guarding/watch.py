@@ -15,7 +15,10 @@ if TYPE_CHECKING:
 
 
 class Watch(Protocol):
-    """Looks at what is observed anyway, and changes nothing."""
+    """Looks at what is observed anyway, and changes nothing; see `Watchdog` for what it tells."""
+
+    doubts: bool
+    trusts: bool
 
     @property
     def good(self) -> Snapshot:
@@ -44,7 +47,7 @@ def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array)
     scene, touching = run.scene, run.level.effects.contact is not None
     watch: Watch
     with np.errstate(all="ignore"):  # what is not finite is told by name
-        if touching or scene.laws or run.level.joints:
+        if touching or scene.laws or scene.turns or run.level.joints:
             watch = _watchdog(run, now, contacts)
         else:
             watch = Lost(scene, run.stepping, now)

@@ -15,7 +15,8 @@ from sandbox.model import accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body, Level, Stepping
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.contacts.crowding import crowded, most_pairs
+from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
@@ -78,6 +79,11 @@ class Watchdog:
     ----------
     good
         The last state in which all was well, as far as was looked.
+    doubts
+        Whether it stopped what could go on, for it no longer trusts it: something is too deep in
+        something else, has parted, or has energy from nowhere.
+    trusts
+        Whether it lets that go on: then it stops only what is lost, or too much for a step.
     """
 
     def __init__(
@@ -94,9 +100,11 @@ class Watchdog:
         self._strict, self._scheme = not stepping.as_it_comes, stepping.scheme
         joined = scene.joints.together is not None and level.effects.contact is not None
         self._turns = joined and scene.direct is None
+        self._most_pairs = most_pairs(stepping.iterations, direct=scene.direct is not None)
         self._thick = np.where(
             scene.mass > 0, [_thickness(body, values) for body in level.bodies.values()], inf
         )
+        self._allowed: tuple[Integers | None, Array] = None, self._thick  # of pairs, half as thick
         self._apart = float(self._depth(contacts).max(initial=0.0)) < LITTLE
         self._deepest = max(1.0, self._depth(contacts).max(initial=0.0) * (1 + UNNOTICED))
         swing = self._swings(start) if self._strict else DIVERGED
@@ -109,6 +117,7 @@ class Watchdog:
         self._deep: dict[tuple[int, int], Array] = {}  # pairs deep in each other, and their normals
         self._recent = [start]
         self.good = start
+        self.doubts = self.trusts = False
         if not isfinite(self._gains.energies(start)[0]):
             self._refuse_beyond(
                 int(np.argmax(kinetic_energy(scene.mass, scene.moment, start))), start
@@ -144,6 +153,11 @@ class Watchdog:
         """
         self.good = self._recent[-1]
         self._look_for_lost(now)
+        if len(contacts.bodies) > self._most_pairs:
+            self._refuse_crowd(now, contacts)
+        if self.trusts:
+            self._recent = [now]
+            return
         if self._strict and len(contacts.bodies):
             self._look_for_sunk(now, contacts)
         self._gains.follow(now, contacts, None if cut else before)
@@ -187,6 +201,11 @@ class Watchdog:
     def _stop(self, row: int, now: Snapshot, reason: str, rate: float | None) -> NoReturn:
         stop(self._names[row], now, reason, rate, self._rate)
 
+    def _refuse_crowd(self, now: Snapshot, contacts: Contacts) -> NoReturn:
+        """Stop, for more bodies touch than a step can carry."""
+        row = int(np.bincount(contacts.bodies.ravel()).argmax())
+        self._stop(row, now, crowded(self._names[row], self._most_pairs), None)
+
     def _look_for_sunk(self, now: Snapshot, contacts: Contacts) -> None:
         depth = self._depth(contacts)
         worst = int(depth.argmax())
@@ -207,6 +226,7 @@ class Watchdog:
 
     def _refuse_sunk(self, now: Snapshot, pair: list[int], told: str) -> NoReturn:
         """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
+        self.doubts = True
         a, b = sorted(pair, key=lambda row: float(self._thick[row]))
         reason = f"'{self._names[a]}' is {told.format(self._names[b])}"
         speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
@@ -221,13 +241,16 @@ class Watchdog:
 
     def _depth(self, contacts: Contacts) -> Array:
         """Return how deep pairs are in each other, over what is allowed: (k,)."""
-        allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
-        return np.asarray(contacts.depth / allowed)
+        if contacts.bodies is not self._allowed[0]:  # these are the same in most steps
+            allowed = DEEP * self._thick[contacts.bodies].min(axis=1)
+            self._allowed = contacts.bodies, allowed
+        return np.asarray(contacts.depth / self._allowed[1])
 
     def _look_for_parted(self, now: Snapshot) -> None:
         thin = self._thick.min(initial=inf)
         name, gap = self._scene.joints.parting()
         if gap > PARTED * thin:
+            self.doubts = True
             reason = f"the joint '{name}' has parted by {gap:.3g} m"
             hint = "let bodies start apart, or give 'contact' a 'correction' of 0"
             if self._turns and self._apart:
@@ -246,6 +269,7 @@ class Watchdog:
         row = int(np.argmax(kinetic_energy(self._scene.mass, self._scene.moment, now)))
         if not isfinite(gained):
             self._refuse_beyond(row, now)
+        self.doubts = True
         name = self._names[row]
         reason = f"{gained:.3g} J have come from nowhere, and '{name}' has most of it"
         cause, rate = self._cause(row)

@@ -11,6 +11,8 @@ from typing import cast
 import numpy as np
 import pymunk
 
+from sandbox.model.base import Model
+from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import (
     End,
@@ -36,11 +38,13 @@ from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.geometry.quintics import course
 from sandbox.physics.joints.composites import Solids, Touches
 from sandbox.physics.joints.exact.angles import pin, turn, weld, winding
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.exact.sizes import refuse_too_many
 from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.native import OwnJoint
@@ -48,7 +52,6 @@ from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.state.anchor import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail
-Reaching = Rod | Rope | Pulley | Winding
 Turning = Pivot | Weld | Motor | Winding
 
 DRAWN = 200
@@ -102,8 +105,8 @@ class _Assembly:
                 name: tuple(_anchor(end, index, values) for end in points(spec))
                 for name, spec in level.joints.items()
             },
-            lines=[name for name, spec in level.joints.items() if isinstance(spec, Reaching)],
-            twists=any(isinstance(joint, Weld | Motor) for joint in level.joints.values()),
+            lines=[name for name, spec in level.joints.items() if spec.kind.swings],
+            twists=any("torque" in spec.kind.quantities for spec in level.joints.values()),
             solids=Solids(bodies),
             touches=touches,
             weld=self._weld_where_they_are,
@@ -117,6 +120,7 @@ class _Assembly:
         rows, others = self._take_ours(origin)
         if rows or others or level.effects.sticking or is_direct(level):
             agility = self._agility[:, 0], self._agility[:, 2]
+            refuse_too_many((*rows, *others), agility[0])
             joints.together = ExactJoints(rows, others, batch, *agility, origin)
         assert joints.solids
         for a, b in _welded(level):
@@ -136,9 +140,10 @@ class _Assembly:
         others: list[Equation] = []
         start = _coordinates(self._bodies, origin)
         for name, spec in _ours(level).items():
+            _require_made(spec)
             path = _from(origin, joints.paths[name])
             if isinstance(spec, Wire):
-                curve = along(spec, values) - origin
+                curve = course(spec, values) - origin
                 joints.wires[name] = WireEquation(name, joints.paths[name][0], curve)
                 joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
                 others.append(joints.wires[name])
@@ -204,9 +209,16 @@ class _Assembly:
         return bool(self._agility[held, 2].any())
 
 
+def _require_made(joint: Model) -> None:
+    """Refuse a joint that nothing here makes, which mypy tells before."""
+    if not isinstance(joint, Lengths | Turning | Wire | Spring):
+        rule = f"take up {type(joint).__name__} in sandbox/physics/joints/assembly.py"
+        raise IncompleteError(f"a joint is made by nothing: {rule}")
+
+
 def _ours(level: Level) -> dict[str, Joint]:
     """Return the joints that pymunk does not solve, by name."""
-    return {name: j for name, j in level.joints.items() if is_exact(j) or isinstance(j, Spring)}
+    return {name: j for name, j in level.joints.items() if is_exact(j) or j.kind.force}
 
 
 def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:

@@ -60,7 +60,7 @@ class Result:
 
 def grade(trace: Trace) -> tuple[Result, ...]:
     """Grade a run by all the checks of its level."""
-    return tuple(_grade(check, trace) for check in trace.level.checks)
+    return tuple(grade_check(check, trace) for check in trace.level.checks)
 
 
 def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tuple[float, int]:
@@ -78,7 +78,8 @@ def relative_error(measured: Array, expected: Array, least: float = 0.0) -> tupl
     return float(difference[worst]) / (scale if ZERO < scale < np.inf else 1.0), worst
 
 
-def _grade(check: Check, trace: Trace) -> Result:
+def grade_check(check: Check, trace: Trace) -> Result:
+    """Grade a run by one check; only what that needs must have been recorded."""
     unit = trace.units[check.quantity]
     if not applies(check, trace.values):
         return Result(check, unit, None, None, None, None, "not applicable")

@@ -52,7 +52,7 @@ class Meter:
         match quantity.owner:
             case "time":
                 return lambda s: s.t
-            case "joint" | "fixture" | "wire":
+            case "joint":
                 return self._of_joint(quantity.subject, quantity.attribute)
             case "body":
                 row = self._rows[quantity.subject]
@@ -151,7 +151,7 @@ class Meter:
 
     def _stored(self, s: Snapshot, effect: str) -> Array:
         """U by the laws of one effect."""
-        stores = [law for law in self._laws if law.effect == effect and law.book == "potential"]
+        stores = [law for law in self._laws if law.effect.stores(effect)]
         energies = [law.potential_energy(s) for law in stores]
         return sum(energies, np.zeros(s.position.shape[:-1]))
 

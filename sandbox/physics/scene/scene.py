@@ -15,8 +15,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
-from sandbox.physics.forces.declared import Gravity, Law, gravity, laws
-from sandbox.physics.forces.variable_mass import Share, mass_share
+from sandbox.physics.forces.declared import Gravity, Law, Turn, gravity, laws, mass_share
+from sandbox.physics.forces.law import Given
+from sandbox.physics.forces.variable_mass import MassFlows, Share
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.parts import Made, Pairs
 from sandbox.physics.state.motion import Reading
@@ -67,6 +68,8 @@ class Scene:
         What acts on the bodies; gravity is pymunk's own.
     hooked
         The laws that need a hook: all but the springs that pymunk pulls.
+    turns
+        What turns velocities, and does no work.
     """
 
     space: pymunk.Space
@@ -87,6 +90,7 @@ class Scene:
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
+    turns: tuple[Turn, ...]
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
@@ -112,10 +116,11 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, bodies, batch, agility, pairs.hollows)
-    forces = laws(level.effects, values, list(bodies), mass, share, 1 / stepping.rate)
+    given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
+    forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, agility)
     direct, sequence = _solvers(made, pairs)
-    _check_rate(made, forces)
+    _check_rate(made, forces, turns)
     return Scene(
         space=space,
         bodies=bodies,
@@ -134,7 +139,8 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         hollows=pairs.hollows,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
-        hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping)),
+        hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping, share)),
+        turns=turns,
     )
 
 
@@ -195,19 +201,22 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
     return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)
 
 
-def _check_rate(made: Made, forces: Sequence[Law]) -> None:
-    """Refuse a rate that is too low for the springs, or for the drags."""
+def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
+    """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
     joints, agility, stepping = made.joints, made.agility, made.stepping
-    drags = [law for law in forces if law.needs_velocity and not stepping.as_it_comes]
-    if not (joints.springs or drags):
+    drags = [law for law in forces if law.effect.sees_velocity and not stepping.as_it_comes]
+    if not (joints.springs or drags or turns):
         return
-    from sandbox.physics.scene.stability_limits import check_drag, check_springs
+    from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
 
     start = Reading(np.zeros(()), made.batch.state())
     reach = _reach(stepping, held=bool(joints.together))
     check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
+    names = list(made.bodies)
+    for turn in turns:
+        check_turn(turn, names, start, stepping.rate)
     for law in drags:
-        check_drag(law, list(made.bodies), start, joints, agility, stepping.rate)
+        check_drag(law, names, start, joints, agility, stepping.rate)
 
 
 def _reach(stepping: Stepping, *, held: bool) -> float:
@@ -224,15 +233,15 @@ def _hooked(
     bodies: Sequence[pymunk.Body],
     level: Level,
     stepping: Stepping,
+    share: Share,
 ) -> "Iterator[SpringForce]":
     """Leave plain springs to pymunk, and yield the others.
 
     Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
     flows, masses are known only in the hook; and pymunk's pulls are those of leapfrog.
     """
-    effects, space = level.effects, bodies[0].space
-    flows = effects.thrust or effects.accretion
-    simple = stepping.scheme == "leapfrog" and not (effects.contact or flows)
+    space, flows = bodies[0].space, isinstance(share, MassFlows)
+    simple = stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)

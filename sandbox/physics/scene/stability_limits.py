@@ -7,7 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.locating import Path
-from sandbox.physics.forces.law import Law
+from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.joints.exact.shake import SINGULAR
 from sandbox.physics.joints.joints import Joints
@@ -57,8 +57,21 @@ def check_drag(
         taken = np.asarray(_strength(law, start) * agility[:, 0])
     row = int(taken.argmax())
     if taken[row] > rate * CLOSE and (needed := _held(taken, agility, joints)) > rate * CLOSE:
-        cause = f"the effect '{law.effect}' on '{names[row]}'"
-        raise _refused(names[row], cause, needed, rate, ("effects", law.effect))
+        cause = f"the effect '{law.effect.name}' on '{names[row]}'"
+        raise _refused(names[row], cause, needed, rate, ("effects", law.effect.name))
+
+
+def check_turn(turn: Turn, names: Sequence[str], start: Motion, rate: float) -> None:
+    """Refuse a law that turns velocities by more than 2 rad in a step, as springs' limit is.
+
+    A circle would be wider than it should be by a fifth of it; see `check_drag` for the parameters.
+    """
+    with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
+        turning = np.abs(turn.rate(start))
+    row = int(turning.argmax())
+    if (needed := float(turning[row]) / 2) > rate * CLOSE:
+        cause = f"the effect '{turn.effect.name}' on '{names[row]}'"
+        raise _refused(names[row], cause, needed, rate, ("effects", turn.effect.name))
 
 
 def _strength(law: Law, motion: Motion) -> Array:

@@ -7,6 +7,7 @@ import pymunk
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.contacts.corners import reach_out
+from sandbox.physics.contacts.crowding import most_pairs, refuse_crowd
 from sandbox.physics.contacts.hollow_shapes import make_hollow
 from sandbox.physics.contacts.materials import (
     correct_contacts,
@@ -49,7 +50,9 @@ def make_contacts(
     hair, shapes = _hair(ours=ours, direct=direct), {}
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
         shapes[name] = make_surfaces(spec, bodies[name], level, values, hair, kind)
-        space.add(*shapes[name])
+    refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
+    for made in shapes.values():  # pymunk looks for pairs at once
+        space.add(*made)
     follows = ours and not (sequence or direct)
     drift = 1 / stepping.rate if follows else None
     hollows = make_hollow(space, level, values, shapes, hair, drift)

@@ -26,6 +26,8 @@ class Forces:
         What the laws saw in the last kick; None if there are none, or before it.
     hand
         What takes hold of bodies; None unless one has.
+    turning
+        (n,), how fast the last kick turned velocities [rad/s]; None if nothing does.
 
     Parameters
     ----------
@@ -39,9 +41,11 @@ class Forces:
 
     def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
         self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
+        self._turns = scene.turns
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
-        self._guesses = leapfrog and any(law.needs_velocity for law in scene.laws)
+        sees = any(law.effect.sees_velocity for law in scene.laws)
+        self._guesses = leapfrog and (sees or bool(scene.turns))
         self._field = np.zeros((len(self._bodies), 3))  # acceleration by gravity
         if scene.gravity:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
@@ -50,12 +54,13 @@ class Forces:
         # (n, 3), the velocities that the last kick began with, by which those at the next are known
         self._older: Array = np.zeros_like(self._field)
         self.hand: Hand | None = None
+        self.turning: Array | None = None
         self.seen: Reading | None = None
 
     @property
     def acts(self) -> bool:
         """Whether anything has to be given to bodies before a kick."""
-        return bool(self._laws or self._pulling)
+        return bool(self._laws or self._turns or self._pulling)
 
     @property
     def smooth(self) -> Array:
@@ -92,6 +97,7 @@ class Forces:
 
     def apply(self, kick: Kick) -> None:
         """Read all bodies once, add up the laws, and write all forces once."""
+        gained = self._gained(kick) if self._turns else None
         self.seen = reading = self._read(kick)
         if isinstance(self._share, MassFlows):
             self._weigh(self._share, reading.t)
@@ -99,10 +105,33 @@ class Forces:
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
+        if gained is not None:
+            self._turn(reading, wrench, gained, kick.length)
         if self._pulling:
             wrench = wrench.copy()
             self._pulling.pull(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
+
+    def _gained(self, kick: Kick) -> Array:
+        """Return what joints and contacts gave each velocity in the last kick: (n, 2) [m/s].
+
+        Nothing is known of it in the first kick of a motion, which is not as long as a step.
+        """
+        if not self._guesses or kick.start is not None or kick.length != kick.clock.dt:
+            return np.zeros_like(self._field[:, :2])
+        gained = self._batch.velocity() - self._older - self.smooth * kick.length
+        return gained[:, :2]
+
+    def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
+        """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
+        from sandbox.physics.forces.turning import pull, rates
+
+        self.turning = rates(self._turns, reading)
+        velocity = self._older[:, :2] if self._guesses else reading.velocity
+        agility = self._agility[:, :2]
+        others = self._field[:, :2] + wrench[:, :2] * agility + gained / length
+        pulled = pull(self.turning, velocity, others, length)
+        wrench[:, :2] += np.divide(pulled, agility, out=np.zeros_like(pulled), where=agility > 0)
 
     def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.

@@ -81,6 +81,18 @@ class Observer:
         snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
         return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
+    def velocity(self, seen: Observation) -> Array:
+        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s].
+
+        Parameters
+        ----------
+        seen
+            The last that was observed, which may be of this step.
+        """
+        if seen.after is None or seen.steps != self._kicks.clock.steps:
+            return self._scene.batch.velocity()
+        return seen.after
+
     def record(self, seen: Observation) -> "StepRecord":
         """Return what books must know of the step that was last observed."""
         from sandbox.physics.energy.step_record import StepRecord
@@ -127,13 +139,17 @@ class Observer:
         if not self._leapfrog:
             return after, acceleration
         velocity = (before + after) / 2
+        if (turning := self._forces.turning) is not None:
+            from sandbox.physics.forces.turning import at_the_step
+
+            velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._kicks.clock.dt)
         if len(parts) > 1 and (joints := self._scene.joints.together):
             velocity, acceleration = joints.motion(velocity, self._forces.smooth)
         if self._strikes:
             struck, half = self._strikes.last, self._kicks.clock.dt / 2
-            hit = np.flatnonzero(struck.struck)
-            acceleration[hit] = (after - struck.velocity)[hit] / half
-            velocity[hit] = struck.velocity[hit]
+            if len(hit := np.flatnonzero(struck.struck)):
+                acceleration[hit] = (after - struck.velocity)[hit] / half
+                velocity[hit] = struck.velocity[hit]
         elif self._touching and (self._bounces or contacts.first.any()):
             self._take_impacts(state, before, contacts, (velocity, acceleration))
         return velocity, acceleration
@@ -176,10 +192,12 @@ class Observer:
         """
         normal = friction = self._untouched
         if len(contacts.bodies):
-            normal = _sums(contacts, contacts.normal / kick, len(normal))
+            normal, friction = (
+                _sums(contacts, values / kick, len(self._untouched))
+                for values in (contacts.normal, contacts.friction)
+            )
             if self._strikes:
                 normal = normal + self._strikes.last.impulse / kick
-            friction = _sums(contacts, contacts.friction / kick, len(friction))
         motion = Instant.at(self._kicks.clock.after(0), state, velocity)
         return Snapshot(
             *motion,

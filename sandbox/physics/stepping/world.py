@@ -137,24 +137,28 @@ class World:
             with np.errstate(all="ignore"):  # what is not finite is told by name
                 for _ in range(steps - 1):
                     self.step()
-                begun = self._velocity()
+                begun = self._observer.velocity(self._seen)
                 self.step()
                 self._observe(begun)
         except Exception as error:  # noqa: BLE001 (as above)
             self._stop(error)
         return self._seen.snapshot
 
+    @property
+    def doubted(self) -> bool:
+        """Whether the run has stopped and could go on: it is not lost, but not to be trusted."""
+        return self._ended is not None and self._watch.doubts
+
+    def go_on(self) -> None:
+        """Go on with a run that is `doubted`, whatever it shows, as pymunk would."""
+        assert self.doubted
+        self._watch.doubts, self._watch.trusts = False, True
+        self._ended, self.disturbed = None, True
+
     def _start(self) -> None:
         """Observe the state from which the run goes on, and take the first half kick."""
         self._seen = seen = start(self._setup, self._stages, self._observer)
         self._watch = make_watch(self, seen.snapshot, seen.contacts, seen.begun)
-
-    def _velocity(self) -> Array:
-        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
-        seen = self._seen
-        if seen.after is None or seen.steps != self.steps:
-            return self.scene.batch.velocity()
-        return seen.after
 
     def _observe(self, begun: Array) -> None:
         """Take up the state, and let the watchdog look at it."""

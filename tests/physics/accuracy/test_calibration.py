@@ -15,9 +15,12 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from sandbox.model import catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.loading import load
+from sandbox.model.quantities import QuantityError
 from sandbox.physics.accuracy import (
     cache,
     calibration,
@@ -26,9 +29,11 @@ from sandbox.physics.accuracy import (
 )
 from sandbox.physics.accuracy.cache import calibrated
 from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
 from sandbox.physics.accuracy.estimation import estimate
 from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.accuracy.runs import apart, checked, never, record
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
@@ -56,6 +61,10 @@ def oscillator(k: float = 10, c: float = 0, **rest: object) -> Level:
         duration=3,
         **rest,
     )
+
+
+def catalog_level(name: str) -> Level:
+    return load(catalog.find(name))
 
 
 def ticking(now: Callable[[], float]) -> float:
@@ -141,6 +150,20 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
     assert found.error == pytest.approx(delivered(scene, Stepping(rate=60)), rel=0.03)
 
 
+def test_an_instant_near_the_end_is_read_off_equal_steps() -> None:
+    """A run that is looked at every second step does not end with half a look: 8e-5 it was off."""
+    scene = catalog_level("energy/figure-eight")
+    wanted = [item for item in checked(scene, scene.defaults) if item.at is not None]
+    stepping = Stepping(rate=600, scheme="fourth-order")
+    seldom = record(scene, scene.defaults, stepping, wanted, seen=240)
+    always = record(scene, scene.defaults, stepping, wanted, seen=600)
+
+    assert wanted
+    for item in wanted:
+        assert apart(seldom, always, item) == pytest.approx(0, abs=1e-8)
+    assert np.ptp(np.diff(seldom.t)) < 1e-12
+
+
 # Calibration
 
 
@@ -148,11 +171,14 @@ def test_what_comes_back_to_zero_is_off_by_its_own_value() -> None:
 @pytest.mark.parametrize("target", [1e-3, 1e-5, 1e-7])
 @pytest.mark.parametrize("damping", [0, 1])
 def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: float) -> None:
-    """A third of the rate would not do, or it is the lowest that is ever taken."""
+    """A quarter of the rate would not do, or it is the lowest that is ever taken.
+
+    A third of it may do for the place that is checked here: the velocity is further off.
+    """
     scene = oscillator(c=damping)
     setting = calibrate(scene, target=target)
     stepping = setting.chosen.stepping
-    coarser = stepping.at(stepping.rate / 3)
+    coarser = stepping.at(stepping.rate / 4)
 
     assert delivered(scene, stepping) <= target
     assert setting.chosen.error <= target
@@ -255,6 +281,78 @@ def test_runs_that_agree_on_missing_a_wall_are_not_believed() -> None:
     assert run.columns["bullet.position.x"][-1] == pytest.approx(0.3 - 0.025 - 0.05, abs=1e-5)
 
 
+# What is judged
+
+
+def swinging(*checks: Spec) -> Level:
+    """A bob on a rod, let go level, for a few swings."""
+    rod = {"type": "rod", "ends": [[0, 0], "bob"]}
+    bob = {"bob": disc((1, 0), radius=0.05)}
+    return level(bob, GRAVITY, joints={"rod": rod}, checks=list(checks), duration=5)
+
+
+def test_what_cannot_fail_fulfils_no_request() -> None:
+    """A rod's length holds to rounding at any rate; where its bob is does not."""
+    scene = swinging(check("rod.length", "1"))
+    setting = calibrate(scene, target=1e-6)
+    names = ["bob.position.x", "bob.position.y"]
+    finer = Stepping(rate=16 * setting.chosen.stepping.rate, scheme="fourth-order")
+
+    run = simulate(scene, record=names, stepping=setting.chosen.stepping)
+    best = simulate(scene, record=names, stepping=finer)
+    off = [np.abs(run.columns[n] - best.columns[n][::16][: len(run.t)]).max() for n in names]
+
+    assert max(off) <= 1e-6  # at 30 Hz, which it used to be, 1.3
+    assert setting.decided_by.startswith("bob.")
+    assert "places and velocities" in str(setting)
+
+
+def test_what_is_recorded_is_judged_as_well() -> None:
+    """The kinetic energy of a swing at its turning point is as wrong as the bob is early."""
+    scene = swinging()
+    named = calibrate(scene, target=1e-5, also=["bob.kinetic_energy"])
+
+    assert "what is recorded and places and velocities" in str(named)
+    with pytest.raises(QuantityError):
+        calibrate(scene, target=1e-5, also=["bob.charm"])
+
+
+def test_a_longer_run_is_judged_for_as_long_as_it_lasts(counted: list[float]) -> None:
+    """Four times as long, an orbit that comes round early is four times as wrong."""
+    scene, asked = orbit(0.8), Stepping(accuracy=1e-8)
+    short = simulate(scene, record=["planet.position.x"], stepping=asked)
+    long = simulate(scene, duration=40, record=["planet.position.x"], stepping=asked)
+
+    assert long.stepping.rate > short.stepping.rate
+    assert len(counted) == 2
+
+
+def test_a_touch_that_comes_at_once_is_not_chaos() -> None:
+    """A ball that slides and then rolls feels a nudge towards the floor at once, but only once."""
+    found = catalog_level("rotation/slide-to-roll")
+
+    assert chaotic(found, found.defaults, Stepping(rate=240), never) == ""
+
+
+@pytest.mark.parametrize("target", [1e-3, 1e-6])
+def test_a_clock_that_stumbles_changes_no_setting(
+    monkeypatch: pytest.MonkeyPatch, target: float
+) -> None:
+    scene = oscillator(c=1)
+    calm = calibrate(scene, target=target)
+    monkeypatch.setattr(step_timing, "perf_counter", partial(leaping, count()))
+
+    assert calibrate(scene, target=target).chosen.stepping == calm.chosen.stepping
+
+
+def test_the_cusp_of_a_wire_is_followed() -> None:
+    """The time down half a cycloid is π √(R/g), from the cusp on, where its curvature is none."""
+    scene = catalog_level("energy/brachistochrone")
+    at_rest = simulate(scene, stepping=Stepping(rate=480, scheme="fourth-order"))
+
+    assert max(r.error for r in grade(at_rest) if r.error is not None) < 2e-9  # 1.4e-7 before
+
+
 # What cannot be had
 
 
@@ -278,12 +376,12 @@ def test_what_pymunk_makes_of_impacts_as_it_comes_tells_nothing_of_other_rates()
 
 @pytest.mark.sweep
 def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> None:
-    """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 4e-4 is had at 85 Hz."""
+    """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 3.2e-4 is had at 90 Hz, 4e-4 at 85 Hz."""
     steppings = (Stepping(rate=rate, scheme="fourth-order") for rate in (60, 120, 240))
     runs = [simulate(oscillator(), record=["ball.position.x"], stepping=s) for s in steppings]
-    ladder = Ladder(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),))
+    ladder = Ladder(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),), seen=2)
 
-    assert ladder.between(4e-4) == pytest.approx(120 / sqrt(2), rel=2e-3)
+    assert ladder.between(4e-4) == 90  # half-way: in step with both
     assert ladder.between(1.01e-4) is None  # hardly lower
     assert ladder.between(2e-3) is None  # nothing is known of lower ones
 
@@ -305,12 +403,12 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     for module in (calibration, candidates):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     scene = oscillator(c=1)  # no fourth order with a damper
-    setting = calibrate(scene, target=1e-10)
+    setting = calibrate(scene, target=1e-9)
 
     assert setting.chosen.price > 0.1
     assert setting.in_real_time is not None
     assert setting.in_real_time.price <= 0.101
-    assert 1e-10 < setting.in_real_time.error < 1e-6
+    assert 1e-9 < setting.in_real_time.error < 1e-6
     assert "not in real time, in which there is leapfrog" in str(setting)
 
 

@@ -10,15 +10,16 @@ from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array, Formula
 from sandbox.model.level import Level
-from sandbox.physics.forces.applied import Push, Steady
+from sandbox.physics.forces.accretion import Accretion
 from sandbox.physics.forces.attraction import Attraction
 from sandbox.physics.forces.centrifugal import Centrifugal
 from sandbox.physics.forces.drag import Drag
+from sandbox.physics.forces.force import Push, Steady
 from sandbox.physics.forces.gravitation import Gravitation
 from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Law
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.forces.thrust import Accretion, Thrust
+from sandbox.physics.forces.thrust import Thrust
 from sandbox.physics.forces.variable_mass import Flow
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.run import build
@@ -144,7 +145,7 @@ def test_only_what_damps_looks_at_velocities(law: Law, places: Array, velocity: 
     places = smooth(law, places)
     still, moving = wrench(law, instant(places)), wrench(law, instant(places, velocity))
 
-    assert law.needs_velocity or np.array_equal(still, moving)
+    assert law.effect.sees_velocity or np.array_equal(still, moving)
 
 
 @pytest.mark.sweep

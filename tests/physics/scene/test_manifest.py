@@ -9,21 +9,23 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
 from sandbox.model.variants import without
 from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
+from tests.effects import idle
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, Spec, disc, floor, level, run
 
-LAWS = {"applied", "attraction", "drag", "gravitation", "thrust"}
+LAWS = {effect.name for effect in EFFECTS.values() if effect.is_law}
 """The modules of the laws that a level declares as effects."""
 
+STRONG = [e for e in EFFECTS.values() if e.is_force and e.strength and not e.changes_mass]
+
 ZERO: Mapping[str, Any] = {
-    "gravity": {"acceleration": [0, 0]},
-    "attraction": [{"mu": 0, "center": [50, 50]}],
-    "force": [{"body": "a", "force": [0, 0], "at": [0.1, 0]}],
+    **{effect.name: idle(effect.name) for effect in STRONG},
     "friction": {},
     "drag": {"linear": "c"},  # a zero of its own is refused: it would be declared for nothing
 }
@@ -32,6 +34,7 @@ ZERO: Mapping[str, Any] = {
 SCRIPT = """
 import sys
 from sandbox.physics.run import build
+from tests.effects import idle
 from tests.elsewhere import python
 from tests.physics.scenes import disc, level
 build(level({"a": disc(), "b": disc((3, 0))}, %r)).advance(3)
@@ -47,7 +50,7 @@ print(*sorted(name.removeprefix(prefix) for name in sys.modules if name.startswi
         ({**GRAVITY, "contact": {}}, set()),
         ({"drag": {"linear": 1}}, {"drag"}),
         ({"attraction": [{"mu": 1, "center": [9, 9]}]}, {"attraction"}),
-        ({"force": [{"body": "a", "force": [1, 0]}]}, {"applied"}),
+        ({"force": [{"body": "a", "force": [1, 0]}]}, {"force"}),
     ],
     ids=["nothing", "gravity and contact", "drag", "attraction", "force"],
 )

@@ -9,7 +9,7 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level
 from sandbox.model.loading import load
 from sandbox.physics.run import build
-from validation.processes import spread
+from sandbox.processes import spread
 from validation.stability.case import HardCase, watch
 from validation.stability.figures import Run, measured, naive_of
 from validation.stability.scene import (

@@ -7,9 +7,10 @@ from sandbox.app import theme, wording
 from sandbox.app.companions import NONE, Changes, Variant
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
+from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
-from sandbox.model.variants import DEFAULTS, Settings, vary
+from sandbox.model.variants import DEFAULTS, vary
 from sandbox.physics.measuring.comparison import Difference, differences
 
 DECLARED = "as the level declares it"

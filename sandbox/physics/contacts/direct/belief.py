@@ -1,10 +1,12 @@
 """Which of pymunk's contacts there are."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.queries import Query
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC
 
 FURTHER = 1.5
@@ -27,31 +29,35 @@ class Belief:
     def __init__(self, query: Query) -> None:
         self._query = query
         self._pairs: set[tuple[int, int]] | None = None  # that touched in the last step, if known
+        self._same: Integers | None = None  # the bodies of the last step's contacts, if all were
 
     def forget(self) -> None:
         """Believe everything once: bodies were put elsewhere."""
-        self._pairs = None
+        self._pairs = self._same = None
 
-    def sound(self, contacts: Contacts, place: Array, way: Array) -> Contacts:
+    def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
         """Return the contacts that there are.
 
         Parameters
         ----------
-        place
-            (n, 2), where the bodies are [m].
-        way
-            (n, 3), how far they moved in the last step, whichever way [m, rad].
+        moved
+            Tells where the bodies are, (n, 2) [m], and how far they moved in the last step,
+            whichever way, (n, 3) [m, rad].
         """
         if not len(contacts.bodies):
-            self._pairs = set()
+            self._pairs, self._same = set(), None
+            return contacts
+        good: Booleans = np.asarray(contacts.direction.any(axis=1))
+        if contacts.bodies is self._same and good.all():
             return contacts
         pairs = [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
-        good: Booleans = np.asarray(contacts.direction.any(axis=1))
         known = self._pairs
         if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
-            good &= ~new | (contacts.depth <= _reach(contacts, place, way))
+            good &= ~new | (contacts.depth <= _reach(contacts, *moved()))
         self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}
-        return contacts if good.all() else Contacts._make(field[good] for field in contacts)
+        whole = bool(good.all())
+        self._same = contacts.bodies if whole else None
+        return contacts if whole else Contacts._make(field[good] for field in contacts)
 
     def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
         """Return contacts, and those that there are since bodies were moved; the same if none are.
@@ -67,7 +73,11 @@ class Belief:
         """
         moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
         found = self._query.more(contacts, moved) if moved else contacts
-        return contacts if found is contacts else self.sound(found, state[:, :2], np.abs(shift))
+        return (
+            contacts
+            if found is contacts
+            else self.sound(found, lambda: (state[:, :2], np.abs(shift)))
+        )
 
 
 def _reach(contacts: Contacts, place: Array, way: Array) -> Array:

@@ -91,7 +91,7 @@ def solve(
         If no impulses are found.
     """
     size = _sizes(matrix, problem.alike)
-    scaled = _Scaled(problem, matrix / np.outer(size, size), rate / size, size, blur / size, lets)
+    scaled = _Scaled(problem, matrix / (size[:, None] * size), rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
 
@@ -101,7 +101,9 @@ def _sizes(matrix: Array, alike: Integers | None) -> Array:
     own = np.maximum(matrix.diagonal(), 0.0)
     if alike is not None:
         own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
-    return np.where(own > 0, np.sqrt(own), 1.0)
+    root = np.sqrt(own)
+    root[root == 0] = 1.0
+    return root
 
 
 class _Scaled:
@@ -120,11 +122,12 @@ class _Scaled:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
         self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
-        row, contact, sticks, slips, least = problem.friction
-        share = np.where(contact >= 0, size[row, None] / size[contact], 0.0)
-        self._row, self._contact, self._least = row, contact, least * size[row]
-        self._sticks, self._slips = share * sticks[:, None], share * slips[:, None]
+        friction = problem.friction
+        self._row, self._contact = row, contact = friction.row, friction.contact
+        self._least, share = friction.least * size[row], size[row, None] / size[contact]
+        self._sticks, self._slips = (of_each * share for of_each in friction.shares)
         self._some = bool(len(row))
+        self._largest = float(np.abs(rate).max(initial=0.0))
         asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
         self._asked = float(np.abs(asked).max(initial=0.0))
 
@@ -190,6 +193,8 @@ class _Scaled:
         impulse = np.zeros_like(self._rate)
         if not len(rows):
             return impulse, False
+        if len(rows) == len(impulse):
+            return solved(self._matrix, -self._rate)
         if not active.slip.any():
             matrix = self._matrix[np.ix_(rows, rows)]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
@@ -239,33 +244,35 @@ class _Scaled:
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        pushes = np.maximum(impulse, 0.0)[self._contact]
-        return np.asarray((coefficients * pushes).sum(axis=1) + self._least)
+        by_one, by_other = (coefficients * np.maximum(impulse, 0.0)[self._contact]).T
+        return np.asarray(by_one + by_other + self._least)
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
-        allowed = np.minimum(CONTRADICTS * self._asked, self._lets / self._size)
-        return bool((np.abs(rate) <= allowed + self._blur.max())[active.on].all())
+        allowed: Array | float = CONTRADICTS * self._asked
+        if self._lets < inf:
+            allowed = np.minimum(allowed, self._lets / self._size)
+        within = np.abs(rate) <= allowed + self._blur.max()
+        return bool((within | ~active.on).all())
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return which rows rather hold at such rates; None if those do."""
         close = TOLERANCE * np.abs(impulse).max(initial=0.0)
-        largest = max(np.abs(self._rate).max(initial=0.0), np.abs(rate).max(initial=0.0))
-        still = TOLERANCE * largest + self._blur
-        on, pushes = active.on, self._problem.pushes
-        pulls = pushes & on & (impulse < -close)
-        meets = pushes & ~on & (rate < -still)
-        on = (on & ~pulls) | meets
+        still = TOLERANCE * max(self._largest, np.abs(rate).max(initial=0.0)) + self._blur
+        pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
+        on = active.on ^ (self._problem.pushes & pulls_or_meets)
         if not self._some:
-            return Active(on, active.slip) if pulls.any() or meets.any() else None
-        row, slip = self._row, active.slip.copy()
-        held = active.on[row]
-        presses = (on[self._contact] & (self._contact >= 0)).any(axis=1) | (self._least > 0)
-        beyond = held & (np.abs(impulse[row]) > self._bounds(impulse, self._sticks) + close)
-        stops = (slip != 0) & (slip * rate[row] > still[row])
-        slip[beyond] = np.sign(impulse[row[beyond]])
-        slip[stops] = 0
-        slip[~presses] = 0
+            return Active(on, active.slip) if (on != active.on).any() else None
+        friction, row, slip = self._problem.friction, self._row, active.slip.copy()
+        by_one, by_other = (on[self._contact] & friction.there).T
+        presses = by_one | by_other | friction.always
+        own = impulse[row]
+        beyond = active.on[row] & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
+        if slip.any():
+            slip[slip * rate[row] > still[row]] = 0
+        if beyond.any():
+            slip[beyond] = np.sign(own[beyond])
+        slip *= presses
         on[row] = presses & (slip == 0)
         better = Active(on, slip)
         return None if better.key == active.key else better

@@ -21,8 +21,6 @@ from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Course, Foot
 from sandbox.physics.state.anchor import Plane
 
-Rolls = tuple[Array, Array]
-
 FLAT = 1e-4
 """1/m, the curvature of a curve below which a straight side touches it with its ends alone."""
 
@@ -101,9 +99,9 @@ class Curved:
 
 def on_curves(
     figures: Figures,
-    bodies: tuple[Integers, Integers],
+    bodies: Integers,
     normal: Plane,
-    points: tuple[Plane, Plane],
+    points: Plane,
     placed: tuple[Plane, Plane],
 ) -> Iterator[Curved]:
     """Yield the points that touch curves beside them; at an end a curve is a disc.
@@ -113,15 +111,15 @@ def on_curves(
     figures
         The outlines of the bodies.
     bodies
-        The two of each point, (k,) each.
+        The two of each point, (2, k).
     normal
         (k,), from the first to the second.
     points
-        Where they touch, on the first and on the second, (k,) each [m].
+        Where they touch, on the first and on the second, (2, k) [m].
     placed
         Where all bodies are, and how they are turned, (n,) each.
     """
-    pairs = zip(*(body.tolist() for body in bodies), strict=True) if figures.courses else ()
+    pairs = bodies.T.tolist() if figures.courses else ()
     for point, (a, b) in enumerate(pairs):
         for curve, other, sign in ((a, b, 1), (b, a, -1)):
             if course := figures.courses.get(curve):
@@ -145,7 +143,7 @@ def on_curves(
 def follow_curves(
     curved: Sequence[Curved],
     placed: tuple[Plane, Plane],
-    arms: tuple[Plane, Plane],
+    arms: Plane,
     rows: tuple[Array, Array, Plane, Plane],
 ) -> None:
     """Put in what points on curves are.
@@ -157,7 +155,7 @@ def follow_curves(
     placed
         Where all bodies are, and how they are turned, (n,) each.
     arms
-        From the two bodies of each point to where they touch, (k,) each [m].
+        From the two bodies of each point to where they touch, (2, k) [m].
     rows
         The gaps and slips, and how they change with d, (k,) each.
     """
@@ -174,7 +172,7 @@ def follow_curves(
 
 
 def roll_on_curves(
-    curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Rolls
+    curved: Sequence[Curved], faces: Booleans, rubs: Integers, figures: Figures, rolls: Array
 ) -> None:
     """Put in by which radii the angles of bodies count in the slip on curves.
 
@@ -189,7 +187,7 @@ def roll_on_curves(
     figures
         The outlines of the bodies.
     rolls
-        The radii of the first bodies and the second ones, (f,) each [m].
+        The radii of the first bodies and the second ones, (2, f) [m].
     """
     for one in curved:
         slip = rubs == one.point

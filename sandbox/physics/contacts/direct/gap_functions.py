@@ -25,8 +25,11 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.curved import Curved, follow_curves, on_curves, roll_on_curves
 from sandbox.physics.contacts.direct.outlines import Figures, Outlines
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
-from sandbox.physics.joints.exact.constraints import Coordinates, Rows, angles, planes
+from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
+
+FROM_TO = np.array([[-1.0], [1.0]])
+"""How a way from the first body to the second counts for each."""
 
 
 class Touching(NamedTuple):
@@ -34,36 +37,70 @@ class Touching(NamedTuple):
 
     Attributes
     ----------
-    a, b
-        (k,), the bodies.
+    bodies
+        (2, k), the first and the second.
     pair, point
         (k,), the contact each belongs to, and which of its two points it is.
     rubs
         (f,), those with friction: the two points of a side share that of the first.
+    rows
+        (k + f,), which points the gaps are of, and then the friction.
+    held
+        (2, k + f), the bodies of these.
+    into
+        Where in the gradients of gaps and friction the bodies stand: x and y of the first ones, of
+        the second ones, and then the angles.
     figures
         The outlines of all bodies.
     outlines
-        Of the first bodies, and of the second.
-    all_a, all_b
-        (k + f,), the bodies of the gaps, then those of the friction.
+        Those that touch, (2, k) each.
     yields
         (k,), whether the first body moves and the second does not: of two sides that face each
         other, that of the second counts.
     """
 
-    a: Integers
-    b: Integers
+    bodies: Integers
     pair: Integers
     point: Integers
     rubs: Integers
+    rows: Integers
+    held: Integers
+    into: Integers
     figures: Figures
-    outlines: tuple[Outlines, Outlines]
-    all_a: Integers
-    all_b: Integers
+    outlines: Outlines
     yields: Booleans
 
+    @classmethod
+    def between(
+        cls, contacts: Contacts, rubs: Booleans, figures: Figures, moves: Booleans
+    ) -> "Touching":
+        """Return the points of contacts: the first of all, then the second ones.
 
-@dataclass(frozen=True, slots=True)
+        Parameters
+        ----------
+        rubs
+            Which contacts there is friction at, (c,).
+        figures
+            The outlines of all bodies.
+        moves
+            (n,), which of them anything can move.
+        """
+        count, two = len(contacts.bodies), np.flatnonzero(contacts.touches == 2)
+        pair = np.concatenate((np.arange(count), two))
+        point = np.repeat((0, 1), (count, len(two)))
+        bodies, rubbing = contacts.bodies[pair].T.copy(), np.flatnonzero(rubs)
+        rows = np.concatenate((np.arange(len(pair)), rubbing))
+        held, everything = bodies[:, rows], figures.of(bodies)
+        into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]
+        return cls(bodies, pair, point, rubbing, rows, held, into, figures, everything, yields)
+
+    @property
+    def sliding(self) -> Integers:
+        """The bodies of the friction: (2, f)."""
+        return self.held[:, len(self.pair) :]
+
+
+@dataclass(slots=True)  # not frozen: made in every step
 class Features:
     """The points at which bodies touch, of N bodies with the plane.
 
@@ -72,62 +109,64 @@ class Features:
     touching
         Which.
     points
-        A and B above, (k,) each, along their bodies' axes [m].
+        A and B above, (2, k + f), along their bodies' axes [m].
     normal
-        (k,), n above, along the axes of the body whose side it is; of round things, in the plane.
+        (k,), n above, along the axes of the body whose side it is; 0 of round things.
     owns
-        Whether it is the first body's, or the second's, (k,) each: 0 or 1.
+        Whether it is the first body's, or the second's, (2, k + f): 0 or 1.
+    is_round
+        (k,), whether there is no side; None if there is one everywhere.
     sign
         (k,), s above.
     rolls
-        a and b above, (f,) each [m].
+        a and b above, (2, f) [m].
     apart
         (k,), d where the drift begins [m].
     curved
         The points on curves; their places among the first ones are those of the closest circles.
+    corners
+        (k,), where corners meet corners, as if one was a side of the first body; None if nowhere.
     """
 
     touching: Touching
-    points: tuple[Plane, Plane]
+    points: Plane
     normal: Plane
-    owns: tuple[Array, Array]
+    owns: Array
+    is_round: Booleans | None
     sign: Array
-    rolls: tuple[Array, Array]
+    rolls: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
+    corners: Booleans | None = None
 
-    def look(self, place: Coordinates) -> Rows:
-        """Return the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N)."""
-        a, b, rubs = self.touching.a, self.touching.b, self.touching.rubs
-        turned = np.exp(1j * place.angle)
-        turned_a, turned_b = turned[a], turned[b]
-        arms = self.points[0] * turned_a, self.points[1] * turned_b
-        d = place.plane[b] + arms[1] - place.plane[a] - arms[0]
-        own_a, own_b = self.owns
-        along = self.normal * (own_a * turned_a + own_b * turned_b)
+    def look(self, place: Coordinates, total: Array, gradient: Array) -> None:
+        """Write down the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N).
+
+        What of the gradients is not written is 0.
+        """
+        held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
+        turned = place.turned[held]
+        arms = self.points * turned
+        first, second = place.plane[held[:, :count]] + arms[:, :count]
+        d = second - first
+        spins = (self.owns * turned)[:, :count]
+        along = self.normal * (spins[0] + spins[1])
         across, beside = 1j * along, along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
-        side = own_a + own_b
-        if not side.all():
-            along, across, gap, off = self._of_round(d, side == 0, along, gap, off)
-        follow_curves(self.curved, (place.plane, turned), arms, (gap, off, along, across))
-        angle = place.angle
-        roll_a, roll_b = self.rolls
-        slip = off[rubs] + roll_a * angle[a[rubs]] + roll_b * angle[b[rubs]]
-        turns = np.concatenate((side * off, -side[rubs] * gap[rubs]))
-        way = np.concatenate((along, across[rubs]))
-        rows, none = np.arange(len(way)), np.zeros(len(gap))
-        gradient = np.zeros((len(way), len(place.values)))
-        in_plane, in_angle = planes(gradient), angles(gradient)
-        for bodies, arm, own, roll, sign in (
-            (self.touching.all_a, arms[0], own_a, roll_a, -1.0),
-            (self.touching.all_b, arms[1], own_b, roll_b, 1.0),
-        ):
-            arm_, own_ = np.concatenate((arm, arm[rubs])), np.concatenate((own, own[rubs]))
-            in_plane[rows, bodies] = sign * way
-            extra = own_ * turns + np.concatenate((none, roll))
-            in_angle[rows, bodies] = sign * (way * arm_.conj()).imag + extra
-        return Rows(np.concatenate((gap, slip)), gradient)
+        if self.is_round is not None:
+            along, across, gap, off = self._of_round(d, self.is_round, along, gap, off)
+        if self.curved:
+            rows = gap, off, along, across
+            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            arms[:, count:] = arms[:, rubs]
+        rolled = self.rolls * place.angle[held[:, count:]]
+        total[:count], total[count:] = gap, off.take(rubs) + rolled[0] + rolled[1]
+        way = FROM_TO * np.concatenate((along, across.take(rubs)))
+        spin = (way * arms.conj()).imag
+        spin += self.owns * np.concatenate((off, -gap.take(rubs)))
+        spin[:, count:] += self.rolls
+        slopes = np.concatenate((way.view(float).ravel(), spin.ravel()))
+        gradient.reshape(-1)[self.touching.into] = slopes
 
     def _of_round(
         self, d: Plane, is_round: Booleans, along: Plane, gap: Array, off: Array
@@ -145,10 +184,9 @@ class Features:
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
-        a, b = self.touching.a, self.touching.b
-        where, turned = place.plane, np.exp(1j * place.angle)
-        d = where[b] + self.points[1] * turned[b] - where[a] - self.points[0] * turned[a]
-        return replace(self, apart=d)
+        held = self.touching.held
+        first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
+        return replace(self, apart=second - first)
 
 
 def features(
@@ -165,74 +203,79 @@ def features(
     origin
         From where places are counted [m].
     """
-    a, b, pair, point, rubs, figures, (first, second), _, _, yields = touching
-    n = contacts.direction.view(complex)[pair, 0]
-    middle = np.ascontiguousarray(contacts.points).view(complex)[pair, point, 0] - origin
-    half = n * (contacts.depths[pair, point] / 2)
-    turned = np.exp(1j * place.angle)
-    where_a, where_b, turned_a, turned_b = place.plane[a], place.plane[b], turned[a], turned[b]
-    round_a, center_a = first.round(place, n, middle)
-    round_b, center_b = second.round(place, n, middle)
-    faces_b = second.faces(-n * turned_b.conj())
-    own_a = first.faces(n * turned_a.conj()) & ~(faces_b & yields)
-    own_b = faces_b & ~own_a
-    surfaces = middle + half, middle - half
-    curved = tuple(on_curves(figures, (a, b), n, surfaces, (place.plane, turned)))
+    bodies, pair, point, rubs = touching[:4]
+    figures, outlines = touching.figures, touching.outlines
+    where_of = 2 * pair + point
+    n = contacts.direction.view(complex).take(pair)
+    middle = np.ascontiguousarray(contacts.points).view(complex).take(where_of) - origin
+    out = -FROM_TO * n  # of each body
+    surfaces = middle + out * (contacts.depths.take(where_of) / 2)
+    where, turned = place.plane[bodies], place.turned[bodies]
+    is_round, center = outlines.round(place, n, middle)
+    owns = outlines.faces(out * turned.conj())
+    owns[0] &= ~(owns[1] & touching.yields)
+    owns[1] &= ~owns[0]
+    curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     for one in curved:
-        center_of, is_round = ((center_a, round_a), (center_b, round_b))[one.sign < 0]
-        center_of[one.point] = place.plane[one.curve] + turned[one.curve] * one.center
-        is_round[one.point] = True
-        (own_b if one.sign > 0 else own_a)[one.point] &= one.arched
-    corner = ~(own_a | own_b)
-    core_a = surfaces[0] - n * np.where(corner, first.rounding, 0.0)
-    core_b = surfaces[1] + n * np.where(corner, second.rounding, 0.0)
-    at_a, at_b = np.where(round_a, center_a, core_a), np.where(round_b, center_b, core_b)
-    d = at_b - at_a
+        own = int(one.sign < 0)
+        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
+        is_round[own, one.point] = True
+        owns[1 - own, one.point] &= one.arched
+    corner = ~(owns[0] | owns[1])
+    corners = None
+    if corner.any() and (sharp := corner & outlines.sharp & ~is_round.any(axis=0)).any():
+        corners, corner, owns[0] = sharp, corner & ~sharp, owns[0] | sharp
+    core = surfaces - out * np.where(corner, outlines.rounding, 0.0)
+    at = np.where(is_round, center, core)
+    d = at[1] - at[0]
     within = corner & ((d.conj() * n).real < 0)
-    inner_a, inner_b = within & (first.inner > 0), within & (second.inner > 0)
-    inner_b &= ~inner_a | (second.inner > first.inner)
-    inner_a &= ~inner_b
-    turns = np.where(own_a, turned_a, np.where(own_b, turned_b, 1.0))
-    rolls = _rolls(
-        first.rolls(round_a, corner, inner_a)[rubs],
-        second.rolls(round_b, corner, inner_b)[rubs],
-        own_a[rubs],
-        corner[rubs],
-        (inner_a[rubs], inner_b[rubs]),
-    )
+    spins = owns * turned
+    rolls = _rolls(touching, is_round, owns, corner, within)
     roll_on_curves(curved, ~corner, rubs, figures, rolls)
     return Features(
         touching=touching,
-        points=((at_a - where_a) * turned_a.conj(), (at_b - where_b) * turned_b.conj()),
-        normal=n * turns.conj(),
-        owns=(own_a.astype(float), own_b.astype(float)),
+        points=((at - where) * turned.conj()).take(touching.rows, axis=1),
+        normal=n * (spins[0] + spins[1]).conj(),
+        owns=owns.take(touching.rows, axis=1).astype(float),
+        is_round=corner if corner.any() else None,
         sign=np.where(within, -1.0, 1.0),
         rolls=rolls,
         apart=d,
         curved=tuple(one for one in curved if corner[one.point]),
+        corners=corners,
     )
 
 
 def _rolls(
-    ra: Array,
-    rb: Array,
-    first: Booleans,
-    corner: Booleans,
-    within: tuple[Booleans, Booleans],
-) -> tuple[Array, Array]:
-    """Return by which radii the angles of the two bodies count in the slip: (f,) each.
+    touching: Touching, is_round: Booleans, owns: Booleans, corner: Booleans, within: Booleans
+) -> Array:
+    """Return by which radii the angles of the two bodies count in the slip: (2, f) [m].
 
     Parameters
     ----------
-    ra, rb
-        (f,), their radii; 0 of what has sides [m].
-    first
-        (f,), whether the side is the first body's.
+    is_round
+        (2, k), whether they are round where they touch.
+    owns
+        (2, k), whose the side is.
     corner
-        (f,), whether there is no side.
+        (k,), whether there is no side.
     within
-        Whether the first is touched from inside, and whether the second is, (f,) each.
+        (k,), whether one is inside the other.
     """
-    a = np.where(corner, np.where(within[0], ra, -ra), np.where(first, rb, -ra))
-    b = np.where(corner, np.where(within[1], rb, -rb), np.where(first, -rb, ra))
-    return a, b
+    outlines, rubs = touching.outlines, touching.rubs
+    inner = None
+    if touching.figures.hollow:
+        inner = within & (outlines.inner > 0)
+        inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
+        inner[0] &= ~inner[1]
+    radius = outlines.rolls(is_round, corner, inner).take(rubs, axis=1)
+    own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
+    return np.where(owns.take(rubs, axis=1), radius[::-1], own)
+
+
+def _into(bodies: Integers, count: int) -> Integers:
+    """Return where in the gradients of s rows bodies, (2, s), stand; there are so many."""
+    start = np.arange(bodies.shape[1]) * (3 * count)
+    x = start + 2 * bodies
+    plane = np.stack((x, x + 1), axis=2).ravel()
+    return np.concatenate((plane, (start + 2 * count + bodies).ravel()))

@@ -21,7 +21,7 @@ HALVINGS = 50
 """How often the share of a rebound that gives no energy is halved in on."""
 
 
-def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
+def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) -> Booleans:
     """Return which gaps close faster than what acts in a step makes them: (k,).
 
     Parameters
@@ -30,14 +30,22 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array) -> Booleans:
         (3 N,), the velocities at the step [m/s, rad/s].
     acts, change
         (3 N,), what acts in a step, and what changed in the last one [m/s, rad/s].
+    looks
+        Whether anybody wants to know: else there are none.
     """
     gradient = kick.here.gradient[kick.layout.gaps]
-    gives = np.abs(gradient @ np.stack((acts, change), axis=1))
+    if not looks:
+        return np.zeros(len(gradient), dtype=bool)
+    closing, *others = np.stack((came, acts, change)) @ gradient.T
+    gives = np.maximum(*np.abs(others))
+    far: Booleans = closing < -gives
+    if not far.any():  # what is at rest needs no closer look
+        return far
     swift = np.abs(came) + np.abs(acts)
     around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
     speeds = np.abs(gradient) @ np.concatenate((around, angles(swift)))
-    allowed = gives.max(axis=1) + ROUNDING * speeds + kick.blur
-    return np.asarray(gradient @ came < -allowed)
+    allowed = gives + ROUNDING * speeds + kick.blur
+    return np.asarray(closing < -allowed)
 
 
 def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:

@@ -12,7 +12,7 @@ from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
 from sandbox.physics.joints.exact.shake import ExactJoints
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)  # not frozen: made in every step
 class Kick:
     """The rows of a kick; r of them, N bodies with the plane.
 
@@ -111,30 +111,29 @@ class Kick:
         normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float)
         friction = np.zeros(number)
         friction[touching.rubs] = impulse[layout.slips]
-        x, y = self.contacts.direction.T
+        push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
         return self.contacts._replace(
-            normal=normal,
-            friction=np.abs(friction),
-            impulse=np.stack((x * normal - y * friction, y * normal + x * friction), axis=1),
+            normal=normal, friction=np.abs(friction), impulse=push.view(float)
         )
 
 
 def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     """Return all rows somewhere: joints as what is left of what they keep."""
-    touch = found.look(place)
-    if not len(joints.pulls_only):
-        return touch
-    held = joints.look(place)
-    return Rows(
-        np.concatenate((-held.total, touch.total)),
-        np.concatenate((-held.gradient, touch.gradient)),
-    )
+    first = len(joints.pulls_only)
+    count = first + len(found.touching.rows)
+    total, gradient = np.empty(count), np.zeros((count, len(place.values)))
+    found.look(place, total[first:], gradient[first:])
+    if first:
+        held = joints.look(place)
+        np.negative(held.total, out=total[:first])
+        np.negative(held.gradient, out=gradient[:first])
+    return Rows(total, gradient)
 
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
-    a, b, rubs = layout.touching.a, layout.touching.b, layout.touching.rubs
+    (a, b), rubs = layout.touching.sliding, layout.touching.rubs
     if not running.any():
         return np.zeros(len(rubs))
-    runs = running[b[rubs]] - running[a[rubs]]
+    runs = running[b] - running[a]
     direction = contacts.direction[layout.touching.pair[rubs]]
     return np.asarray(runs[:, 1] * direction[:, 0] - runs[:, 0] * direction[:, 1])

@@ -1,5 +1,6 @@
 """The rows of a step: which points touch, and what each row asks for."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -95,7 +96,7 @@ class Layout(NamedTuple):
     def smooth(self) -> "Layout":
         """Return the same rows without friction."""
         none = np.zeros(len(self.touching.rubs))
-        friction = self.problem.friction._replace(sticks=none, slips=none)
+        friction = replace(self.problem.friction, sticks=none, slips=none)
         return self.asking(self.problem._replace(friction=friction))
 
 
@@ -112,23 +113,10 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         (n,), which of them anything can move.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
-    two = np.flatnonzero(contacts.touches == 2)
-    pair = np.concatenate((np.arange(count), two))
-    a, b = contacts.bodies[pair].T
-    slips, static = surfaces.friction[a, b], surfaces.static[a, b]
-    rubs = np.flatnonzero((slips[:count] > 0) | (static[:count] > 0))
-    touching = Touching(
-        a,
-        b,
-        pair,
-        np.repeat((0, 1), (count, len(two))),
-        rubs,
-        surfaces.figures,
-        (surfaces.figures.of(a), surfaces.figures.of(b)),
-        np.concatenate((a, a[rubs])),
-        np.concatenate((b, b[rubs])),
-        moves[a] & ~moves[b],
-    )
+    slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
+    touching = Touching.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
+    pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
+    two = pair[count:]
     partner = np.full(count, -1)
     partner[two] = count + np.arange(len(two))
     contact = np.stack((rubs, partner[rubs]), axis=1)

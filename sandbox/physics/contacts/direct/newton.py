@@ -60,10 +60,9 @@ def newton(
         far = missed[active.on].max(initial=0.0) > QUADRATIC
         lets = inf if far and iteration < SOON else TAUT / drift
         impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
-        off = np.where(active.on, missed, 0.0)
-        if off.max(initial=0.0) <= QUADRATIC and active.key == before.key:
+        if not far and active.key == before.key:
             return impulse, motion + impulse @ kick.reply, active
-    raise lost(kick, int(off.argmax()))
+    raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
 
 def solve_rows(
@@ -97,7 +96,7 @@ def solve_rows(
     JointFailure, NoForces
         If there are none.
     """
-    found = np.zeros(len(rate))
+    found, blur = np.zeros(len(rate)), kick.blur
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
     for rows, slips, problem in layout.islands:
         whole = len(rows) == len(rate)
@@ -107,7 +106,7 @@ def solve_rows(
         if impulse is not None:
             free = free - matrix @ impulse[part]
         try:
-            found[part], held = solve(problem, matrix, free, guess, kick.blur, lets)
+            found[part], held = solve(problem, matrix, free, guess, blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None
@@ -121,4 +120,4 @@ def lost(kick: Kick, row: int) -> JointFailure | NoForces:
     if row < gaps.start:
         return kick.joints.lost(row)
     gap = row - gaps.start if row < gaps.stop else int(touching.rubs[row - gaps.stop])
-    return NoForces(int(touching.a[gap]), int(touching.b[gap]))
+    return NoForces(*touching.bodies[:, gap].tolist())

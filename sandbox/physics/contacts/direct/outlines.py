@@ -14,6 +14,10 @@ PARALLEL = 1e-6
 """rad, by which a side and a contact may differ in direction and the contact be on that side."""
 
 
+SHARP = 1e-7
+"""m, a corner that is rounded by no more than this is one."""
+
+
 class Figure(NamedTuple):
     """What the outline of a body is to its contacts.
 
@@ -55,6 +59,10 @@ class Figures:
         (n,), whether it is round, but not all the way.
     courses
         Of those that are curves, by their numbers.
+    plain
+        Whether what is round is so all the way, about its body's centre.
+    hollow
+        Whether anything can be touched from inside.
     """
 
     def __init__(self, figures: list[Figure]) -> None:
@@ -63,6 +71,8 @@ class Figures:
         self.inner = np.array([figure.inner for figure in figures])
         self.center = np.array([figure.center for figure in figures])
         self.ends = np.array([figure.ends for figure in figures], dtype=bool)
+        self.hollow = bool((self.inner > 0).any())
+        self.plain = not (self.center.any() or self.ends.any())
         self.courses = {row: f.course for row, f in enumerate(figures) if f.course}
         most = max((len(figure.normals) for figure in figures), default=0)
         self._normals = np.full((len(figures), max(most, 1)), np.nan, dtype=complex)
@@ -70,56 +80,59 @@ class Figures:
             self._normals[row, : len(figure.normals)] = figure.normals
 
     def of(self, body: Integers) -> "Outlines":
-        """Return those of some bodies: (k,)."""
+        """Return those of two bodies each: (2, k)."""
         return Outlines(
+            self,
             body,
             self.radius[body],
             self.rounding[body],
             self.inner[body],
-            self.center[body],
-            self.ends[body],
             self._normals[body],
+            np.asarray(((self.radius[body] == 0) & (self.rounding[body] <= SHARP)).all(axis=0)),
         )
 
 
 class Outlines(NamedTuple):
-    """The outlines of the bodies at k points, one after the other, as of a `Figure` each.
+    """The outlines of the first and the second bodies at k points, as of a `Figure` each: (2, k).
 
     Attributes
     ----------
+    figures
+        Of all bodies.
     body
-        (k,), which.
+        (2, k), which.
+    sharp
+        (k,), whether both have corners.
     """
 
+    figures: Figures
     body: Integers
     radius: Array
     rounding: Array
     inner: Array
-    center: Plane
-    ends: Booleans
     normals: Plane
+    sharp: Booleans
 
     def faces(self, direction: Plane) -> Booleans:
-        """Return whether they have a side that faces there, along their own axes: (k,)."""
-        off = np.abs(self.normals - direction[:, None])
-        return np.asarray((off < PARALLEL).any(axis=1))
+        """Return whether they have a side that faces there, along their own axes: (2, k)."""
+        off = np.abs(self.normals - direction[..., None])
+        return np.asarray((off < PARALLEL).any(axis=-1))
 
     def round(self, place: Coordinates, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
-        """Return whether they are round where they touch, (k,), and where their centres are, (k,).
+        """Return whether they are round where they touch, and where their centres are: (2, k).
 
         They touch in the middle, with the normal n: (k,) each.
         """
         center = place.plane[self.body]
-        if self.center.any():
-            center += self.center * np.exp(1j * place.angle[self.body])
         is_round: Booleans = self.radius > 0
-        if self.ends.any():
-            out = middle - center
-            is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
-            is_round = is_round & ~(self.ends & is_end)
-        return is_round, center
+        if self.figures.plain:
+            return is_round, center
+        center += self.figures.center[self.body] * place.turned[self.body]
+        out = middle - center
+        is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
+        return is_round & ~(self.figures.ends[self.body] & is_end), center
 
-    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans) -> Array:
-        """Return the radii with which they roll where they touch: (k,) [m]."""
-        radius = np.where(within, self.inner, self.radius)
+    def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans | None) -> Array:
+        """Return the radii with which they roll where they touch: (2, k) [m]."""
+        radius = self.radius if within is None else np.where(within, self.inner, self.radius)
         return np.where(is_round, radius, np.where(corner, self.rounding, 0.0))

@@ -1,5 +1,7 @@
 """What rows ask for, and which of them hold."""
 
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -8,7 +10,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans, Integers
 
 
-class Friction(NamedTuple):
+@dataclass(frozen=True)
+class Friction:
     """The rows whose impulses are bounded; f of them.
 
     Attributes
@@ -28,6 +31,22 @@ class Friction(NamedTuple):
     sticks: Array
     slips: Array
     least: Array
+
+    @cached_property
+    def there(self) -> Booleans:
+        """Whether there is such a contact: (f, 2)."""
+        return np.asarray(self.contact >= 0)
+
+    @cached_property
+    def shares(self) -> tuple[Array, Array]:
+        """The coefficients of each contact while it sticks, and while it slips: (f, 2) each."""
+        sticks, slips = (share[:, None] * self.there for share in (self.sticks, self.slips))
+        return sticks, slips
+
+    @cached_property
+    def always(self) -> Booleans:
+        """Whether there is friction without any contact: (f,)."""
+        return np.asarray(self.least > 0)
 
 
 NO_FRICTION = Friction(

@@ -24,6 +24,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
+from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.direct.newton import newton
@@ -32,10 +33,13 @@ from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import GROWS, ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
+
+Key = tuple[Integers, Integers, int]
+"""What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
 
 
 class Stage(NamedTuple):
@@ -104,16 +108,17 @@ class Direct:
         self._dt, self._strikes = dt, strikes
         self._moves: Booleans = inertia[:, 0] > 0
         self._order = order(len(inertia))
-        self._inertia = self._spread(inertia)
-        self._begun = self._pull = self._change = np.zeros_like(inertia)
-        self._shift = np.zeros_like(inertia)  # by what taking back overlaps moved bodies in a step
+        self._inertia = self._spread(inertia)[0]
+        self._calm = _calm(len(inertia))
+        self._begun = self._pull = self._change = self._calm.jump
+        self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
         self._lead = 0.0
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
-        self._laid: tuple[bytes, Layout] | None = None
-        self._known, self._belief = WarmStart(), Belief(query)
+        self._laid: tuple[Key, Layout] | None = None
+        self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
         self.contacts: Contacts = NO_CONTACTS
-        self.last = _nothing(self._begun)
+        self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
 
     def begin(self, pull: Array, *, start: bool) -> None:
@@ -142,10 +147,9 @@ class Direct:
         JointFailure, NoForces
             If there are none.
         """
-        place, way = self._batch.state()[:, :2], np.abs(self._begun) * self._dt
-        self.contacts = self._belief.sound(self._batch.contacts(), place, way + np.abs(self._shift))
-        self.last, self.stages = _nothing(self._begun), ()
-        self._shift = np.zeros_like(self._begun)
+        self.contacts = self._belief.sound(self._batch.contacts(), self._moved)
+        self.last, self.stages = self._calm, ()
+        self._shift = self._calm.jump
         self._follow(until)
         if len(self.contacts.bodies) or self._joints.added.any():
             self._solve_all()
@@ -153,15 +157,22 @@ class Direct:
             self._known.forget()
             self._solve_joints(until)
         after = self._batch.velocity()
-        struck = self.last.struck[:, None]
-        whole = (after - self._begun) * (self._dt / self._joints.kick)
-        self._change = np.where(struck, 2 * (after - self.last.velocity), whole)
+        self._change = (after - self._begun) * (self._dt / self._joints.kick)
+        if self.last is not self._calm:
+            struck = self.last.struck[:, None]
+            self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
+
+    def _moved(self) -> tuple[Array, Array]:
+        """Return where bodies are, (n, 2), and how far they moved in the last step, (n, 3)."""
+        way = np.abs(self._begun) * self._dt + np.abs(self._shift)
+        return self._batch.state()[:, :2], way
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._belief.forget()
+        self._corners.forget()
         self._known.forget()
-        self._change, self._shift = np.zeros_like(self._change), np.zeros_like(self._shift)
+        self._change = self._shift = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
@@ -182,13 +193,11 @@ class Direct:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        kick = self._look()
-        begun, pull, lead = self._spread(self._begun), self._spread(self._pull), self._lead
-        at_step, acts = begun + pull * lead, pull * self._dt
+        begun, pull, change = self._spread(self._begun, self._pull, self._change)
+        kick = self._look(begun * self._dt)
+        at_step, lead = begun + pull * self._lead, self._lead
         total = np.zeros(len(kick.reply))
-        strikes = np.zeros(len(kick.layout.restitution), dtype=bool)
-        if self._strikes:
-            strikes = impacts.struck(kick, at_step, acts, self._spread(self._change))
+        strikes = impacts.struck(kick, at_step, pull * self._dt, change, looks=self._strikes)
         if strikes.any() or self._joints.added.any():
             came, total = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
@@ -205,12 +214,14 @@ class Direct:
         self._known.note(kick, impulse / rest, active)
         self._report(kick, total + impulse, active)
 
-    def _look(self) -> Kick:
-        """Return the rows where everything is, once overlaps are taken back."""
-        contacts, surfaces, joints = self.contacts, self._surfaces, self._joints
-        (place, _), laid = joints.coordinates(), self._lay_out(contacts)
-        kick = Kick.at(place, joints, contacts, laid, surfaces.running, self._lengths)
-        way = part(kick, surfaces, self._known, self._spread(self._begun * self._dt))
+    def _look(self, leaving: Array) -> Kick:
+        """Return the rows where everything is, once overlaps are taken back.
+
+        They know how far bodies go in a step by themselves, (3 N,) [m, rad].
+        """
+        place, _ = self._joints.coordinates()
+        kick = self._kick_at(place)
+        way = part(kick, self._surfaces, self._known, leaving)
         if way is None:
             return kick
         state = self._batch.state()
@@ -218,23 +229,32 @@ class Direct:
         state[:, :3] += self._shift
         self._batch.set_state(state)
         there = Coordinates(place.values + way)
-        found = self._belief.since(contacts, state, self._shift, surfaces.slop)
-        if found is contacts:
+        found = self._belief.since(self.contacts, state, self._shift, self._surfaces.slop)
+        if found is self.contacts:
             return kick.moved(there)
-        self.contacts, laid = found, self._lay_out(found)
-        return Kick.at(there, joints, found, laid, surfaces.running, self._lengths)
+        self.contacts = found
+        return self._kick_at(there)
 
-    def _lay_out(self, contacts: Contacts) -> Layout:
-        added = bytes(len(self._joints.added))
-        key = contacts.bodies.tobytes() + contacts.touches.tobytes() + added
-        if self._laid is None or self._laid[0] != key:
-            self._laid = key, lay_out(contacts, self._joints, self._surfaces, self._moves)
+    def _kick_at(self, place: Coordinates) -> Kick:
+        """Return the rows of all that touches or is joined, where the bodies are."""
+        joints = self._joints
+        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        layout, running = self._lay_out(), self._surfaces.running
+        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        self._corners.note(kick)
+        return kick
+
+    def _lay_out(self) -> Layout:
+        contacts, joints = self.contacts, self._joints
+        key = contacts.bodies, contacts.touches, len(joints.added)
+        if self._laid is None or not _same(self._laid[0], key):
+            self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
         return self._laid[1]
 
-    def _spread(self, rates: Array) -> Array:
-        """Return rates (n, 3) as rows have coordinates."""
-        values = np.zeros(3 * len(rates) + 3)
-        values[self._order] = rates
+    def _spread(self, *rates: Array) -> Array:
+        """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""
+        values = np.zeros((len(rates), 3 * len(self._moves) + 3))
+        values[:, self._order] = rates
         return values
 
     def _hold(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Array, Active]:
@@ -293,7 +313,14 @@ class Direct:
         self.contacts = kick.told(total)
 
 
-def _nothing(velocity: Array) -> Impacts:
-    """Return that there was no impact."""
-    none = np.zeros(len(velocity), dtype=bool)
-    return Impacts(none, np.zeros_like(velocity), velocity, np.zeros(len(velocity)))
+def _same(one: Key, other: Key) -> bool:
+    """Return whether a layout serves again; arrays that are the same need no look."""
+    pairs = zip(one[:2], other[:2], strict=True)
+    return one[2] == other[2] and all(a is b or np.array_equal(a, b) for a, b in pairs)
+
+
+def _calm(count: int) -> Impacts:
+    """Return that so many bodies had no impact."""
+    none: Array = np.zeros((count, 3))
+    none.setflags(write=False)
+    return Impacts(np.zeros(count, dtype=bool), none, none, none[:, 0])

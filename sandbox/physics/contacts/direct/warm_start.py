@@ -7,6 +7,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Touching
 from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.engine.batch import Booleans, Integers
 
@@ -19,22 +20,27 @@ class Known(NamedTuple):
 
     Attributes
     ----------
-    touching
-        What touched.
-    pull, force, along
-        The forces of the joints, (m,), at the gaps, (k,), and along them, (f,) [N].
-    on
-        (k,), which gaps pushed.
-    slip
-        (f,), which way friction acted where it slipped; 0 elsewhere.
+    layout
+        Its rows.
+    forces
+        (r,), of all rows [N].
+    active
+        Which held.
     """
 
-    touching: Touching
-    pull: Array
-    force: Array
-    along: Array
-    on: Booleans
-    slip: Integers
+    layout: Layout
+    forces: Array
+    active: Active
+
+    @property
+    def pull(self) -> Array:
+        """The forces of the joints: (m,) [N]."""
+        return self.forces[self.layout.joints]
+
+    @property
+    def force(self) -> Array:
+        """The forces at the gaps: (k,) [N]."""
+        return self.forces[self.layout.gaps]
 
 
 class WarmStart:
@@ -49,10 +55,7 @@ class WarmStart:
 
     def note(self, kick: Kick, forces: Array, active: Active) -> None:
         """Remember the forces of a kick, (r,) [N], and what held in it."""
-        layout = kick.layout
-        pull, force, along = (forces[part] for part in (layout.joints, layout.gaps, layout.slips))
-        on = active.on[layout.gaps]
-        self._known = Known(layout.touching, pull, force, along, on, active.slip)
+        self._known = Known(kick.layout, forces, active)
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
@@ -66,23 +69,25 @@ class WarmStart:
         length
             Of the kick [s].
         """
-        known = self._recalled(kick) or self._new(kick, motion)
+        if known := self._recalled(kick):
+            return known.forces * length, known.active
+        force, along, on, slip = self._new(kick, motion)
         pull, taut = kick.joints.expected()
         if self._known and len(self._known.pull) == len(pull):
             pull = self._known.pull
-        impulse = np.concatenate((pull, known.force, known.along)) * length
-        if not len(known.slip):
-            return impulse, Active(np.concatenate((taut, known.on)), known.slip)
+        impulse = np.concatenate((pull, force, along)) * length
+        if not len(slip):
+            return impulse, Active(np.concatenate((taut, on)), slip)
         contact, first = kick.layout.problem.friction.contact, kick.layout.gaps.start
-        presses = (known.on[contact - first * (contact >= 0)] & (contact >= 0)).any(axis=1)
-        slip = np.where(presses, known.slip, 0)
-        return impulse, Active(np.concatenate((taut, known.on, presses & (slip == 0))), slip)
+        presses = (on[contact - first * (contact >= 0)] & (contact >= 0)).any(axis=1)
+        slip = np.where(presses, slip, 0)
+        return impulse, Active(np.concatenate((taut, on, presses & (slip == 0))), slip)
 
     def pressed(self, kick: Kick) -> Booleans:
         """Return which gaps pushed in the last kick: (k,)."""
         if known := self._recalled(kick):
             return np.asarray(known.force > 0)
-        force = np.zeros(len(kick.layout.touching.a))
+        force = np.zeros(len(kick.layout.touching.pair))
         for gap, old in self._same(kick):
             assert self._known
             force[gap] = self._known.force[old]
@@ -91,18 +96,22 @@ class WarmStart:
     def met(self, kick: Kick) -> Booleans:
         """Return which gaps there were in the last kick: (k,)."""
         if self._recalled(kick):
-            return np.ones(len(kick.layout.touching.a), dtype=bool)
-        found = np.zeros(len(kick.layout.touching.a), dtype=bool)
+            return np.ones(len(kick.layout.touching.pair), dtype=bool)
+        found = np.zeros(len(kick.layout.touching.pair), dtype=bool)
         found[[gap for gap, _ in self._same(kick)]] = True
         return found
 
     def _recalled(self, kick: Kick) -> Known | None:
         """Return what is known, if the same touched then."""
         known = self._known
-        return known if known and known.touching is kick.layout.touching else None
+        return known if known and known.layout.touching is kick.layout.touching else None
 
-    def _new(self, kick: Kick, motion: Array) -> Known:
-        """Return what is known of those gaps that were there, and what the others seem to do."""
+    def _new(self, kick: Kick, motion: Array) -> tuple[Array, Array, Booleans, Integers]:
+        """Return what is known of those gaps that were there, and what the others seem to do.
+
+        These are the forces at the gaps, (k,), and along them, (f,), which gaps push, (k,), and
+        which way friction acts where it slips, (f,); 0 elsewhere.
+        """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
         rates = kick.here.gradient @ motion
         rates[layout.slips] += kick.runs
@@ -110,20 +119,22 @@ class WarmStart:
         force, along = np.zeros(len(on)), np.zeros(len(speed))
         slip = np.where(np.abs(speed) > AT_REST, -np.sign(speed), 0).astype(np.intp)
         if known:
+            old_force, old_on = known.force, known.active.on[known.layout.gaps]
+            old_along = known.forces[known.layout.slips]
             rubs = {int(gap): place for place, gap in enumerate(touching.rubs)}
-            before = {int(gap): place for place, gap in enumerate(known.touching.rubs)}
+            before = {int(gap): place for place, gap in enumerate(known.layout.touching.rubs)}
             for gap, old in self._same(kick):
-                force[gap], on[gap] = known.force[old], known.on[old]
+                force[gap], on[gap] = old_force[old], old_on[old]
                 if gap in rubs and old in before:
-                    along[rubs[gap]] = known.along[before[old]]
-                    slip[rubs[gap]] = known.slip[before[old]]
-        return Known(touching, np.zeros(0), force, along, on, slip)
+                    along[rubs[gap]] = old_along[before[old]]
+                    slip[rubs[gap]] = known.active.slip[before[old]]
+        return force, along, on, slip
 
     def _same(self, kick: Kick) -> list[tuple[int, int]]:
         """Return the gaps that there were in the last kick, and their numbers then."""
         if self._known is None:
             return []
-        old = {key: gap for gap, key in enumerate(_keys(self._known.touching))}
+        old = {key: gap for gap, key in enumerate(_keys(self._known.layout.touching))}
         return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
 
 
@@ -131,7 +142,7 @@ def _keys(touching: Touching) -> list[tuple[int, int, int]]:
     """Return by what the gaps are known again in the next step."""
     seen: dict[tuple[int, int], int] = {}
     keys = []
-    for a, b in zip(touching.a.tolist(), touching.b.tolist(), strict=True):
+    for a, b in touching.bodies.T.tolist():
         both = (a, b) if a < b else (b, a)
         number = seen.get(both, 0)
         seen[both] = number + 1

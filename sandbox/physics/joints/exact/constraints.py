@@ -4,7 +4,7 @@ The plane is complex here: a point is x + iy, and dC = Re(conj(J) dz) + K dθ.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import NamedTuple, Protocol
 
@@ -33,6 +33,7 @@ class Coordinates:
     """
 
     values: Array
+    _turned: Plane | None = field(default=None, init=False, repr=False, compare=False)
 
     @classmethod
     def of(cls, plane: Plane, angle: Array) -> "Coordinates":
@@ -48,6 +49,13 @@ class Coordinates:
     def angle(self) -> Array:
         """In the angle: (N,)."""
         return angles(self.values)
+
+    @property
+    def turned(self) -> Plane:
+        """How far bodies are turned, as unit numbers, kept for whoever asks next: (N,)."""
+        if self._turned is None:
+            self._turned = np.exp(1j * angles(self.values))
+        return self._turned
 
 
 class Rows(NamedTuple):

@@ -1,7 +1,9 @@
 """Rods, ropes, strings and pivots: sums of lengths, all of a scene in a few array operations."""
 
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,11 +65,10 @@ class Reaches:
         self._shape = shape[0], 3 * count
         reaches = [(i, a, b) for i, row in enumerate(rows) for a, b in row.reaches]
         self._row = np.array([i for i, _, _ in reaches], dtype=np.intp)
-        self._body, self._point = _ends(
-            [a for _, a, _ in reaches] + [b for _, _, b in reaches], count
-        )
         self._half = len(reaches)
-        self._offset = self._point[self._half :] - self._point[: self._half]
+        held = [a for _, a, _ in reaches] + [b for _, _, b in reaches]
+        self._body, points = _ends(held, count)
+        self.hold(points)
         self._single = self._half == len(rows) == shape[0]
         self._along = np.array([rows[i].along or 0j for i, _, _ in reaches], dtype=complex)
         self._across = self._along.conj()
@@ -87,29 +88,72 @@ class Reaches:
         plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
+    @property
+    def entries(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """The row and the coordinate of each slope that `measure` returns; some are repeated."""
+        row, column = np.divmod(self._into, self._shape[1])
+        return row, column
+
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there."""
-        gradient = np.zeros(self._shape)
+        """Return what the rows add up to somewhere, and their gradients there.
+
+        Places may have leading dimensions, as those of many runs.
+        """
+        many = place.values.shape[:-1]
+        gradient = np.zeros((*many, *self._shape))
         if not self._half:
-            return Rows(np.zeros(self._shape[0]), gradient)
-        ends = place.plane[self._body]
-        if self._turns:
-            arm = self._point * np.exp(1j * place.angle)[self._body]
-            ends += arm
-            length, unit = self._measure(ends[self._half :] - ends[: self._half])
-            both = np.concatenate((-unit, unit))
-            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag))
-        else:
-            length, unit = self._measure(ends[self._half :] - ends[: self._half] + self._offset)
-            slopes = np.concatenate((-unit, unit)).view(float)
-        if self._apart:
-            gradient.reshape(-1)[self._into] = slopes
-        else:
-            np.add.at(gradient.reshape(-1), self._into, slopes)
-        total: Array = length
-        if not self._single:
-            total = np.bincount(self._row, length, self._shape[0]).astype(float)
+            return Rows(np.zeros((*many, self._shape[0])), gradient)
+        total, slopes = self.measure(place)
+        self._spread(slopes, gradient.reshape(*many, -1))
         return Rows(total, gradient)
+
+    def measure(self, place: Coordinates) -> tuple[Array, Array]:
+        """Return what the rows add up to somewhere, and the entries of their gradients there."""
+        ends = place.plane[..., self._body]
+        if self._turns:
+            arm = self._point * place.turned[..., self._body]
+            ends += arm
+            length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
+            both = np.concatenate((-unit, unit), axis=-1)
+            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
+        else:
+            reach = ends[..., self._half :] - ends[..., : self._half]
+            length, unit = self._measure(reach + self._offset)
+            slopes = np.concatenate((-unit, unit), axis=-1).view(float)
+        return self._added_up(length), slopes
+
+    @property
+    def points(self) -> Plane:
+        """Where the pieces hold on to their bodies, first all beginnings, then all ends [m]."""
+        return self._point
+
+    def holding(self, points: Plane) -> "Reaches":
+        """Return the same pieces, held elsewhere: those of many runs are (N, 2 k)."""
+        found = copy(self)
+        found.hold(points)
+        return found
+
+    def hold(self, points: Plane) -> None:
+        """Let the pieces hold on at these points of their bodies."""
+        self._point = points
+        self._offset = points[..., self._half :] - points[..., : self._half]
+
+    def _spread(self, slopes: Array, gradient: Array) -> None:
+        """Add what changes with the ends to the gradients, laid out in a row."""
+        if self._apart:
+            gradient[..., self._into] = slopes
+        else:
+            where: Any = (..., self._into)
+            np.add.at(gradient, where, slopes)
+
+    def _added_up(self, length: Array) -> Array:
+        """Return what the pieces of each row add up to."""
+        if self._single:
+            return length
+        total = np.zeros((*length.shape[:-1], self._shape[0]))
+        where: Any = (..., self._row)
+        np.add.at(total, where, length)
+        return total
 
     def _measure(self, reach: Plane) -> tuple[Array, Plane]:
         """Return the lengths or components of the pieces, and the directions they change in."""

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
 from sandbox.physics.joints.exact.angles import Turn
+from sandbox.physics.joints.exact.banded import FEWEST, Banded
 from sandbox.physics.joints.exact.constraints import (
     MAX_ITERATIONS,
     QUADRATIC,
@@ -152,8 +153,16 @@ class ExactJoints:
         inverse = self.inverse[: 2 * shape[1] : 2]
         apart = rows if are_apart(equations, inverse) else ()
         self._rods = [Rod(row, self._batch, inverse, self.origin) for row in apart]
+        self._band = self._banded(len(equations))
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
+
+    def _banded(self, count: int) -> Banded | None:
+        """Return the equations as a band, where there are many and each meets but a few."""
+        if count < FEWEST or self._others or self._unilateral:
+            return None
+        band = Banded(self._reaches, count, self.inverse)
+        return band if band.pays else None
 
     def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Take on more equations; what they stop at once is an impact, over with the next kick."""
@@ -176,6 +185,21 @@ class ExactJoints:
             return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
         _, shares = copy(cast("Equation", equation)).look(self.place())
         return np.array([share.body for share in shares], dtype=np.intp)
+
+    @property
+    def plain(self) -> bool:
+        """Whether all are sums of lengths that stay as they are, and are solved together."""
+        return not (self._others or self._changing or self._unilateral or self._rods)
+
+    @property
+    def reaches(self) -> Reaches:
+        """The pieces whose lengths add up."""
+        return self._reaches
+
+    @property
+    def past(self) -> list[Array]:
+        """The forces of the last kicks without impacts, newest first: (m,) each [N]."""
+        return self._past
 
     def expected(self) -> tuple[Array, Booleans]:
         """Return the forces that the next kick is likely to need, and what of it holds: (m,)."""
@@ -218,7 +242,9 @@ class ExactJoints:
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
         rows = self._pulling[name]
-        return float(self.tension[rows[0]] if len(rows) == 1 else np.hypot(*self.tension[rows]))
+        if len(rows) == 1:
+            return self.tension.item(rows[0])
+        return float(np.hypot(*self.tension[rows]))
 
     def torque(self, name: str) -> float:
         """Return the torque of a joint on its second body in the last kick [N m].
@@ -294,6 +320,8 @@ class ExactJoints:
             (n, 3), the accelerations by all else [m/s², rad/s²].
         """
         place, _ = self.coordinates()
+        if self._band:
+            return self._move_band(self._band, place, _coordinates(mean), _coordinates(smooth))
         gradient = self._glance(place).gradient
         reply = gradient * self.inverse
         slope, free = gradient @ reply.T, _coordinates(mean).values
@@ -304,6 +332,19 @@ class ExactJoints:
         driven = _coordinates(smooth).values
         self.tension = _solved(slope, gradient @ driven + turning)
         return moves[self._order], (driven - self.tension @ reply)[self._order]
+
+    def _move_band(
+        self, band: Banded, place: Coordinates, mean: Coordinates, smooth: Coordinates
+    ) -> tuple[Array, Array]:
+        """Return the same where the equations are a band."""
+        here, free, driven = band.look(place), mean.values, smooth.values
+        moves = free - band.reply(here, band.solved(here, here, band.along(here, free)))
+        way = MOMENT * abs(self.drift) * moves
+        ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
+        turning = band.along(ahead, moves) - band.along(behind, moves)
+        excess = band.along(here, driven) + turning / (2 * MOMENT * abs(self.drift))
+        self.tension = band.solved(here, here, excess)
+        return moves[self._order], (driven - band.reply(here, self.tension))[self._order]
 
     def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
         """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
@@ -366,7 +407,7 @@ class ExactJoints:
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
-            expected = _parabola([tension[i] for tension in past]) if past else 0.0
+            expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm[i]
             try:
                 impulse = rod.solve(length[i], guess, self.drift)
@@ -377,6 +418,8 @@ class ExactJoints:
 
     def _solve_together(self, until: float) -> Array:
         """Solve all equations at once; return the forces along them: (m,) [N]."""
+        if self._band and not self._fresh:
+            return self._solve_band(self._band, until)
         place, motion = self.coordinates()
         here = self.look(place)
         reply = here.gradient * self.inverse
@@ -388,6 +431,29 @@ class ExactJoints:
         self.refuse_gain(free, moved, -(self._warm + impulse) * (here.gradient @ (free + moved)))
         self._batch.set_velocity(moved[self._order])
         return (self._warm + impulse) / self.kick
+
+    def _solve_band(self, band: Banded, until: float) -> Array:
+        """Solve all equations as a band; return the forces along them: (m,) [N]."""
+        place, motion = self.coordinates()
+        here, length = band.look(place), self.lengths(until)
+        try:
+            impulse, moved, wrong = band.held(
+                place, motion, here, length, self._guess(), self.drift
+            )
+        except np.linalg.LinAlgError:
+            raise self.lost(0) from None
+        if not wrong.dot(wrong) <= QUADRATIC**2:
+            raise self.lost(int(np.argmax(np.abs(wrong))))
+        free = motion.values + band.reply(here, self._warm)
+        work = -(self._warm + impulse) * band.along(here, free + moved)
+        self.refuse_gain(free, moved, work)
+        self._batch.set_velocity(moved[self._order])
+        return (self._warm + impulse) / self.kick
+
+    def _guess(self) -> Array:
+        """Return the impulses that are still to be expected in this kick: (m,) [N s]."""
+        past = self._past[self.parts - 1 :: self.parts]
+        return (parabola(past) if past else self._cold) * self.kick - self._warm
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
         """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
@@ -475,9 +541,7 @@ class ExactJoints:
         self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
-        past = self._past[self.parts - 1 :: self.parts]
-        expected = _parabola(past) if past else self._cold
-        guess = expected * self.kick - self._warm
+        guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
             start = guess if slack is None else np.where(slack, -self._warm, guess)
@@ -606,7 +670,7 @@ def _coordinates(rows: Array) -> Coordinates:
     return Coordinates(values)
 
 
-def _parabola(past: list[Number]) -> Number:
+def parabola(past: list[Number]) -> Number:
     """Return what comes next: on the parabola through the last three, newest first, or fewer."""
     match past:
         case [last, before, first]:

@@ -25,6 +25,10 @@ told from a bead that has cut a corner, and would be wrong by some percent."""
 FINER = 4.0
 """How many times as many steps are advised to who turned by more."""
 
+REACH = 16
+"""The share of its pieces, one over it, by which a bead may go on in a step where its foot is
+looked for anew: nearer ends of a wire that comes back are none of its way."""
+
 SLACK = 1.0
 """Pieces, by which a bead may be over the end of a wire: one that starts there, and rounding."""
 
@@ -69,26 +73,46 @@ class WireEquation:
 
     def _foot(self, bead: complex) -> tuple[complex, complex]:
         """Return the nearest point of the wire, and the unit tangent there."""
-        at, before = self._last or (float(np.abs(self._nodes - bead).argmin()), None)
+        if self._last is None:
+            found = self._follow(bead, float(np.abs(self._nodes - bead).argmin()))
+        else:
+            found = self._follow(bead, self._last[0]) or self._follow(bead, self._near(bead))
+        if found is None:
+            reason = f"'{self.joint}' bends too sharply for a step of its bead"
+            raise JointFailure(self.joint, reason, FINER)
+        at, foot, tangent = found
+        self._check_end(at)
+        self._last = at, tangent
+        return foot, tangent
+
+    def _near(self, bead: complex) -> float:
+        """Return the node that is nearest, of those within reach of where it was [pieces]."""
+        assert self._last is not None
+        reach = self._curve.count // REACH
+        first = max(int(self._last[0]) - reach, 0)
+        return first + float(np.abs(self._nodes[first : first + 2 * reach] - bead).argmin())
+
+    def _follow(self, bead: complex, at: float) -> tuple[float, complex, complex] | None:
+        """Return the foot from a guess on: in pieces, the point, and the unit tangent there.
+
+        None if it is not found, or the wire has turned by too much since the last.
+        """
+        before = self._last and self._last[1]
         for _ in range(MAX_ITERATIONS):
             point, slope, bend = self._curve.at(at)
             away = point - bead
             steepness = abs(slope) ** 2 + (bend.conjugate() * away).real
             if not steepness > 0:  # beyond the centre of curvature
-                break
+                return None
             step = -(slope.conjugate() * away).real / steepness
             at += step
             if abs(step) < QUADRATIC:
                 foot = point + step * (slope + step * bend / 2)
                 tangent = slope + step * bend
                 tangent /= abs(tangent)
-                if before is not None and (before.conjugate() * tangent).real < TURN:
-                    break
-                self._check_end(at)
-                self._last = at, tangent
-                return foot, tangent
-        reason = f"'{self.joint}' bends too sharply for a step of its bead"
-        raise JointFailure(self.joint, reason, FINER)
+                turned = before is not None and (before.conjugate() * tangent).real < TURN
+                return None if turned else (at, foot, tangent)
+        return None
 
     def _check_end(self, at: float) -> None:
         curve = self._curve

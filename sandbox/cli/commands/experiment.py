@@ -1,0 +1,125 @@
+"""The command `experiment`."""
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from sandbox.cli.commands.options import DurationOption, RateOption, SchemeOption, SetOption
+
+
+def command(
+    subject: Annotated[
+        str,
+        typer.Argument(
+            metavar="LEVEL|EXPERIMENT",
+            help="A level, to be varied and measured as the options say; or without them an"
+            " experiment: the path of its file, or a name such as flip-map.",
+            show_default=False,
+        ),
+    ],
+    output: Annotated[
+        Path,
+        typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
+    ],
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=VALUES",
+            help="A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
+            " 0:90:91 or 1:1000:31:log, a list 1,2,5, or drawn from 0..1 or 1.00±0.01. Can be"
+            " repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    measure: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="MEASURE",
+            help="What is measured of each run, such as ball.position.x@end, t@landing,"
+            " ball.speed@apex, max(ball.speed) or error(range). Can be repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    set_: SetOption = None,
+    until: Annotated[
+        str | None,
+        typer.Option(
+            metavar="CONDITION",
+            help="A run ends where this holds, such as 'ball.position.y < 0'.",
+            show_default=False,
+        ),
+    ] = None,
+    draws: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="How many times is drawn.", show_default=False),
+    ] = None,
+    method: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="How is drawn: random, latin-hypercube, sobol or sobol-indices.",
+            show_default=False,
+        ),
+    ] = None,
+    seed: Annotated[
+        int | None,
+        typer.Option(metavar="N", help="Another number, other draws.", show_default=False),
+    ] = None,
+    duration: DurationOption = None,
+    rate: RateOption = None,
+    scheme: SchemeOption = None,
+    jobs: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="Processes that share the runs; one a core if left out.",
+            show_default=False,
+        ),
+    ] = None,
+    cluster: Annotated[
+        str | None,
+        typer.Option(
+            metavar="ADDRESS",
+            help="Run on the Dask cluster of this scheduler: tcp://127.0.0.1:8786.",
+            show_default=False,
+        ),
+    ] = None,
+    fit_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fit",
+            metavar="NAME",
+            help="In place of an experiment, find this parameter of the level from --data, with"
+            " its uncertainty. Can be repeated.",
+            show_default=False,
+        ),
+    ] = None,
+    data: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv",
+            help="What was measured: a column t [s], and columns called as quantities, such as"
+            " bob.position.x; 'bob.position.x ±' has their standard uncertainties.",
+            show_default=False,
+        ),
+    ] = None,
+) -> None:
+    """Run a level many times, over a grid or over draws of its parameters, and measure each run.
+
+    The folder receives results.parquet with a row for each run, report.html with pictures of it,
+    and experiment.json with all that is needed to run it again. An experiment that was ended goes
+    on where it was when it is given once more.
+    """
+    from sandbox.cli.experiment import Asked, experiment, fit
+
+    others = {
+        "until": until, "draws": draws, "method": method, "seed": seed,
+        "duration": duration, "rate": rate, "scheme": scheme,
+    }  # fmt: skip
+    given = {name: value for name, value in others.items() if value is not None}
+    asked = Asked(subject, vary or [], measure or [], set_ or [], given)
+    if fit_ or data:
+        fit(asked, fit_ or [], data, output)
+    else:
+        experiment(asked, output, jobs, cluster)

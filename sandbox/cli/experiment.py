@@ -1,0 +1,169 @@
+"""`experiment`: many runs of a level, measured, kept and drawn."""
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+from sandbox.cli import usage
+from sandbox.cli.accuracy import Choice, settled
+from sandbox.cli.usage import UsageError
+from sandbox.extras import needed_for
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.loading import choose
+from sandbox.model.parts import Fault
+
+if TYPE_CHECKING:
+    from sandbox.experiments.executors import Executor
+    from sandbox.experiments.plan import Plan
+
+
+class Asked(NamedTuple):
+    """What was typed."""
+
+    argument: str
+    vary: Sequence[str]
+    measure: Sequence[str]
+    set: Sequence[str]
+    others: Mapping[str, Any]
+    """draws, method, seed, duration, until, rate and scheme, as far as they are given"""
+
+
+def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None) -> None:
+    """Run an experiment, keep it in a folder, and write its page."""
+    if jobs is not None and not 1 <= jobs <= 1024:
+        raise UsageError(f"--jobs {jobs}: must be from 1 to 1024")
+    if jobs is not None and address is not None:
+        raise UsageError("--jobs and --cluster: the cluster's workers say how many there are")
+    with needed_for("an experiment", "experiment"):
+        from sandbox.experiments import report
+        from sandbox.experiments.conduct import conduct
+        from sandbox.experiments.storage import Store
+    plan = _plan(asked)
+    store = Store(usage.output_folder(output), plan)
+    missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
+    done, began = 0, perf_counter()
+    if missing < plan.runs:
+        typer.echo(f"{output}: {plan.runs - missing:,} of {plan.runs:,} runs are done already")
+    try:
+        with _executor(jobs, address, missing) as executor, _progress(missing) as bar:
+
+            def tell(rows: int) -> None:
+                nonlocal done
+                done = rows
+                bar(rows)
+
+            conduct(plan, store, executor, tell)
+    except SandboxError as error:
+        kept = plan.runs - missing + done
+        hint = f"; {kept:,} of {plan.runs:,} runs are kept, and the same command goes on from there"
+        raise type(error)(f"{error}{hint}") if type(error) is SandboxError else error from error
+    seconds = perf_counter() - began
+    typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
+    page = report.write(plan, store.results, output)
+    for line in page.told:
+        typer.echo(line)
+    typer.echo(f"{page.path}: the page of it")
+
+
+def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> None:
+    """Fit parameters of a level to measured data, and write what was found."""
+    if asked.vary or asked.measure or set(asked.others) - {"rate", "scheme"}:
+        raise UsageError("--fit: nothing is varied, drawn or measured beside it")
+    if not names or data is None:
+        raise UsageError(
+            "--fit NAME and --data FILE.csv: both are needed, what to find and from what"
+        )
+    with needed_for("a fit", "experiment"):
+        from sandbox.experiments import data as measured
+        from sandbox.experiments import fit_report
+        from sandbox.experiments.fitting import fit
+    source, level = usage.open_level(asked.argument)
+    values = choose(level, usage.settings(asked.set))
+    choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))
+    stepping = settled(level, values, choice)
+    folder = usage.output_folder(output)
+    found_data = measured.read(data, level)
+    with Console(stderr=True).status(f"Fitting {source} ..."):
+        found = fit(level, values, names, found_data, stepping)
+    page = fit_report.write(level, source, found_data, found, folder)
+    for parameter in found.parameters:
+        bound = ": the end of the level's range" if parameter.bound else ""
+        typer.echo(f"{parameter.name} = {fit_report.said(parameter)}{bound}")
+    typer.echo(f"{page}: the page of it")
+
+
+def _plan(asked: Asked) -> "Plan":
+    from sandbox.experiments import catalog
+    from sandbox.experiments.document import made
+    from sandbox.experiments.plan import make
+
+    if not (asked.vary or asked.measure):
+        if asked.set or asked.others:
+            raise UsageError(
+                "an experiment's file says all of it: --vary and --measure make one of a level"
+            )
+        return catalog.open_plan(catalog.find(asked.argument))
+    source, level = usage.open_level(asked.argument)
+    given = {
+        "level": source,
+        "vary": _pairs(asked.vary),
+        "measure": list(asked.measure),
+        "set": usage.settings(asked.set),
+        **asked.others,
+    }
+    found, faults = made(given)
+    if found:
+        plan, faults = make(found, source, level)
+        if not faults:
+            return plan
+    raise UsageError("\n".join(_told(fault, given) for fault in faults))
+
+
+def _pairs(texts: Sequence[str]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for text in texts:
+        name, equals, values = (part.strip() for part in text.partition("="))
+        if not equals or not name:
+            raise UsageError(f"--vary {brief(text)}: must be NAME=VALUES, such as angle=5:85:81")
+        if name in found:
+            raise UsageError(f"--vary {brief(text)}: '{brief(name)}' is varied twice")
+        found[name] = values
+    return found
+
+
+def _told(fault: Fault, given: Mapping[str, object]) -> str:
+    """Say a fault at the option that it is in."""
+    name, *inside = fault.path or ("vary",)
+    where = f"--{name}"
+    part = given.get(str(name))
+    if inside and isinstance(part, dict) and inside[0] in part:
+        where += f" {inside[0]}={brief(str(part[str(inside[0])]))}"
+    elif inside and isinstance(part, list) and isinstance(inside[0], int):
+        where += f" {brief(str(part[inside[0]]))}"
+    return f"{where}: {fault.rule}"
+
+
+@contextmanager
+def _executor(jobs: int | None, address: str | None, runs: int) -> Iterator["Executor"]:
+    from sandbox.experiments.executors import cluster, local
+
+    if address is None or not runs:
+        yield local(min(jobs or os.cpu_count() or 1, max(runs, 1)))
+    else:
+        with cluster(address) as found:
+            yield found
+
+
+@contextmanager
+def _progress(runs: int) -> "Iterator[Callable[[int], None]]":
+    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=runs)
+        yield lambda rows: bar.update(task, completed=rows)

@@ -1,0 +1,137 @@
+"""What the rows of an experiment say: distributions, errors, and what an outcome depends on."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from sandbox.experiments import results
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.results import Results
+from sandbox.experiments.table import error
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Array
+
+QUANTILES = (0.025, 0.5, 0.975)
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """The distribution of an outcome, over the rows that are looked at.
+
+    Attributes
+    ----------
+    measure, unit
+        What was measured.
+    count, missing
+        In how many rows there is a number, and in how many there is none.
+    mean, deviation, least, most
+        Of the numbers; not numbers where there are none.
+    quantiles
+        Below which 2.5 %, half and 97.5 % of them lie.
+    error
+        The largest error against the closed form; None if it has none.
+    """
+
+    measure: str
+    unit: str
+    count: int
+    missing: int
+    mean: float
+    deviation: float
+    least: float
+    most: float
+    quantiles: tuple[float, ...]
+    error: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Sensitivity:
+    """Sobol's indices of an outcome: which share of its variance comes from what is drawn.
+
+    Attributes
+    ----------
+    measure
+        The outcome.
+    names
+        (d,), what is drawn.
+    first, total
+        (d,), from each by itself, and together with all others.
+    first_error, total_error
+        (d,), their standard errors, from resampled rows.
+    """
+
+    measure: str
+    names: tuple[str, ...]
+    first: Array
+    total: Array
+    first_error: Array
+    total_error: Array
+
+
+def summaries(plan: Plan, found: Results) -> list[Summary]:
+    """Return the distribution of each measure."""
+    return [_summary(found, m.text, m.unit) for m in plan.measures]
+
+
+def _summary(found: Results, measure: str, unit: str) -> Summary:
+    column = found.number(measure)
+    known = column[np.isfinite(column)]
+    quantiles = tuple(np.quantile(known, QUANTILES).tolist()) if len(known) else (np.nan,) * 3
+    worst = None
+    if error(measure) in found.columns:
+        errors = found.number(error(measure))
+        errors = errors[np.isfinite(errors)]
+        worst = float(errors.max()) if len(errors) else None
+    numbers = (known.mean(), known.std(ddof=1), known.min(), known.max()) if len(known) > 1 else ()
+    mean, deviation, least, most = map(
+        float, numbers or (known.sum() if len(known) else np.nan,) * 4
+    )
+    missing = len(column) - len(known)
+    return Summary(
+        measure, unit, len(known), missing, mean, deviation if numbers else np.nan, least, most,
+        quantiles, worst,
+    )  # fmt: skip
+
+
+def sensitivities(plan: Plan, path: Path) -> list[Sensitivity]:
+    """Return Sobol's indices of each measure, from the rows of Saltelli's scheme.
+
+    Raises
+    ------
+    SandboxError
+        If a row has no number: without it there are no indices.
+    """
+    names = tuple(plan.drawn)
+    texts = [measure.text for measure in plan.measures]
+    found = results.read(path, texts)
+    if found.runs != len(found.numbers):
+        raise SandboxError(f"Sobol's indices are computed of at most {results.MOST:,} runs")
+    return [sensitivity(text, found.number(text), names) for text in texts]
+
+
+def sensitivity(measure: str, column: Array, names: Sequence[str]) -> Sensitivity:
+    """Return Sobol's indices of an outcome, (R,), from the rows of Saltelli's scheme.
+
+    Raises
+    ------
+    SandboxError
+        If a row has no number, or all have the same.
+    """
+    from scipy.stats import sobol_indices
+
+    if missing := int((~np.isfinite(column)).sum()):
+        raise SandboxError(f"'{measure}' has no number in {missing:,} runs: no indices without it")
+    rows = column.reshape(-1, len(names) + 2)
+    if not rows.std():
+        raise SandboxError(f"'{measure}' is the same in all runs: nothing to attribute")
+    parts = {"f_A": rows[:, :1].T, "f_B": rows[:, 1:2].T, "f_AB": rows[:, 2:].T[:, None]}
+    indices = sobol_indices(func=parts, n=len(rows), rng=np.random.default_rng(0))
+    spread = indices.bootstrap(confidence_level=0.95, n_resamples=200)
+    errors = (
+        np.ravel(order.confidence_interval.high - order.confidence_interval.low) / (2 * 1.96)
+        for order in (spread.first_order, spread.total_order)
+    )
+    first, total = np.ravel(indices.first_order), np.ravel(indices.total_order)
+    return Sensitivity(measure, tuple(names), first, total, *errors)

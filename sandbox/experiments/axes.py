@@ -1,0 +1,208 @@
+"""What is varied: the values of a grid, or a distribution from which values are drawn.
+
+0:90:91          a grid: from, to, and how many values
+1:1000:31:log    the same with equal ratios
+1, 2, 5          these values
+0..1             drawn, all of them as likely as each other
+1..100:log       the same for their logarithms
+1.00±0.01        drawn from the normal distribution: mean and standard deviation (or 1.00+-0.01)
+"""
+
+import re
+from dataclasses import dataclass
+from math import exp, isfinite, log
+from typing import Literal, TypeVar
+
+import numpy as np
+
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Array
+
+MOST_LISTED = 10_000
+"""How many values may be listed one by one."""
+
+FORMS = (
+    "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log"
+    " or MEAN±SD"
+)
+
+Scale = Literal["linear", "log"]
+
+
+class AxisError(ValueError):
+    """A text that says no values; its own is fit to be shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Values from one to another, at equal distances or with equal ratios."""
+
+    low: float
+    high: float
+    count: int
+    scale: Scale = "linear"
+
+    def at(self, index: int) -> float:
+        """Return one of the values, from 0."""
+        if index in (0, self.count - 1):
+            return self.high if index else self.low
+        share = index / (self.count - 1)
+        if self.scale == "log":
+            return self.low * (self.high / self.low) ** share
+        return self.low + (self.high - self.low) * share
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The first and the last value."""
+        return self.low, self.high
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """Values one by one: numbers or names."""
+
+    values: tuple[float, ...] | tuple[str, ...]
+
+    @property
+    def count(self) -> int:
+        """How many they are."""
+        return len(self.values)
+
+    def at(self, index: int) -> float | str:
+        """Return one of the values, from 0."""
+        return self.values[index]
+
+
+@dataclass(frozen=True, slots=True)
+class Uniform:
+    """Values of which each is as likely as any other, or their logarithms are."""
+
+    low: float
+    high: float
+    scale: Scale = "linear"
+
+    def drawn(self, share: Array) -> Array:
+        """Return the values below which shares of all lie."""
+        if self.scale == "log":
+            low, high = log(self.low), log(self.high)
+            return np.array([exp(low + (high - low) * s) for s in share.tolist()])
+        return self.low + (self.high - self.low) * share
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """The smallest and the largest value."""
+        return self.low, self.high
+
+
+@dataclass(frozen=True, slots=True)
+class Normal:
+    """Values with a normal distribution, as those of a measured one with its uncertainty."""
+
+    mean: float
+    deviation: float
+
+    def drawn(self, share: Array) -> Array:
+        """Return the values below which shares of all lie."""
+        from scipy.special import ndtri
+
+        return np.asarray(self.mean + self.deviation * ndtri(share))
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Values that are not rare."""
+        return self.mean - self.deviation, self.mean + self.deviation
+
+
+Drawn = Uniform | Normal
+Axis = Grid | Listed | Drawn
+Range = TypeVar("Range", Grid, Uniform)
+
+
+def parse(text: str) -> Axis:
+    """Return what a text says of the values of a number.
+
+    Raises
+    ------
+    AxisError
+        If it says nothing of the kind.
+    """
+    text = text.strip()
+    for sign in ("±", "+-"):
+        if sign in text:
+            mean, _, deviation = text.partition(sign)
+            return _normal(_number(mean), _number(deviation))
+    if ".." in text:
+        ends, _, scale = text.partition(":")
+        low, _, high = ends.partition("..")
+        return _checked(Uniform(_number(low), _number(high), _scale(scale)))
+    if ":" in text:
+        return _grid(text.split(":"))
+    return Listed(tuple(map(_number, _items(text))))
+
+
+def parse_names(text: str) -> Listed:
+    """Return what a text lists of names.
+
+    Raises
+    ------
+    AxisError
+        If it lists none.
+    """
+    return Listed(tuple(_items(text)))
+
+
+def _items(text: str) -> list[str]:
+    items = [item.strip() for item in text.split(",")]
+    if not all(items):
+        raise AxisError(f"is an empty grid: {FORMS}" if not text else "has nothing before a comma")
+    if len(items) > MOST_LISTED:
+        raise AxisError(f"lists {len(items):,} values; {MOST_LISTED:,} are the most")
+    if twice := next((item for item in items if items.count(item) > 1), None):
+        raise AxisError(f"lists '{brief(twice)}' twice")
+    return items
+
+
+def _grid(parts: list[str]) -> Grid:
+    if len(parts) not in (3, 4):
+        raise AxisError(FORMS)
+    low, high, count = (_number(part) for part in parts[:3])
+    if count != int(count):
+        raise AxisError(f"{count:g} is not a number of values")
+    if count < 1:
+        raise AxisError(f"is an empty grid: {count:g} values")
+    if count == 1 and low != high:
+        raise AxisError("has one value only, but two ends")
+    if count > 1 and low == high:
+        raise AxisError(f"has {count:g} values, which are all {low:g}")
+    return _checked(Grid(low, high, int(count), _scale(parts[3] if len(parts) > 3 else "")))
+
+
+def _checked(axis: Range) -> Range:
+    if axis.scale == "log" and min(axis.low, axis.high) <= 0:
+        raise AxisError("a logarithmic range begins and ends above 0")
+    if isinstance(axis, Uniform) and not axis.low < axis.high:
+        raise AxisError("must begin below its end")
+    return axis
+
+
+def _normal(mean: float, deviation: float) -> Normal:
+    if deviation <= 0:
+        raise AxisError(f"has the standard deviation {deviation:g}, which must be above 0")
+    return Normal(mean, deviation)
+
+
+def _scale(text: str) -> Scale:
+    if text.strip() in ("", "linear"):
+        return "linear"
+    if text.strip() == "log":
+        return "log"
+    raise AxisError(f"'{brief(text)}' is no scale; known: linear, log")
+
+
+def _number(text: str) -> float:
+    if not re.fullmatch(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*", text):
+        raise AxisError(f"'{brief(text.strip())}' is not a number; {FORMS}")
+    value = float(text)
+    if not isfinite(value):
+        raise AxisError(f"'{brief(text.strip())}' is too large a number")
+    return value

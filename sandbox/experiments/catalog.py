@@ -1,0 +1,71 @@
+"""The experiments that come with the project: one JSON file each, beside the levels."""
+
+from pathlib import Path
+
+from sandbox.experiments.document import Experiment, read
+from sandbox.experiments.plan import Plan, make
+from sandbox.model import catalog
+from sandbox.model.document import refuse
+from sandbox.model.errors import LevelError, brief
+from sandbox.model.loading import load
+from sandbox.model.parts import Fault
+from sandbox.model.suggest import suggestion
+
+SCHEMA = "experiment.schema.json"
+
+
+def root() -> Path:
+    """Return their folder: inside an installed package, beside the levels in a checkout."""
+    installed = Path(__file__).resolve().parent / "shipped"
+    return installed if installed.is_dir() else catalog.root().parent / "experiments"
+
+
+def names() -> list[str]:
+    """Return the names of all, such as `flip-map`."""
+    return sorted(path.stem for path in root().glob("*.json") if path.name != SCHEMA)
+
+
+def find(experiment: str) -> Path:
+    """Return the file of an experiment: a path, or one of `names`.
+
+    Raises
+    ------
+    LevelError
+        If there is none; the message says what was probably meant.
+    """
+    if experiment in names():
+        return root() / f"{experiment}.json"
+    path = Path(experiment)
+    if not experiment.endswith(".json"):
+        refuse(brief(experiment), f"is no experiment{suggestion(experiment, names(), most=20)}")
+    if not path.is_file():
+        refuse(brief(experiment), "there is no such file")
+    return path
+
+
+def open_plan(path: Path) -> Plan:
+    """Return the plan of an experiment's file.
+
+    Raises
+    ------
+    LevelError
+        If it has mistakes: all of them, with their places.
+    """
+    experiment, document = read(path)
+    try:
+        source, level = _level(experiment, path.parent)
+    except LevelError as error:
+        document.refuse(Fault(("level",), str(mistake)) for mistake in error.mistakes)
+    plan, faults = make(experiment, source, load(level))
+    if faults:
+        document.refuse(faults)
+    return plan
+
+
+def _level(experiment: Experiment, folder: Path) -> tuple[str, Path]:
+    """Return what the level is called, and its file, which may stand beside the experiment's."""
+    beside = folder / experiment.level
+    path = beside if beside.is_file() else catalog.find(experiment.level)
+    if path.resolve().parent.parent == catalog.root():
+        return f"{path.parent.name}/{path.stem}", path
+    return experiment.level, path

@@ -1,0 +1,126 @@
+"""What was measured outside: a CSV file of quantities over the time."""
+
+import csv
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+
+import numpy as np
+
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expressions import Array
+from sandbox.model.files import read_ordinary
+from sandbox.model.level import Level
+from sandbox.model.quantities import QuantityError, quantity
+
+MAX_BYTES = 10_000_000
+SIGN = "±"
+
+
+class DataError(SandboxError):
+    """A file of data that cannot be used."""
+
+
+@dataclass(frozen=True, slots=True)
+class Data:
+    """Measured quantities; N times.
+
+    Attributes
+    ----------
+    t
+        (N,), the times [s].
+    columns
+        (N,) each, what was measured, in SI; not a number where it was not.
+    uncertainties
+        (N,) each, their standard uncertainties, where these are known.
+    """
+
+    t: Array
+    columns: Mapping[str, Array]
+    uncertainties: Mapping[str, Array]
+
+    @property
+    def count(self) -> int:
+        """How many numbers were measured."""
+        return sum(int(np.isfinite(column).sum()) for column in self.columns.values())
+
+
+def read(path: Path, level: Level) -> Data:
+    """Read a CSV file: a column `t`, and columns that are called as quantities of a level.
+
+    What is called as a quantity with a ± behind it holds its standard uncertainties. Lines that
+    begin with # say nothing.
+
+    Raises
+    ------
+    DataError
+        If it cannot be used; the message says where and why.
+    """
+    try:
+        content = read_ordinary(path, MAX_BYTES)
+    except OSError as error:
+        raise DataError(f"{path}: cannot be read: {error.strerror or error}") from error
+    if content is None:
+        told = f"is no ordinary file, or larger than {MAX_BYTES // 10**6} MB"
+        raise DataError(f"{path}: {told}")
+    try:
+        lines = content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError as error:
+        raise DataError(f"{path}: is not UTF-8 text") from error
+    numbered = [(i, line) for i, line in enumerate(lines, 1) if line.strip() and line[0] != "#"]
+    if len(numbered) < 2:
+        raise DataError(f"{path}: holds no rows below a header, such as t,ball.position.y")
+    names = [name.strip() for name in next(csv.reader([numbered[0][1]]))]
+    where = f"{path}:{numbered[0][0]}"
+    _check_names(names, level, where)
+    rows = np.array(list(_rows(numbered[1:], names, str(path))))
+    columns = dict(zip(names, rows.T, strict=True))
+    t = columns.pop("t")
+    if not np.isfinite(t).all() or t.min() < 0 or not t.max() > 0:
+        raise DataError(f"{path}: times are in seconds from the start of the run: 0 and later")
+    return Data(
+        t,
+        {name: column for name, column in columns.items() if not name.endswith(SIGN)},
+        {n.removesuffix(SIGN).strip(): c for n, c in columns.items() if n.endswith(SIGN)},
+    )
+
+
+def _check_names(names: list[str], level: Level, where: str) -> None:
+    if "t" not in names:
+        raise DataError(f"{where}: no column is called 't', the time in seconds")
+    if len(set(names)) < len(names):
+        raise DataError(f"{where}: two columns have the same name")
+    measured = [name.removesuffix(SIGN).strip() for name in names if name != "t"]
+    for name in measured:
+        try:
+            quantity(name, level)
+        except QuantityError as error:
+            raise DataError(f"{where}: {error}") from error
+        if name not in names:
+            raise DataError(f"{where}: there are uncertainties of '{name}', but no '{name}'")
+    if not measured:
+        raise DataError(f"{where}: no column holds a quantity of the level")
+
+
+def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterator[list[float]]:
+    for number, line in lines:
+        cells = next(csv.reader([line]))
+        if len(cells) != len(names):
+            told = f"has {len(cells)} cells, but the header {len(names)}"
+            raise DataError(f"{source}:{number}: {told}")
+        yield [_number(c, n, f"{source}:{number}") for c, n in zip(cells, names, strict=True)]
+
+
+def _number(cell: str, name: str, where: str) -> float:
+    if not cell.strip() and name != "t":
+        return float("nan")
+    try:
+        value = float(cell)
+    except ValueError:
+        raise DataError(f"{where}: '{brief(cell)}' is not a number") from None
+    if not isfinite(value):
+        raise DataError(f"{where}: '{brief(cell)}' is not a finite number")
+    if name.endswith(SIGN) and value <= 0:
+        raise DataError(f"{where}: an uncertainty of {value:g}; it must be above 0")
+    return value

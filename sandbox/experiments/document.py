@@ -1,0 +1,128 @@
+"""The format of an experiment: what its JSON file may say, and how a file is read.
+
+The texts of `vary` and `measure` are those of the command line, which makes the same experiment.
+"""
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationError
+from pydantic_core import ErrorDetails
+
+from sandbox.experiments.draws import Method
+from sandbox.model import wording
+from sandbox.model.base import Model
+from sandbox.model.document import Document, refuse
+from sandbox.model.errors import brief
+from sandbox.model.expressions import MAX_LENGTH
+from sandbox.model.files import read_ordinary
+from sandbox.model.level import Finite, Name
+from sandbox.model.parts import Fault
+from sandbox.model.suggest import suggestion
+
+MAX_BYTES = 1_000_000
+"""The largest file that is read."""
+
+Text = Annotated[str, Field(min_length=1, max_length=MAX_LENGTH)]
+
+
+class Experiment(Model):
+    """Runs of a level over what is varied, and what is measured of each."""
+
+    schema_: Annotated[str | None, Field(alias="$schema")] = None
+    """where an editor finds the JSON Schema of the format"""
+    format: Literal[1] = 1
+    """the version of the format"""
+    title: Annotated[str, Field(max_length=80)] = ""
+    """as it stands above the report; the level's own if left out"""
+    summary: Annotated[str, Field(max_length=2000)] = ""
+    """what it shows, in a few sentences"""
+    level: Text
+    """a level's name, such as `newton/atwood`, or the path of its file, from this one"""
+    vary: Annotated[Mapping[Name, Annotated[str, Field(max_length=100_000)]], Field(max_length=20)]
+    """what is varied, and over what: a parameter of the level, `without` (names of effects, or
+    `none`, joined by +), `scheme` or `rate`. `0:90:91` is a grid from 0 to 90 of 91 values,
+    `1:1000:31:log` one with equal ratios, `1, 2, 5` lists values, `0..1` and `1..100:log` are drawn
+    from between, and `1.00±0.01` from a normal distribution"""
+    measure: Annotated[tuple[Text, ...], Field(min_length=1, max_length=50)]
+    """what is measured of each run: `QUANTITY@end`, `@TIME`, `@landing(BODY)`, `@apex(BODY)`,
+    `@contact(BODY, BODY)`, `@crossing(QUANTITY, VALUE, up)` or `@until`; `min`, `max`, `largest`,
+    `amplitude`, `mean` or `integral` of `(QUANTITY)`; `error(CHECK)`. A quantity may be arithmetic
+    over several"""
+    set: Mapping[Name, Finite] = {}
+    """parameters that have other values than the level's own"""
+    draws: Annotated[int, Field(ge=1, le=10**9)] | None = None
+    """how many times is drawn at each point of the grid; of `sobol-indices` how many base points"""
+    method: Method = "random"
+    """how is drawn: independently, as a Latin hypercube, from Sobol's sequence, or in the scheme
+    from which Sobol's indices of sensitivity are computed"""
+    seed: Annotated[int, Field(ge=0, le=2**32 - 1)] = 0
+    """another number, other draws"""
+    duration: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
+    """s, how long each run lasts; as the level says if left out"""
+    until: Text | None = None
+    """a condition over quantities, such as `ball.position.y < 0`: a run ends at the first step at
+    which it holds"""
+    rate: Annotated[float, Field(ge=1, le=100_000)] | None = None
+    """Hz, steps a second; as the level says if left out"""
+    scheme: Text | None = None
+    """how a step is taken; as the level says if left out"""
+
+
+def load(path: Path) -> Experiment:
+    """Read an experiment from a JSON file.
+
+    Raises
+    ------
+    LevelError
+        If it cannot be read, or has mistakes: all of them.
+    """
+    return read(path)[0]
+
+
+def read(path: Path) -> tuple[Experiment, Document]:
+    """Return an experiment and its text, in which mistakes have their places; see `load`."""
+    source = str(path)
+    try:
+        content = read_ordinary(path, MAX_BYTES)
+        if content is None:
+            refuse(source, f"is no ordinary file, or larger than {MAX_BYTES // 1000} kB")
+        text = content.decode("utf-8-sig")
+    except OSError as error:
+        refuse(source, f"cannot be read: {error.strerror or error}")
+    except UnicodeDecodeError:
+        refuse(source, "is not UTF-8 text")
+    document = Document(text, source)
+    data = document.read()
+    try:
+        return Experiment.model_validate_json(text), document
+    except ValidationError as error:
+        document.refuse(_faults(error, document, data))
+
+
+def made(given: Mapping[str, object]) -> tuple[Experiment | None, list[Fault]]:
+    """Return the experiment that was put together elsewhere, or all that is wrong with it."""
+    try:
+        return Experiment.model_validate_json(json.dumps(given)), []
+    except ValidationError as error:
+        return None, list(_faults(error, None, given))
+
+
+def _faults(error: ValidationError, document: Document | None, data: Any) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
+    if not isinstance(data, dict):
+        yield Fault((), "must be an object, {...}")
+        return
+    for detail in error.errors(include_url=False):
+        known = document.values if document else {detail["loc"][:1]: None}
+        path = wording.path_of(detail, known)
+        yield Fault(path, _rule(detail, path))
+
+
+def _rule(detail: ErrorDetails, path: tuple[str | int, ...]) -> str:
+    if detail["type"] == "extra_forbidden":
+        keys = [f.alias or name for name, f in Experiment.model_fields.items()]
+        name = str(detail["loc"][-1])
+        return f"unknown key '{brief(name)}'{suggestion(name, keys, most=len(keys))}"
+    return wording.rule(detail, path)

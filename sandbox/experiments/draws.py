@@ -1,0 +1,101 @@
+"""Points of the unit cube, which draws are made of: the same for the same row, wherever it is run.
+
+Each comes in blocks of its own seed, so that no row needs those before it. Those of a Latin
+hypercube alone hang together: there are at most a million of them.
+"""
+
+import warnings
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+
+Method = Literal["random", "latin-hypercube", "sobol", "sobol-indices"]
+
+BLOCK = 1024
+"""How many points are made together."""
+
+MOST_IN_A_HYPERCUBE = 1_000_000
+
+
+def points(method: Method, seed: int, dimensions: int, count: int, start: int, stop: int) -> Array:
+    """Return some of the points: (stop − start, dimensions), each number above 0 and below 1.
+
+    Parameters
+    ----------
+    method
+        `random`: independent of each other. `latin-hypercube`: in each dimension one in each of as
+        many equal parts as there are points. `sobol`: of low discrepancy, scrambled (A. B. Owen,
+        1998). `sobol-indices`: rows of Saltelli's scheme for sensitivities, made of the same.
+    seed
+        For other points another number.
+    dimensions, count
+        How many numbers a point has, and how many points there are.
+    start, stop
+        Which points, from 0.
+    """
+    if method == "sobol-indices":
+        return _saltelli(seed, dimensions, start, stop)
+    if method == "latin-hypercube":
+        return _hypercube(seed, dimensions, count)[start:stop]
+    make = _random if method == "random" else _sobol
+    return _from_blocks(make, seed, dimensions, start, stop)
+
+
+def _from_blocks(
+    make: Callable[[int, int, int], Array], seed: int, dimensions: int, start: int, stop: int
+) -> Array:
+    first, last = start // BLOCK, -(-stop // BLOCK)
+    blocks = [make(seed, dimensions, block) for block in range(first, last)]
+    if not blocks:
+        return np.empty((0, dimensions))
+    return np.concatenate(blocks)[start - first * BLOCK : stop - first * BLOCK]
+
+
+@lru_cache(maxsize=4)
+def _random(seed: int, dimensions: int, block: int) -> Array:
+    generator = np.random.Generator(np.random.PCG64(np.random.SeedSequence((seed, block))))
+    return _inside(generator.random((BLOCK, dimensions)))
+
+
+@lru_cache(maxsize=4)
+def _sobol(seed: int, dimensions: int, block: int) -> Array:
+    from scipy.stats import qmc
+
+    sequence = qmc.Sobol(dimensions, scramble=True, rng=np.random.default_rng(seed))
+    if block:
+        sequence.fast_forward(block * BLOCK)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # a block is a power of two in any case
+        return _inside(sequence.random(BLOCK))
+
+
+@lru_cache(maxsize=1)
+def _hypercube(seed: int, dimensions: int, count: int) -> Array:
+    from scipy.stats import qmc
+
+    return _inside(qmc.LatinHypercube(dimensions, rng=np.random.default_rng(seed)).random(count))
+
+
+def _saltelli(seed: int, dimensions: int, start: int, stop: int) -> Array:
+    """Return rows of the scheme: for each point of twice the dimensions A, B, and A with one of B.
+
+    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259.
+    """
+    width = dimensions + 2
+    first, last = start // width, -(-stop // width)
+    both = _from_blocks(_sobol, seed, 2 * dimensions, first, last)
+    a, b = both[:, :dimensions], both[:, dimensions:]
+    rows = np.repeat(a[:, None], width, axis=1)
+    rows[:, 1] = b
+    for i in range(dimensions):
+        rows[:, 2 + i, i] = b[:, i]
+    return rows.reshape(-1, dimensions)[start - first * width : stop - first * width]
+
+
+def _inside(shares: Array) -> Array:
+    """Keep shares from 0 and 1, where a normal distribution has no value."""
+    return np.clip(shares, 2.0**-53, 1 - 2.0**-53)

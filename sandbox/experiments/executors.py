@@ -1,0 +1,170 @@
+"""Where an experiment runs: the cores of this machine, or a cluster of several; the same bits.
+
+Dask's part is imported where a cluster is asked for.
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager, suppress
+from itertools import islice
+from typing import TYPE_CHECKING, Protocol, TypeVar
+
+from sandbox import __version__
+from sandbox.extras import needed_for
+from sandbox.model.errors import SandboxError, brief
+from sandbox.processes import AHEAD, spread
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+PATIENCE = 10
+"""s, how long a scheduler may take to answer."""
+
+
+class Executor(Protocol):
+    """What does work somewhere."""
+
+    @property
+    def jobs(self) -> int:
+        """How much is worked on at a time."""
+        ...
+
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+        """Yield what comes of each item, as it comes.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot go on.
+        """
+        ...
+
+
+class Here:
+    """The process itself, which does one thing after the other."""
+
+    jobs = 1
+
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+        """Yield what comes of each item, one after the other."""
+        return map(work, items)
+
+
+class Cores:
+    """Processes on this machine, of which none outlives this one."""
+
+    def __init__(self, jobs: int) -> None:
+        self.jobs = jobs
+
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+        """Yield what comes of each item, as it comes."""
+        try:
+            for _, result in spread(work, items, self.jobs):
+                yield result
+        except BrokenProcessPool as error:
+            raise SandboxError(
+                "one of the processes that worked on it was ended from outside, perhaps for want"
+                " of memory"
+            ) from error
+
+
+class Cluster:
+    """The workers of a Dask cluster; made by `cluster`."""
+
+    def __init__(self, client: "Client", address: str) -> None:
+        self._client, self._address = client, address
+        self.jobs = sum(client.nthreads().values())
+        if not self.jobs:
+            raise SandboxError(
+                f"the cluster at {address} has no workers: start some with 'dask worker {address}'"
+            )
+        self._refuse_others()
+
+    def results(self, work: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+        """Yield what comes of each item, as it comes; a worker that is lost is replaced."""
+        from distributed import as_completed
+
+        coming = iter(items)
+        first = [self._submit(work, item) for item in islice(coming, AHEAD * self.jobs)]
+        waiting = as_completed(first, loop=self._client.loop)
+        try:
+            for future in waiting:
+                yield future.result()
+                future.release()
+                for item in islice(coming, 1):
+                    waiting.add(self._submit(work, item))
+        except SandboxError:
+            raise
+        except Exception as error:
+            what = brief(" ".join(f"{error}".split()) or type(error).__name__, 200)
+            raise SandboxError(f"the cluster at {self._address} has failed: {what}") from error
+
+    def _submit(self, work: Callable[[Item], Result], item: Item) -> object:
+        return self._client.submit(work, item, pure=False)
+
+    def _refuse_others(self) -> None:
+        """Refuse workers of another version: they would come to other bits."""
+        try:
+            found = self._client.run(_versions)
+        except Exception as error:
+            raise SandboxError(
+                f"a worker of the cluster at {self._address} lacks the sandbox, or something that"
+                f" it needs ({brief(str(error))}); install the same version there:"
+                " python -m pip install 'mechanics-sandbox[cluster]'"
+            ) from error
+        for worker, versions in found.items():
+            for name, there in versions.items():
+                if there != (here := _versions()[name]):
+                    raise SandboxError(
+                        f"the worker {worker} has {name} {there}, but this machine {here}: with"
+                        " different versions rows would not be the same to the last bit"
+                    )
+
+
+def _versions() -> dict[str, str]:
+    import platform
+    from importlib.metadata import version
+
+    packages = {name: version(name) for name in ("numpy", "pymunk", "scipy")}
+    return {"sandbox": __version__, "python": platform.python_version(), **packages}
+
+
+@contextmanager
+def cluster(address: str, workers: int = 1) -> Iterator[Cluster]:
+    """Use a Dask cluster.
+
+    Parameters
+    ----------
+    address
+        Of its scheduler, such as `tcp://127.0.0.1:8786`.
+    workers
+        How many workers are waited for, as long as a scheduler may take to answer.
+
+    Raises
+    ------
+    SandboxError
+        If nobody answers there.
+    """
+    with needed_for("--cluster", "cluster"):
+        from distributed import Client
+    try:
+        client = Client(address, timeout=PATIENCE, set_as_default=False)
+    except (OSError, ValueError, TypeError) as error:
+        raise SandboxError(
+            f"no scheduler answers at {brief(address)}: start one with 'dask scheduler', and"
+            " workers with 'dask worker ADDRESS'"
+        ) from error
+    try:
+        with suppress(TimeoutError):  # it is told by what there is
+            client.wait_for_workers(workers, timeout=3 * PATIENCE)
+        yield Cluster(client, address)
+    finally:
+        client.close(timeout=PATIENCE)
+
+
+def local(jobs: int) -> Executor:
+    """Return what works with so many processes of this machine."""
+    return Cores(jobs) if jobs > 1 else Here()

@@ -1,0 +1,220 @@
+"""The pictures of an experiment: curves, families of curves, heat maps, histograms and shares."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from sandbox.experiments.analysis import Sensitivity
+from sandbox.experiments.axes import Grid, Listed, Uniform
+from sandbox.experiments.measures import Measure
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.results import Results
+from sandbox.experiments.table import axis_unit, closed_form
+from sandbox.model.expressions import Array
+from sandbox.reporting.plots import COLOURS, MARKERS, style
+
+FAMILY = 8
+"""How many curves may stand in one picture; of more a heat map is made."""
+
+MARKED = 120
+"""How many points a curve may have to show each of them."""
+
+BINS = 60
+CLOUD = 4000
+"""How many points of a cloud are drawn."""
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A figure, and in words what it shows.
+
+    Attributes
+    ----------
+    name
+        Of the file that it may be written to.
+    """
+
+    name: str
+    figure: Figure
+    told: str
+
+
+def pictures(plan: Plan, found: Results) -> Iterator[Picture]:
+    """Yield a picture of each measure."""
+    grids = [name for name, axis in plan.grids.items() if axis.count > 1]
+    for i, measure in enumerate(plan.measures, 1):
+        drawn = _drawn(plan, found, measure, grids)
+        if drawn:
+            told, figure = drawn
+            yield Picture(f"measure-{i}", figure, told)
+
+
+def _drawn(
+    plan: Plan, found: Results, measure: Measure, grids: Sequence[str]
+) -> tuple[str, Figure] | None:
+    if not np.isfinite(found.number(measure.text)).any():
+        return None
+    if not grids:
+        return f"How often {measure.text} came out so large.", _histogram(plan, found, measure)
+    along, others = _roles(plan, grids)
+    here = _first_of(plan, found, others[1:])
+    if not others:
+        return f"{measure.text} against {along}.", _curves(plan, found, measure, along, None, here)
+    if plan.grids[others[0]].count <= FAMILY:
+        told = f"{measure.text} against {along}, a curve for each {others[0]}."
+        return told, _curves(plan, found, measure, along, others[0], here)
+    told = f"{measure.text} over {along} and {others[0]}."
+    return told, _heat_map(plan, found, measure, (along, others[0]), here)
+
+
+def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
+    """Return what is drawn along, the axis of numbers with most values, and the others."""
+
+    def weight(name: str) -> tuple[bool, int]:
+        axis = plan.grids[name]
+        return not (isinstance(axis, Listed) and isinstance(axis.values[0], str)), axis.count
+
+    ordered = sorted(grids, key=weight, reverse=True)
+    return ordered[0], ordered[1:]
+
+
+def _first_of(plan: Plan, found: Results, names: Sequence[str]) -> Array:
+    """Return which rows have the first value of some axes: (R,)."""
+    here = np.ones(len(found.numbers), dtype=bool)
+    for name in names:
+        here &= found.columns[name] == plan.grids[name].at(0)
+    return here
+
+
+def _curves(
+    plan: Plan, found: Results, measure: Measure, along: str, family: str | None, here: Array
+) -> Figure:
+    with style():
+        figure = Figure(figsize=(6.4, 4), layout="constrained")
+        axes = figure.subplots()
+        axis = plan.grids[family] if family else None
+        for i in range(axis.count if axis else 1):
+            value = axis.at(i) if axis else None
+            rows = here & (found.columns[family] == value) if family else here
+            label = _named(plan, family, value) if family and value is not None else "measured"
+            _curve(axes, plan, found, measure, along, rows, i, label)
+        _label(axes.set_xlabel, along, axis_unit(plan, along))
+        _label(axes.set_ylabel, measure.text, measure.unit)
+        if isinstance(grid := plan.grids[along], Grid) and grid.scale == "log":
+            axes.set_xscale("log")
+        axes.grid(visible=True)
+        if family or closed_form(measure.text) in found.columns:
+            axes.legend()
+    return figure
+
+
+def _curve(
+    axes: Axes, plan: Plan, found: Results, measure: Measure, along: str, rows: Array, i: int,
+    label: str,
+) -> None:  # fmt: skip
+    x, y = found.columns[along][rows], found.number(measure.text)[rows]
+    colour = COLOURS[i % len(COLOURS)]
+    expected = closed_form(measure.text) in found.columns
+    if expected and not plan.drawn:
+        form = found.number(closed_form(measure.text))[rows]
+        if np.isfinite(form).any():
+            name = "closed form" if not i else None
+            axes.plot(x, form, "-", color=colour, linewidth=1, label=name)
+    marks = MARKERS[i % len(MARKERS)] if len(x) <= MARKED or plan.drawn else ","
+    line = "none" if expected or plan.drawn else "-"
+    axes.plot(x, y, marks, color=colour, linestyle=line, markersize=3, linewidth=1, label=label)
+
+
+def _heat_map(
+    plan: Plan, found: Results, measure: Measure, names: tuple[str, str], here: Array
+) -> Figure:
+    x, y = (np.unique(found.columns[name][here]) for name in names)
+    cells = np.full((len(y), len(x)), np.nan)
+    counts = np.zeros(cells.shape)
+    at = tuple(
+        np.searchsorted(values, found.columns[name][here])
+        for name, values in ((names[1], y), (names[0], x))
+    )
+    value = found.number(measure.text)[here]
+    known = np.isfinite(value)
+    sums = np.zeros(cells.shape)
+    np.add.at(sums, (at[0][known], at[1][known]), value[known])
+    np.add.at(counts, (at[0][known], at[1][known]), 1)
+    cells = np.divide(sums, counts, out=cells, where=counts > 0)
+    with style():
+        figure = Figure(figsize=(6.4, 5), layout="constrained")
+        axes = figure.subplots()
+        words = [i for i, v in enumerate((x, y)) if v.dtype.kind not in "fi"]
+        places = [np.arange(len(v)) if i in words else v for i, v in enumerate((x, y))]
+        drawn = axes.pcolormesh(*places, cells, shading="nearest", cmap="viridis", rasterized=True)
+        _scales(axes, plan, names)
+        if 1 in words:
+            axes.set_yticks(np.arange(len(y)), [str(v) for v in y])
+        _label(axes.set_xlabel, names[0], axis_unit(plan, names[0]))
+        _label(axes.set_ylabel, names[1], axis_unit(plan, names[1]))
+        bar = figure.colorbar(drawn, ax=axes)
+        _label(bar.set_label, measure.text, measure.unit)
+    return figure
+
+
+def _scales(axes: Axes, plan: Plan, names: tuple[str, str]) -> None:
+    for name, scale in zip(names, (axes.set_xscale, axes.set_yscale), strict=True):
+        axis = plan.grids[name]
+        if isinstance(axis, Grid) and axis.scale == "log":
+            scale("log")
+
+
+def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
+    column = found.number(measure.text)
+    known = column[np.isfinite(column)]
+    single = next(iter(plan.drawn)) if len(plan.drawn) == 1 else None
+    with style():
+        figure = Figure(figsize=(6.4, 3.6) if single is None else (6.4, 6), layout="constrained")
+        first, *second = figure.subplots(1 if single is None else 2, squeeze=False).ravel()
+        first.hist(known, bins=min(BINS, max(len(known) // 8, 8)), color=COLOURS[0], alpha=0.8)
+        _label(first.set_xlabel, measure.text, measure.unit)
+        first.set_ylabel("runs")
+        first.grid(visible=True)
+        if single is not None:
+            every = -(-len(column) // CLOUD)
+            x = found.columns[single][::every]
+            second[0].plot(x, column[::every], ".", markersize=2, color=COLOURS[0])
+            _label(second[0].set_xlabel, single, axis_unit(plan, single))
+            _label(second[0].set_ylabel, measure.text, measure.unit)
+            second[0].grid(visible=True)
+            if isinstance(axis := plan.drawn[single], Uniform) and axis.scale == "log":
+                second[0].set_xscale("log")
+    return figure
+
+
+def shares(found: Sensitivity) -> Picture:
+    """Return a picture of an outcome's sensitivities."""
+    with style():
+        figure = Figure(figsize=(6.4, 3.2), layout="constrained")
+        axes = figure.subplots()
+        places = np.arange(len(found.names))
+        for shift, values, errors, name, colour in (
+            (-0.2, found.first, found.first_error, "by itself", COLOURS[0]),
+            (0.2, found.total, found.total_error, "with all others", COLOURS[1]),
+        ):
+            axes.bar(places + shift, values, 0.38, yerr=errors, label=name, color=colour)
+        axes.set_xticks(places, found.names)
+        axes.set_ylabel("share of the variance")
+        axes.grid(visible=True, axis="y")
+        axes.legend()
+    told = f"How much of the variance of {found.measure} comes from what is drawn."
+    return Picture("sensitivity", figure, told)
+
+
+def _named(plan: Plan, name: str, value: float | str) -> str:
+    if isinstance(value, str):
+        return value if name == "scheme" else f"{name} {value}"
+    unit = axis_unit(plan, name)
+    return f"{name} = {value:.4g}" + (f" {unit}" if unit else "")
+
+
+def _label(write: Callable[[str], object], name: str, unit: str) -> None:
+    write(f"{name} [{unit}]" if unit else name)

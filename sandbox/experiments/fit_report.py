@@ -1,0 +1,76 @@
+"""The page of a fit: the parameters that were found, and how the run lies to the data."""
+
+import json
+from dataclasses import asdict
+from math import floor, log10
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from sandbox.experiments.data import Data
+from sandbox.experiments.fitting import Fit, Fitted
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
+from sandbox.model.quantities import quantity
+from sandbox.reporting.pages import environment
+from sandbox.reporting.plots import COLOURS, style
+from sandbox.reporting.svg import inline
+
+PAGE, NUMBERS = "report.html", "fit.json"
+
+
+def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Path:
+    """Write the page and the numbers of a fit into a folder, and return where the page is.
+
+    Raises
+    ------
+    SandboxError
+        If they cannot be written.
+    """
+    pictures = [
+        (inline(_picture(level, data, found, name), told), told)
+        for name in data.columns
+        for told in (f"{name}: the data, the run that comes closest, and what is left over.",)
+    ]
+    html = environment("sandbox.experiments").get_template("fit.html")
+    numbers = {
+        "level": source,
+        "parameters": [asdict(parameter) for parameter in found.parameters],
+        "correlation": found.correlation.tolist(),
+        "numbers": found.count,
+        "scatter": found.scatter if data.uncertainties else None,
+    }
+    write_atomically(folder / NUMBERS, json.dumps(numbers, indent=2, ensure_ascii=False) + "\n")
+    page = html.render(
+        level=level, source=source, data=data, found=found, said=said, pictures=pictures
+    )
+    write_atomically(folder / PAGE, page)
+    return folder / PAGE
+
+
+def said(parameter: Fitted) -> str:
+    """Return a parameter with its uncertainty, which has two digits: 9.813 ± 0.024 m/s²."""
+    digits = max(1 - floor(log10(parameter.uncertainty)), 0) if parameter.uncertainty else 6
+    unit = f" {parameter.unit}" if parameter.unit else ""
+    return f"{parameter.value:.{digits}f} ± {parameter.uncertainty:.{digits}f}{unit}"
+
+
+def _picture(level: Level, data: Data, found: Fit, name: str) -> Figure:
+    order = np.argsort(data.t)
+    measured, model = data.columns[name], found.model[name]
+    uncertainty = data.uncertainties.get(name)
+    with style():
+        figure = Figure(figsize=(6.4, 5), layout="constrained")
+        above, below = figure.subplots(2, sharex=True, height_ratios=(2, 1))
+        above.plot(data.t[order], model[order], "-", color=COLOURS[1], label="run")
+        for axes, values in ((above, measured), (below, measured - model)):
+            axes.errorbar(
+                data.t, values, uncertainty, fmt="o", markersize=3, color=COLOURS[0], label="data"
+            )
+            axes.grid(visible=True)
+        above.set_ylabel(f"{name} [{quantity(name, level).unit}]")
+        below.set_ylabel("left over")
+        below.set_xlabel("t [s]")
+        above.legend()
+    return figure

@@ -1,0 +1,148 @@
+"""The parameters of a level at which its run comes closest to measured data."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.experiments.data import Data
+from sandbox.model.errors import SandboxError, ValueRangeError, brief
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping
+from sandbox.model.suggest import suggestion
+from sandbox.physics.measuring.event_interpolation import value_at
+from sandbox.physics.run import simulate
+
+STEP = 1e-5
+"""The share of a parameter's range by which it is changed to see what depends on it."""
+
+
+class FitError(SandboxError):
+    """Data from which no parameter can be found."""
+
+
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """A parameter that was found.
+
+    Attributes
+    ----------
+    value, uncertainty
+        The parameter, and its standard uncertainty, in its unit.
+    bound
+        Whether it lies at the end of the level's range: then the data want it beyond.
+    """
+
+    name: str
+    unit: str
+    value: float
+    uncertainty: float
+    bound: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Fit:
+    """What was found.
+
+    Attributes
+    ----------
+    parameters
+        p of them.
+    correlation
+        (p, p), of their uncertainties.
+    count
+        How many numbers were measured.
+    scatter
+        The root of the mean square of what is left over, over its uncertainty, with as many fewer
+        numbers as parameters were found: about 1 where the level and the uncertainties are right.
+        1 where these were not known: they were taken from what is left over.
+    model
+        (N,) each, the run at the times of the data.
+    """
+
+    parameters: tuple[Fitted, ...]
+    correlation: Array
+    count: int
+    scatter: float
+    model: Mapping[str, Array]
+
+
+def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping: Stepping) -> Fit:
+    """Find parameters by least squares.
+
+    The uncertainties are those of the linearized problem, (Jᵀ J)⁻¹, with J how the residuals over
+    their uncertainties change with the parameters.
+
+    Raises
+    ------
+    FitError
+        If the data do not tell them.
+    ValueRangeError
+        If the level has no such parameter.
+    SimulationError
+        If a run had to stop.
+    """
+    from scipy.optimize import least_squares
+
+    _check(level, names, data)
+    ranges = np.array([(level.parameters[n].min, level.parameters[n].max) for n in names])
+    low, width = ranges[:, 0], ranges[:, 1] - ranges[:, 0]
+    known = bool(data.uncertainties)
+
+    def residuals(share: Array) -> Array:
+        chosen = {**values, **dict(zip(names, (low + width * share).tolist(), strict=True))}
+        model = predicted(level, chosen, data, stepping)
+        return np.concatenate([_residual(data, name, model[name]) for name in data.columns])
+
+    start = np.clip((np.array([values[n] for n in names]) - low) / width, 0.01, 0.99)
+    found = least_squares(
+        residuals, start, bounds=(0, 1), diff_step=STEP, xtol=1e-12, ftol=1e-12, gtol=1e-12
+    )
+    jacobian, left = found.jac, data.count - len(names)
+    square = jacobian.T @ jacobian
+    if not np.linalg.cond(square) < 1e14:
+        raise FitError(f"the data do not tell {' and '.join(names)} apart from anything else")
+    mean_square = float(found.fun @ found.fun) / left
+    covariance = np.linalg.inv(square) * (1.0 if known else mean_square)
+    deviation = np.sqrt(covariance.diagonal())
+    best = low + width * found.x
+    chosen = {**values, **dict(zip(names, best.tolist(), strict=True))}
+    parameters = tuple(
+        Fitted(n, level.parameters[n].unit, float(v), float(d * w), bool(b))
+        for n, v, d, w, b in zip(names, best, deviation, width, found.active_mask, strict=True)
+    )
+    scatter = float(np.sqrt(mean_square)) if known else 1.0
+    correlation = covariance / np.outer(deviation, deviation)
+    model = predicted(level, chosen, data, stepping)
+    return Fit(parameters, correlation, data.count, scatter, model)
+
+
+def predicted(level: Level, values: Values, data: Data, stepping: Stepping) -> dict[str, Array]:
+    """Return what a run has at the times of the data: (N,) each."""
+    trace = simulate(level, values, float(data.t.max()), data.columns, stepping)
+    return {
+        name: np.array(
+            [value_at(trace.t, trace.columns[name], t, smooth=trace.smooth) for t in data.t]
+        )
+        for name in data.columns
+    }
+
+
+def _residual(data: Data, name: str, model: Array) -> Array:
+    measured = data.columns[name]
+    uncertainty = data.uncertainties.get(name, np.ones_like(measured))
+    residual = (model - measured) / uncertainty
+    return residual[np.isfinite(measured)]
+
+
+def _check(level: Level, names: Sequence[str], data: Data) -> None:
+    for name in names:
+        if name not in level.parameters:
+            hint = suggestion(name, level.parameters, most=20)
+            raise ValueRangeError(f"'{brief(name)}' is no parameter of the level{hint}")
+    if data.count <= len(names):
+        told = f"{data.count} numbers were measured; for {len(names)} parameters more are needed"
+        raise FitError(told)
+    if data.uncertainties and set(data.uncertainties) != set(data.columns):
+        name = next(name for name in data.columns if name not in data.uncertainties)
+        raise FitError(f"'{name}' has no uncertainties, but others have: all, or none")

@@ -1,0 +1,290 @@
+"""What is measured of a run: one number, or that there is none.
+
+    ball.position.x@end           at the end of the run, or where `until` has ended it
+    ball.position.x@1.5           at a time [s], which may be a formula over the parameters
+    t@landing, t@apex(ball)       at an event: landing(BODY, HEIGHT), apex(BODY), contact(A, B),
+                                  crossing(QUANTITY, VALUE, up|down|either)
+    t@until                       where the condition of `until` came to hold; nothing if it did not
+    max(ball.speed)               an extreme, mean or integral over the run
+    error(range)                  the error of one of the level's checks, by its label or number
+
+In place of a quantity may stand arithmetic over several.
+"""
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from sandbox.experiments.observables import Observable
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expressions import Array, Expression
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+)
+from sandbox.model.quantities import quantity
+from sandbox.model.suggest import suggestion
+from sandbox.physics.measuring.event_interpolation import value_at
+from sandbox.physics.measuring.grading import (
+    applies,
+    grade_check,
+    least_scale,
+    relative_error,
+    samples,
+)
+from sandbox.physics.measuring.recording import Trace, needed_at
+
+Place = Literal["end", "until"]
+
+_REDUCTIONS: Mapping[str, Callable[[Array, Array], float]] = {
+    "min": lambda _, y: float(y.min()),
+    "max": lambda _, y: float(y.max()),
+    "largest": lambda _, y: float(np.abs(y).max()),
+    "amplitude": lambda _, y: float(y.max() - y.min()) / 2,
+    "mean": lambda t, y: float(np.trapezoid(y, t) / (t[-1] - t[0])),
+    "integral": lambda t, y: float(np.trapezoid(y, t)),
+}
+_OF_TIME = {"integral": "s"}
+_CALL = re.compile(r"([a-z]+)\((.*)\)", re.DOTALL)
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_EVENTS = ("end", "until", "landing", "apex", "contact", "crossing")
+
+
+class MeasureError(ValueError):
+    """A text that measures nothing; its own is fit to be shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """One number of a run.
+
+    Attributes
+    ----------
+    text
+        As it was written, and as its column is called.
+    of
+        What is looked at; None for the error of a check.
+    at
+        When: an event or a time; None with a reduction.
+    reduction
+        What is made of all instants; empty at an instant, `error` of a check.
+    check
+        The check whose closed form says what is to be expected; None if there is none.
+    """
+
+    text: str
+    of: Observable | None
+    at: Instant | Place | None
+    reduction: str
+    check: Check | None
+
+    @property
+    def unit(self) -> str:
+        """In SI; empty where it has none, or none is known."""
+        unit = self.of.unit if self.of else ""
+        return "·".join(part for part in (unit, _OF_TIME.get(self.reduction, "")) if part)
+
+    @property
+    def quantities(self) -> list[str]:
+        """The quantities that must be recorded for it."""
+        if self.of is None:
+            assert self.check
+            return needed_at(self.check.quantity, self.check.at)
+        events = [] if isinstance(self.at, str | None) else needed_at("t", self.at)
+        return list(dict.fromkeys(["t", *self.of.quantities, *events]))
+
+    def measured(self, trace: Trace, until: float | None) -> tuple[float, float | None] | None:
+        """Return the number and, if it is that of an instant, its time [s]; None if it never came.
+
+        Parameters
+        ----------
+        trace
+            A run that recorded its quantities.
+        until
+            When the condition came to hold that ends the run [s]; None if it did not.
+        """
+        if self.reduction == "error":
+            assert self.check
+            found_error = grade_check(self.check, trace).error
+            return None if found_error is None else (found_error, None)
+        assert self.of
+        column = self.of.over(trace.columns, trace.t, trace.values)
+        if self.reduction:
+            return _REDUCTIONS[self.reduction](trace.t, column), None
+        if self.at == "end":
+            return float(column[-1]), float(trace.t[-1])
+        if self.at == "until":
+            if until is None:
+                return None
+            return value_at(trace.t, column, until, smooth=trace.smooth), until
+        whole = replace(trace, columns={**trace.columns, self.text: column})
+        found = samples(whole, self.text, self.at)
+        return None if found is None else (float(found[1][0]), float(found[0][0]))
+
+    def expected(self, trace: Trace, t: float | None) -> float | None:
+        """Return what the check's closed form says of a time [s]; None where it does not apply."""
+        if self.check is None or self.of is None or t is None:
+            return None
+        if not applies(self.check, trace.values):
+            return None
+        value = float(self.check.formula.over(trace.values, np.array([t]))[0])
+        return value if np.isfinite(value) else None
+
+    def error(self, measured: float, expected: float, trace: Trace) -> float:
+        """Return how far the two lie apart, as the check has it."""
+        assert self.check
+        least = least_scale(self.check, trace.values)
+        return relative_error(np.array([measured]), np.array([expected]), least)[0]
+
+
+def parse(text: str, level: Level, *, until: bool) -> Measure:
+    """Return what a text measures.
+
+    Parameters
+    ----------
+    until
+        Whether a condition ends the runs.
+
+    Raises
+    ------
+    MeasureError
+        If the level has nothing of the kind.
+    """
+    text = text.strip()
+    try:
+        call = _CALL.fullmatch(text)
+        if call and call[1] == "error":
+            return Measure(text, None, None, "error", _check(call[2], level))
+        if call and call[1] in _REDUCTIONS and _closes_last(text):
+            return Measure(text, Observable.of(call[2], level), None, call[1], None)
+        name, at, place = text.rpartition("@")
+        if not at:
+            raise MeasureError(
+                f"'{brief(text)}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing"
+                f" and so on, or one of {', '.join(_REDUCTIONS)} of (QUANTITY), or error(CHECK)"
+            )
+        of, instant = Observable.of(name, level), _instant(place.strip(), level)
+    except SandboxError as error:
+        raise MeasureError(str(error)) from error
+    if instant == "until" and not until:
+        raise MeasureError("'until' is measured, but no condition 'until' is given")
+    return Measure(text, of, instant, "", _closed_form(of, instant, level))
+
+
+def _closes_last(text: str) -> bool:
+    """Whether the bracket that is opened first is the last to be closed."""
+    depth = 0
+    for i, character in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if character == ")" and not depth:
+            return i == len(text) - 1
+    return False
+
+
+def _closed_form(of: Observable, at: Instant | Place, level: Level) -> Check | None:
+    """Return the check that tells what is to be expected; one that holds at every step will do."""
+    same = [check for check in level.checks if check.quantity == of.text]
+    exact = next((check for check in same if check.at is not None and check.at == at), None)
+    return exact or next((check for check in same if check.at is None), None)
+
+
+def _check(text: str, level: Level) -> Check:
+    """Return one of a level's checks, by its number from 1 or its label."""
+    text = text.strip()
+    if text.isdecimal() and 1 <= int(text) <= len(level.checks):
+        return level.checks[int(text) - 1]
+    for check in level.checks:
+        if check.label == text:
+            return check
+    if not level.checks:
+        raise MeasureError("the level states no checks, so there is no error")
+    hint = suggestion(text, [check.label or check.quantity for check in level.checks])
+    raise MeasureError(
+        f"'{brief(text)}' is none of the level's checks, 1 to {len(level.checks)}{hint}"
+    )
+
+
+def _instant(text: str, level: Level) -> Instant | Place:
+    if text == "end":
+        return "end"
+    if text == "until":
+        return "until"
+    call = _CALL.fullmatch(text)
+    name, inside = (call[1], call[2]) if call else (text, "")
+    given = [part.strip() for part in inside.split(",")] if inside.strip() else []
+    match name, given:
+        case "landing", [*body] if len(body) < 3:
+            height = body[1] if len(body) > 1 else 0
+            return LandingEvent.model_validate(
+                {"event": "landing", "body": _body(body[:1], level, text), "height": height}
+            )
+        case "apex", [*body] if len(body) < 2:
+            return ApexEvent(event="apex", body=_body(body, level, text))
+        case "contact", [a, b]:
+            pair = (_body([a], level, text), _body([b], level, text))
+            return ContactEvent(event="contact", bodies=pair)
+        case "crossing", [of, *rest] if len(rest) < 3:
+            return _crossing(of, rest, level)
+    if name in _EVENTS:
+        raise MeasureError(f"'{brief(text)}' cannot be read: {_HOW[name]}")
+    return _time(text, level)
+
+
+_HOW: Mapping[str, str] = {
+    "end": "end",
+    "until": "until",
+    "landing": "landing, landing(BODY) or landing(BODY, HEIGHT)",
+    "apex": "apex or apex(BODY)",
+    "contact": "contact(BODY, BODY)",
+    "crossing": "crossing(QUANTITY), crossing(QUANTITY, VALUE) or crossing(QUANTITY, VALUE, up)",
+}
+
+
+def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
+    name = quantity(of, level).name
+    direction = rest[1] if len(rest) > 1 else "either"
+    if direction not in ("up", "down", "either"):
+        hint = suggestion(direction, ("up", "down", "either"))
+        raise MeasureError(f"'{brief(direction)}' is no direction{hint}")
+    value = _over_parameters(rest[0], level).source if rest else 0
+    return CrossingEvent.model_validate(
+        {"event": "crossing", "quantity": name, "value": value, "direction": direction}
+    )
+
+
+def _time(text: str, level: Level) -> Expression:
+    if re.fullmatch(r"[a-z]+", text) and text not in level.parameters:
+        hint = suggestion(text, {*_EVENTS, *level.parameters})
+        raise MeasureError(f"'{brief(text)}' is no time and no event{hint}")
+    return _over_parameters(text, level)
+
+
+def _over_parameters(text: str, level: Level) -> Expression:
+    found = Expression(float(text) if _NUMBER.fullmatch(text) else text)
+    if unknown := next(iter(sorted(found.names - set(level.parameters))), None):
+        hint = suggestion(unknown, level.parameters)
+        raise MeasureError(f"'{brief(unknown)}' is no parameter of the level{hint}")
+    return found
+
+
+def _body(given: list[str], level: Level, text: str) -> str:
+    """Return the body that an event is about: the only one that moves, if none is named."""
+    if given:
+        if given[0] not in level.bodies:
+            hint = suggestion(given[0], level.bodies)
+            raise MeasureError(f"the level has no body '{brief(given[0])}'{hint}")
+        return given[0]
+    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    if len(moving) != 1:
+        raise MeasureError(
+            f"'{text}' must say which body: {text}({moving[0] if moving else '...'})"
+        )
+    return moving[0]

@@ -1,0 +1,80 @@
+"""What is looked at in a run: a quantity of its level, or arithmetic over several."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.errors import brief
+from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.level import Level
+from sandbox.model.quantities import quantity
+from sandbox.model.suggest import suggestion
+
+_QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
+"""A name with a dot in it; no other name of an expression has one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Observable:
+    """Arithmetic over quantities, the parameters of a level and the time; a condition is 1 or 0.
+
+    Attributes
+    ----------
+    text
+        As it was written.
+    unit
+        In SI; empty where several quantities are put together.
+    quantities
+        The names of the quantities that it needs.
+    """
+
+    text: str
+    unit: str
+    quantities: tuple[str, ...]
+    _formula: Formula | None
+
+    @classmethod
+    def of(cls, text: str, level: Level) -> "Observable":
+        """Return what a text names, such as `ball.speed` or `a.position.x - b.position.x`.
+
+        Raises
+        ------
+        ExpressionError
+            If it is no arithmetic.
+        QuantityError
+            If the level has no such quantity.
+        """
+        text = text.strip()
+        if text == "t" or _QUANTITY.fullmatch(text):
+            found = quantity(text, level)
+            return cls(found.name, found.unit, (found.name,), None)
+        names = tuple(dict.fromkeys(_QUANTITY.findall(text)))
+        for name in names:
+            quantity(name, level)
+        standing = {name: f"q{i}_" for i, name in enumerate(names)}
+        formula = Formula(_QUANTITY.sub(lambda found: standing[found[0]], text))
+        known = {*standing.values(), *level.parameters, "t"}
+        if unknown := next(iter(sorted(formula.names - known)), None):
+            hint = suggestion(unknown, {*level.parameters, "t"})
+            raise ExpressionError(f"'{brief(unknown)}' is no parameter of the level{hint}")
+        if not names and "t" not in formula.names:
+            raise ExpressionError(f"'{brief(text)}' names no quantity that a run could change")
+        return cls(text, "", names, formula)
+
+    def over(self, columns: Mapping[str, Array], t: Array, values: Values) -> Array:
+        """Return its value at every instant: (T,)."""
+        if self._formula is None:
+            return t if self.text == "t" else columns[self.text]
+        given = {f"q{i}_": columns[name] for i, name in enumerate(self.quantities)}
+        # an expression takes arrays as it takes numbers
+        return self._formula.over({**values, **given}, t)  # type: ignore[dict-item]
+
+
+def holds_at(
+    condition: Observable, columns: Mapping[str, Array], t: Array, values: Values
+) -> int | None:
+    """Return the first instant at which a condition holds; None if it never does."""
+    holds = np.nan_to_num(condition.over(columns, t, values)) != 0
+    return int(np.argmax(holds)) if holds.any() else None

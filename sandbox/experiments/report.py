@@ -1,0 +1,91 @@
+"""The page of an experiment: what it found, in pictures and tables, in one file."""
+
+import json
+from collections.abc import Callable, Mapping
+from math import isfinite
+from pathlib import Path
+from typing import NamedTuple
+
+from sandbox.experiments import analysis, figures, results
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
+from sandbox.experiments.table import axis_unit, closed_form, error
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+from sandbox.reporting.pages import environment
+from sandbox.reporting.svg import inline
+
+PAGE = "report.html"
+
+SHOWN = 5
+"""How many reasons of failures are told."""
+
+
+class Page(NamedTuple):
+    """A page that was written."""
+
+    path: Path
+    told: list[str]
+    """what is to be said of it at once"""
+
+
+def write(plan: Plan, path: Path, folder: Path) -> Page:
+    """Write the page of a finished table into a folder.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be written.
+    """
+    forms = [
+        name(m.text) for m in plan.measures if m.of and m.check for name in (closed_form, error)
+    ]
+    found = results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
+    summaries = analysis.summaries(plan, found)
+    sensitivities, told = _sensitivities(plan, path)
+    drawn = [*figures.pictures(plan, found), *map(figures.shares, sensitivities)]
+    failed = sum(count for _, count in found.failures)
+    templates = environment("sandbox.experiments")
+    templates.filters.update(_FILTERS)
+    html = templates.get_template("experiment.html").render(
+        plan=plan,
+        title=plan.experiment.title or f"{plan.level.title}: an experiment",
+        found=found,
+        failed=failed,
+        failures=found.failures[:SHOWN],
+        summaries=summaries,
+        sensitivities=sensitivities,
+        remarks=told,
+        pictures=[(inline(p.figure, p.told), p) for p in drawn],
+        axes=[(name, plan.experiment.vary[name], axis_unit(plan, name)) for name in plan.axes],
+        description=json.dumps(description(plan)["experiment"], indent=2, ensure_ascii=False),
+        made=description(plan)["made with"],
+        files=(RESULTS, DESCRIPTION),
+    )
+    write_atomically(folder / PAGE, html)
+    if failed:
+        reason = found.failures[0][0]
+        told = [f"{failed:,} runs have failed, most of them so: {reason}", *told]
+    return Page(folder / PAGE, told)
+
+
+def _sensitivities(plan: Plan, path: Path) -> tuple[list[analysis.Sensitivity], list[str]]:
+    """Return Sobol's indices, or why there are none."""
+    if plan.experiment.method != "sobol-indices":
+        return [], []
+    try:
+        return analysis.sensitivities(plan, path), []
+    except SandboxError as reason:
+        return [], [str(reason)]
+
+
+def _number(value: float | None) -> str:
+    if value is None or not isfinite(value):
+        return "–"
+    return f"{value:.6g}".replace("-", "−")
+
+
+_FILTERS: Mapping[str, Callable[..., str]] = {
+    "number": _number,
+    "count": lambda value: f"{value:,}",
+}

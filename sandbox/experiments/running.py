@@ -1,0 +1,232 @@
+"""Some rows of an experiment, run and measured: the same bits wherever, and in whatever company."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+from time import perf_counter
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from sandbox.experiments.observables import Observable, holds_at
+from sandbox.experiments.plan import Plan, Row
+from sandbox.experiments.table import Cell, columns, schema
+from sandbox.model.conditions.numbers import MAX_STEPS
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.ensemble.flight import Flight, accepts, suits
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.measuring.recording import Trace, count_steps
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+TOGETHER = 400
+"""How many runs go on together where they can: from there on a step of one costs as good as no
+less, and what is recorded of them stays small."""
+
+LARGEST = 8_000_000
+"""How many numbers may be recorded of all that go on together."""
+
+
+class Task(NamedTuple):
+    """Some rows to be run."""
+
+    plan: Plan
+    start: int
+    stop: int
+
+
+class Done(NamedTuple):
+    """What came of them, and how long it took [s]."""
+
+    start: int
+    stop: int
+    rows: "pa.RecordBatch"
+    seconds: float
+
+
+class _Setting(NamedTuple):
+    """What is run in a row."""
+
+    row: Row
+    level: Level
+    values: Values
+    stepping: Stepping
+
+
+class _Run(NamedTuple):
+    """How a row came out: a run, and whether the condition has ended it; or why there is none."""
+
+    row: Row
+    trace: Trace | None
+    stopped: bool
+    failure: str | None
+
+
+def run(task: Task) -> Done:
+    """Run some rows."""
+    import pyarrow as pa
+
+    began = perf_counter()
+    plan = task.plan
+    cells = [_cells(plan, found) for found in _runs(plan, plan.rows(task.start, task.stop))]
+    columns = [list(column) for column in zip(*cells, strict=True)]
+    layout = schema(plan)
+    arrays = [pa.array(c, f.type) for c, f in zip(columns, layout, strict=True)]
+    rows = pa.RecordBatch.from_arrays(arrays, schema=layout)
+    return Done(task.start, task.stop, rows, perf_counter() - began)
+
+
+def together(plan: Plan) -> int:
+    """Return how many rows of a plan are best run at once: 1 where each runs alone."""
+    setting = next(_settings(plan, plan.rows(0, 1)))
+    if isinstance(setting, _Run) or _kind(plan, setting) is None:
+        return 1
+    return _most(plan, setting)
+
+
+def _cells(plan: Plan, found: _Run) -> list[Cell]:
+    """Return the cells of a row."""
+    cells: list[Cell] = [found.row.number, *found.row.varied]
+    failure, trace = found.failure, found.trace
+    measured: list[Cell] = [None] * len(columns(plan))
+    if trace is not None:
+        try:
+            measured = list(_measured(plan, trace, stopped=found.stopped))
+        except SandboxError as error:
+            failure = str(error)
+    return [*cells, *measured, failure]
+
+
+def _measured(plan: Plan, trace: Trace, *, stopped: bool) -> Iterator[Cell]:
+    until = float(trace.t[-1]) if stopped else None
+    for measure in plan.measures:
+        found = measure.measured(trace, until)
+        value, t = found or (None, None)
+        value = value if value is not None and np.isfinite(value) else None
+        yield value
+        if measure.of is not None and measure.check is not None:
+            expected = measure.expected(trace, t)
+            yield expected
+            if value is None or expected is None:
+                yield None
+            else:
+                yield measure.error(value, expected, trace)
+
+
+def _runs(plan: Plan, rows: Iterator[Row]) -> Iterator[_Run]:
+    """Yield all rows' runs in their order, those together that can be."""
+    for together, group in groupby(_settings(plan, rows), lambda s: _kind(plan, s)):
+        if not together:
+            yield from (_alone(plan, setting) for setting in group)
+            continue
+        flock: list[_Setting] = []
+        for setting in group:
+            assert isinstance(setting, _Setting)
+            flock.append(setting)
+            if len(flock) == _most(plan, flock[0]):
+                yield from _together(plan, flock)
+                flock = []
+        yield from _together(plan, flock)
+
+
+def _settings(plan: Plan, rows: Iterator[Row]) -> "Iterator[_Setting | _Run]":
+    for row in rows:
+        try:
+            yield _Setting(row, *plan.setting(row))
+        except SandboxError as error:
+            yield _Run(row, None, stopped=False, failure=str(error))
+
+
+def _kind(plan: Plan, setting: "_Setting | _Run") -> tuple[int, str] | None:
+    """Return what runs must share to go on together; None of those that must run alone."""
+    if isinstance(setting, _Run) or not suits(setting.level, setting.stepping, plan.quantities):
+        return None
+    return id(setting.level), setting.stepping.model_dump_json()
+
+
+def _most(plan: Plan, setting: _Setting) -> int:
+    """Return how many runs like one may go on together."""
+    duration = plan.experiment.duration or setting.level.duration(setting.values)
+    recorded = duration * setting.stepping.rate * len(plan.quantities)
+    return int(max(min(TOGETHER, LARGEST / max(recorded, 1)), 1))
+
+
+def _together(plan: Plan, flock: Sequence[_Setting]) -> Iterator[_Run]:
+    """Run some rows at once, and those that cannot be with them alone."""
+    worlds: list[World | None] = []
+    for setting in flock:
+        try:
+            world = build(setting.level, setting.values, setting.stepping)
+        except SandboxError:
+            worlds.append(None)  # alone it says why
+        else:
+            worlds.append(world if accepts(world) else None)
+    flying = [world for world in worlds if world]
+    if len(flying) < 2:
+        yield from (_alone(plan, setting) for setting in flock)
+        return
+    stop = _Stop(plan.until) if plan.until else None
+    steps = [_steps(plan, world) for world in flying]
+    flights = iter(Flight(flying, plan.quantities, steps, stop.first if stop else None).fly())
+    for setting, start in zip(flock, worlds, strict=True):
+        found = next(flights) if start else None
+        if found is None or found.trace is None:
+            yield _alone(plan, setting)
+        else:
+            yield _Run(setting.row, found.trace, found.stopped, None)
+
+
+def _steps(plan: Plan, world: World) -> int:
+    """Return how many steps a run takes, unless a condition ends it."""
+    steps = count_steps(world, plan.experiment.duration)
+    return max(steps, 1)
+
+
+def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
+    """Run a row by itself."""
+    if isinstance(setting, _Run):
+        return setting
+    stop = _Stop(plan.until) if plan.until else None
+    try:
+        duration = plan.experiment.duration or setting.level.duration(setting.values)
+        if duration * setting.stepping.rate > MAX_STEPS:
+            raise SandboxError(f"{duration:g} s take more than {MAX_STEPS:,} steps")
+        trace = simulate(
+            setting.level,
+            setting.values,
+            duration,
+            plan.quantities,
+            setting.stepping,
+            until=stop.now if stop else None,
+        )
+    except SandboxError as error:
+        told = error.told("") if isinstance(error, SimulationError) else str(error)
+        return _Run(setting.row, None, stopped=False, failure=told)
+    return _Run(setting.row, trace, bool(stop and stop.held), None)
+
+
+class _Stop:
+    """The condition that ends a run."""
+
+    def __init__(self, condition: Observable) -> None:
+        self._condition = condition
+        self._meter: Meter | None = None
+        self.held = False
+
+    def now(self, world: World) -> bool:
+        """Return whether a world has come to it."""
+        if self._meter is None:
+            self._meter = Meter(world, ["t", *self._condition.quantities])
+        columns = self._meter(world.snapshot)
+        found = self._condition.over(columns, world.snapshot.t, world.values)
+        self.held = bool(np.nan_to_num(found))
+        return self.held
+
+    def first(self, columns: Mapping[str, Array], t: Array, world: World) -> int | None:
+        """Return the first of some instants at which it holds; None if it does at none."""
+        return holds_at(self._condition, columns, t, world.values)

@@ -1,0 +1,38 @@
+"""The JSON Schema of the experiment format: `python -m sandbox.experiments.schema` writes it."""
+
+import json
+import sys
+from pathlib import Path
+
+from sandbox.experiments import catalog
+from sandbox.experiments.document import Experiment
+from sandbox.model import schema as levels
+from sandbox.model.catalog import sources
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+
+
+def text() -> str:
+    """Return the schema as its file has it."""
+    return json.dumps(levels.of(Experiment), indent=2, ensure_ascii=False) + "\n"
+
+
+def write() -> Path:
+    """Write the schema beside the experiments, whole or not at all, and return where.
+
+    Raises
+    ------
+    SandboxError
+        If the package is installed: it keeps the schema that it came with.
+    """
+    sources()
+    target = catalog.root() / catalog.SCHEMA
+    write_atomically(target, text())
+    return target
+
+
+if __name__ == "__main__":
+    try:
+        sys.stdout.write(f"{write()}\n")
+    except SandboxError as error:
+        sys.exit(str(error))

@@ -1,0 +1,189 @@
+"""The folder of an experiment: what came of each row, kept as it comes, whole or not at all.
+
+experiment.json    the experiment, its level, and what it was made with
+parts/             rows that are done, a file for each batch, while it runs
+results.parquet    all rows in their order, once they are done
+report.html        the page of it
+"""
+
+import json
+import platform
+import shutil
+from collections.abc import Iterator
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sandbox import __version__
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.table import schema
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.files import make_folder, write_atomically
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+GROUP = 65_536
+"""How many rows each group of the finished file has, whatever the batches were."""
+
+RESULTS, DESCRIPTION, PARTS = "results.parquet", "experiment.json", "parts"
+
+
+class Store:
+    """The folder of an experiment.
+
+    Parameters
+    ----------
+    folder
+        Made if it is not there.
+    plan
+        What is kept in it.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be written, or holds another experiment.
+    """
+
+    def __init__(self, folder: Path, plan: Plan) -> None:
+        self._folder, self._plan = folder, plan
+        self.results = folder / RESULTS
+        self._parts = folder / PARTS
+        make_folder(folder)
+        self._claim(json.dumps(description(plan), indent=2, ensure_ascii=False) + "\n")
+        if not self.complete:
+            make_folder(self._parts)
+
+    def _claim(self, text: str) -> None:
+        place = self._folder / DESCRIPTION
+        try:
+            there = place.read_text("utf-8") if place.exists() else None
+        except (OSError, ValueError) as error:
+            raise SandboxError(f"cannot read {place}: {error}") from error
+        if there is None:
+            write_atomically(place, text)
+        elif there != text:
+            changed = _difference(there, text)
+            raise SandboxError(
+                f"{self._folder} holds another experiment ({changed}): name another folder, or"
+                " remove this one"
+            )
+
+    @property
+    def complete(self) -> bool:
+        """Whether all rows are done, and put together."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        if not self.results.is_file():
+            return False
+        try:
+            return bool(pq.read_metadata(self.results).num_rows == self._plan.runs)
+        except (OSError, pa.ArrowInvalid) as error:
+            raise SandboxError(f"cannot read {self.results}: {error}; remove it") from error
+
+    def missing(self) -> Iterator[tuple[int, int]]:
+        """Yield the rows that are not done: from one to before another."""
+        begin = 0
+        for start, stop, _ in self._done():
+            if start > begin:
+                yield begin, start
+            begin = max(begin, stop)
+        if begin < self._plan.runs:
+            yield begin, self._plan.runs
+
+    def add(self, start: int, stop: int, rows: "pa.RecordBatch") -> None:
+        """Keep what came of some rows.
+
+        Raises
+        ------
+        SandboxError
+            If there is no room for it.
+        """
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        sink = pa.BufferOutputStream()
+        pq.write_table(pa.Table.from_batches([rows]), sink)
+        write_atomically(self._parts / f"{start}-{stop}.parquet", sink.getvalue().to_pybytes())
+
+    def finish(self) -> None:
+        """Put all rows together, in their order and in groups of the same size.
+
+        Raises
+        ------
+        SandboxError
+            If there is no room for it; the parts are kept.
+        """
+        import pyarrow.parquet as pq
+
+        beside = self._folder / f".{RESULTS}.part"
+        try:
+            with pq.ParquetWriter(beside, schema(self._plan)) as writer:
+                for table in self._grouped():
+                    writer.write_table(table, row_group_size=GROUP)
+            beside.replace(self.results)
+            shutil.rmtree(self._parts)
+        except OSError as error:
+            beside.unlink(missing_ok=True)
+            raise SandboxError(
+                f"cannot write {self.results}: {error.strerror or error}; what was done is kept"
+            ) from error
+
+    def _grouped(self) -> "Iterator[pa.Table]":
+        """Yield all rows in groups, of which only one is held at a time."""
+        import pyarrow as pa
+        import pyarrow.parquet as pq
+
+        held, begin = schema(self._plan).empty_table(), 0
+        for start, stop, path in self._done():
+            part = pq.ParquetFile(path).read()
+            held = pa.concat_tables([held, part.slice(max(begin - start, 0))])
+            begin = max(begin, stop)
+            while len(held) >= GROUP:
+                yield held.slice(0, GROUP).combine_chunks()
+                held = held.slice(GROUP).combine_chunks()
+        if len(held):
+            yield held.combine_chunks()
+
+    def _done(self) -> list[tuple[int, int, Path]]:
+        """Return the parts that are there, in the order of their rows."""
+        found = []
+        for path in self._parts.glob("*-*.parquet"):
+            start, _, stop = path.stem.partition("-")
+            if start.isdecimal() and stop.isdecimal():
+                found.append((int(start), int(stop), path))
+        return sorted(found)
+
+
+def description(plan: Plan) -> dict[str, object]:
+    """Return all that is needed to run an experiment again, with the same bits."""
+    written = plan.experiment.model_dump(mode="json", exclude_none=True, exclude={"schema_"})
+    return {
+        "experiment": {**written, "level": plan.source},
+        "runs": plan.runs,
+        "level": plan.level.model_dump(mode="json", exclude_none=True, exclude={"schema_"}),
+        "made with": {
+            "sandbox": __version__,
+            "python": platform.python_version(),
+            **{package: version(package) for package in ("numpy", "pymunk", "scipy")},
+            "machine": platform.machine(),
+        },
+    }
+
+
+def _difference(there: str, text: str) -> str:
+    """Say in what two descriptions differ."""
+    try:
+        before, now = json.loads(there), json.loads(text)
+        pairs = [(before[part], now[part], part) for part in ("experiment", "made with")]
+        for old, new, part in pairs:
+            for key in {**old, **new}:
+                if old.get(key) != new.get(key):
+                    was = brief(json.dumps(old.get(key), ensure_ascii=False))
+                    return (
+                        f"its {key} is {was}" if part == "experiment" else f"made with {key} {was}"
+                    )
+    except (ValueError, LookupError, TypeError, AttributeError):
+        return f"its {DESCRIPTION} cannot be read"
+    return "its level says something else"

@@ -1,0 +1,31 @@
+"""What only some commands need, and not every installation has."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from sandbox.model.errors import SandboxError
+
+
+@contextmanager
+def needed_for(what: str, extra: str = "report") -> Iterator[None]:
+    """Import within this what something needs: if it is not installed, say how to install it.
+
+    Parameters
+    ----------
+    what
+        What needs it, as the message begins.
+    extra
+        The extra of the package that brings it.
+
+    Raises
+    ------
+    SandboxError
+        If a library is not there.
+    """
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        raise SandboxError(
+            f"{what} needs the library {error.name!r}, which is not installed: python -m pip"
+            f" install 'mechanics-sandbox[{extra}]' (in a checkout: -e '.[{extra}]')"
+        ) from error

@@ -1,0 +1,46 @@
+"""There is no more to compute in a step than a machine can, whatever else the level says."""
+
+from collections.abc import Iterator
+
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault
+
+MOST_PULLS = 4_000_000
+"""How many pulls there may be in a step, of bodies on each other and of centres on bodies: with so
+many one takes a quarter of a second."""
+
+MOST_STICKING = 20_000
+"""How many pairs of bodies may stick more than they rub: pymunk asks for each, in 50 µs, who is to
+be called when they touch."""
+
+
+def not_too_many_pulls(level: Level) -> Iterator[Fault]:
+    """Bodies and centres that attract can be gone through in a step."""
+    effects = level.effects
+    dynamic = sum(body.type == "dynamic" for body in level.bodies.values())
+    if mutual := effects.gravitation:
+        count = dynamic if mutual.bodies is None else len(mutual.bodies)
+        if count**2 > MOST_PULLS:
+            most = int(MOST_PULLS**0.5)
+            told = f"{count:,} bodies attract each other; {most:,} are the most in a step"
+            yield Fault(("effects", "gravitation"), told)
+    centres = len(effects.attraction or ())
+    if centres * dynamic > MOST_PULLS:
+        pulls = f"{centres:,} centres attract {dynamic:,} bodies"
+        told = f"{pulls}: {centres * dynamic:,} pulls, and a step can take {MOST_PULLS:,}"
+        yield Fault(("effects", "attraction"), told)
+
+
+def not_too_many_sticking(level: Level) -> Iterator[Fault]:
+    """Pairs of bodies that stick more than they rub can all be watched."""
+    if level.effects.friction is None:
+        return
+    rub = [body for body in level.bodies.values() if body.friction is not None]
+    stick = sum(body.static_friction is not None for body in rub)
+    pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
+    if pairs > MOST_STICKING:
+        told = (
+            f"{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
+            f" be watched, and {MOST_STICKING:,} are the most; leave it out where it is not needed"
+        )
+        yield Fault(("bodies",), told)

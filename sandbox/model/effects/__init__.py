@@ -1,0 +1,94 @@
+"""The manifest of effects: what a level does not declare is not simulated, and costs nothing.
+
+A module an effect, and `contract` for what it says there. `Effects` is the one list of them, in the
+order in which they are told; a new one joins by its field.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import MOST_FORCES
+from sandbox.model.effects.accretion import Accretion
+from sandbox.model.effects.attraction import Attraction
+from sandbox.model.effects.belt import Belt
+from sandbox.model.effects.centrifugal import Centrifugal
+from sandbox.model.effects.contact import Contact
+from sandbox.model.effects.contract import Effect
+from sandbox.model.effects.drag import Drag
+from sandbox.model.effects.force import Force
+from sandbox.model.effects.friction import Friction
+from sandbox.model.effects.gravitation import Gravitation
+from sandbox.model.effects.gravity import Gravity
+from sandbox.model.effects.register import register
+from sandbox.model.effects.restitution import Restitution
+from sandbox.model.effects.rotation import Rotation
+from sandbox.model.effects.sticking import Sticking
+from sandbox.model.effects.thrust import Thrust
+from sandbox.model.locating import Path
+
+SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
+
+
+class Effects(Model):
+    """Everything that acts in a level."""
+
+    gravity: Gravity | None = None
+    """Uniform gravity."""
+    contact: Contact | None = None
+    """Bodies touch."""
+    friction: Friction | None = None
+    """Bodies in contact rub."""
+    restitution: Restitution | None = None
+    """Bodies in contact bounce."""
+    sticking: Sticking | None = None
+    """Bodies stick to each other."""
+    rotation: Rotation | None = None
+    """Bodies turn."""
+    attraction: Annotated[tuple[Attraction, ...], SEVERAL] | None = None
+    """Fixed centres attract or repel."""
+    gravitation: Gravitation | None = None
+    """Bodies attract or repel each other."""
+    centrifugal: Centrifugal | None = None
+    """The plane turns about a vertical axis."""
+    drag: Drag | None = None
+    """A fluid slows bodies down."""
+    force: Annotated[tuple[Force, ...], SEVERAL] | None = None
+    """Given forces act on bodies."""
+    belt: Annotated[tuple[Belt, ...], SEVERAL] | None = None
+    """Surfaces run."""
+    thrust: Annotated[tuple[Thrust, ...], SEVERAL] | None = None
+    """Rockets burn their own mass."""
+    accretion: Annotated[tuple[Accretion, ...], SEVERAL] | None = None
+    """Bodies gather matter."""
+
+    @property
+    def in_sequence(self) -> bool:
+        """Whether impacts come one after the other."""
+        return self.restitution is not None and self.restitution.impacts == "sequence"
+
+    @property
+    def declared(self) -> tuple[str, ...]:
+        """The names of the effects that the level declares."""
+        return tuple(name for name in type(self).model_fields if getattr(self, name) is not None)
+
+    @property
+    def told(self) -> Iterator[Effect]:
+        """What the effects that the level declares say of themselves."""
+        return (EFFECTS[name] for name in self.declared)
+
+    @property
+    def said(self) -> Iterator[tuple[Effect, Path, Any]]:
+        """What the level says of each, and where: once, or as often as it says something."""
+        for effect in self.told:
+            place, said = ("effects", effect.name), getattr(self, effect.name)
+            if isinstance(said, tuple):
+                yield from ((effect, (*place, index), one) for index, one in enumerate(said))
+            else:
+                yield effect, place, said
+
+
+EFFECTS: Mapping[str, Effect] = register(Effects)
+"""What every effect says of itself, by its name; see `sandbox.model.effects.contract`."""

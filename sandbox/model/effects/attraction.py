@@ -1,0 +1,27 @@
+"""Attraction to fixed centres."""
+
+from typing import ClassVar
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Coordinate, Power, Strength
+from sandbox.model.effects.contract import Effect
+from sandbox.model.shapes import Point
+
+
+class Attraction(Model):
+    """Attraction to a fixed centre: |F| = mu m / r^p; Newton's, U = −mu m / r, if p is left out."""
+
+    effect: ClassVar[Effect] = Effect(
+        name="attraction",
+        book="potential",
+        sees=("position",),
+        strength=("mu",),
+        trial={"mu": 1},
+    )
+
+    mu: Strength
+    """m³/s² (with a power p: m^(p + 1)/s²), the strength of the centre; negative to repel"""
+    center: Point = (Coordinate(0), Coordinate(0))
+    """m"""
+    power: Power = Power(2)
+    """p: 3 for a force that falls as 1/r³, −1 for one that grows as a spring's"""

@@ -1,0 +1,20 @@
+"""What a plane that turns does to what lies in it."""
+
+from typing import ClassVar
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Coordinate, Spin
+from sandbox.model.effects.contract import Effect
+
+
+class Centrifugal(Model):
+    """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2."""
+
+    effect: ClassVar[Effect] = Effect(
+        name="centrifugal", book="potential", sees=("position",), strength=("rate",)
+    )
+
+    rate: Spin
+    """rad/s, ω"""
+    axis: Coordinate = Coordinate(0)
+    """m, x0"""

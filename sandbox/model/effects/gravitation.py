@@ -1,0 +1,30 @@
+"""Attraction of bodies to each other."""
+
+from typing import Annotated, ClassVar
+
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Strength, Width
+from sandbox.model.effects.contract import Effect
+from sandbox.model.mention import ActedOnBodies
+
+
+class Gravitation(Model):
+    """Bodies attract each other: |F| = G m1 m2 r / s³, U = −G m1 m2 / s, s² = r² + softening²."""
+
+    effect: ClassVar[Effect] = Effect(
+        name="gravitation",
+        book="potential",
+        sees=("position",),
+        inside=True,
+        strength=("constant",),
+        trial={"constant": 1},
+    )
+
+    constant: Strength
+    """m³/(kg s²), G; negative to repel"""
+    softening: Width = Width(0)
+    """m, below which the attraction of two bodies no longer grows; 0 is Newton's law"""
+    bodies: Annotated[ActedOnBodies, Field(min_length=2)] | None = None
+    """those that attract each other; all dynamic bodies if left out"""

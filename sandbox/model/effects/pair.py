@@ -1,0 +1,11 @@
+"""Two bodies that touch, for which an effect says something."""
+
+from sandbox.model.base import Model
+from sandbox.model.mention import Couple
+
+
+class Pair(Model):
+    """Two bodies that touch."""
+
+    bodies: Couple
+    """their names, in any order"""

@@ -1,0 +1,252 @@
+"""What ties bodies together; `contract` says what a kind of joint says of itself.
+
+All but the spring are exact: they hold to rounding at every step, whatever they carry; unless a
+level asks for pymunk's own. A spring is a force.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, ClassVar, Literal, get_args
+
+from pydantic import Discriminator, Field, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import (
+    Coordinate,
+    Damping,
+    Extent,
+    LengthOverTime,
+    SpinOverTime,
+    Stiffness,
+    Width,
+)
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Curve, Expression
+from sandbox.model.joints.contract import Kind, kinds
+from sandbox.model.locating import Path
+from sandbox.model.mention import BodyName
+from sandbox.model.shapes import Point
+
+ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
+"""What a spring without a damper says of itself as a force."""
+
+FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
+"""What can be measured of a joint that keeps an angle."""
+
+
+class Held(Model):
+    """A point of a body."""
+
+    body: BodyName
+    """whose"""
+    at: Point = (Coordinate(0), Coordinate(0))
+    """[x, y] in m, from its centre of mass, along its own axes"""
+
+
+ENDS = ("a body", "a point of a body", "a fixed point")
+"""The kinds of ends."""
+
+
+def _end_kind(end: object) -> str | None:
+    kinds = ((str,), (Held, Mapping), (list, tuple))
+    return next(
+        (kind for kind, types in zip(ENDS, kinds, strict=True) if isinstance(end, types)), None
+    )
+
+
+End = Annotated[
+    Annotated[BodyName, Tag("a body")]
+    | Annotated[Held, Tag("a point of a body")]
+    | Annotated[Point, Tag("a fixed point")],
+    Discriminator(_end_kind),
+]
+"""Where a joint holds on: the centre of a body, a point of it, or a fixed point [x, y] in m."""
+
+
+class Rod(Model):
+    """A light, rigid rod: its ends keep their distance."""
+
+    kind: ClassVar[Kind] = Kind(swings=True)
+
+    type: Literal["rod"]
+    ends: tuple[End, End]
+    """what it holds together; each turns freely"""
+    length: LengthOverTime | None = None
+    """m, of the parameters and the time t; the distance at the start if left out"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
+
+
+class Rope(Model):
+    """A light, inextensible rope: it pulls and never pushes."""
+
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+
+    type: Literal["rope"]
+    ends: tuple[End, End]
+    """what it ties together"""
+    length: Extent | None = None
+    """m; the distance at the start if left out, slack at first if longer"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
+
+
+class Pulley(Model):
+    """A light, inextensible string over frictionless pegs; it pulls and never pushes.
+
+    A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
+    """
+
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+
+    type: Literal["pulley"]
+    ends: tuple[End, End]
+    """what it is tied to"""
+    over: Annotated[tuple[End, ...], Field(min_length=1, max_length=20)]
+    """the pegs it runs over, from the first end to the second"""
+    length: Extent | None = None
+    """m; the length of its path at the start if left out, slack at first if longer"""
+
+
+class Pivot(Model):
+    """A frictionless pin through two bodies, or through a body and the plane."""
+
+    kind: ClassVar[Kind] = Kind(points_meet=True)
+
+    type: Literal["pivot"]
+    ends: tuple[End, End]
+    """the points that it keeps together"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
+
+
+class Rail(Model):
+    """A smooth, straight rail: it pushes across, and never along."""
+
+    kind: ClassVar[Kind] = Kind(points_meet=True)
+
+    type: Literal["rail"]
+    ends: tuple[End, End]
+    """what runs on it, and what it goes through"""
+    direction: Point
+    """[x, y], the way it goes, of any length; it does not turn"""
+
+
+class Weld(Model):
+    """Two bodies keep their places and angles to each other, or one keeps its own in the plane."""
+
+    kind: ClassVar[Kind] = Kind(turns=True, quantities=FIXED)
+
+    type: Literal["weld"]
+    ends: tuple[End, End]
+    """what it makes one; its tension and its torque are those at the second"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
+
+
+class Motor(Model):
+    """A pin that turns: it drives its second body against its first, or against the plane."""
+
+    kind: ClassVar[Kind] = Kind(drives=True, turns=True, points_meet=True, quantities=FIXED)
+
+    type: Literal["motor"]
+    ends: tuple[End, End]
+    """the points that it keeps together"""
+    rate: SpinOverTime
+    """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
+    exact: bool = True
+    """whether it holds to rounding; pymunk's own joint does not"""
+
+
+class Winding(Model):
+    """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
+
+    kind: ClassVar[Kind] = Kind(goes_slack=True, turns=True, swings=True, points_meet=True)
+
+    type: Literal["winding"]
+    ends: tuple[End, BodyName]
+    """what it is tied to, outside the wheel; the body that is the wheel"""
+    radius: Extent
+    """m, of the circle on which it is wound, about the wheel's centre of mass"""
+    unwinds: Literal["clockwise", "counterclockwise"]
+    """how the wheel turns when it gives off string"""
+
+
+class Spring(Model):
+    """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
+
+    kind: ClassVar[Kind] = Kind(force=ELASTIC)
+
+    type: Literal["spring"]
+    ends: tuple[End, End]
+    """what it pulls at"""
+    stiffness: Stiffness
+    """N/m, k"""
+    length: Width | None = None
+    """m, l0, where it is slack; the distance at the start if left out"""
+    damping: Damping = Damping(0)
+    """kg/s, c"""
+    pushes_only: bool = False
+    """whether it lets go beyond its length l0, as a bumper that is only touched"""
+
+
+class Wire(Model):
+    """A smooth, rigid wire that a body slides along as a bead, without friction.
+
+    A wire whose ends meet is closed. A bead that comes to an open end ends the run.
+    """
+
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"})
+
+    type: Literal["wire"]
+    bead: End
+    """the body, or the point of a body, that slides along it"""
+    curve: tuple[Curve, Curve]
+    """[x, y] in m of its points, over the parameters and s"""
+    s: tuple[Expression, Expression]
+    """from where to where s runs"""
+
+
+Own = Rod | Rope | Pivot | Weld | Motor
+"""What pymunk has, too."""
+
+Joint = Annotated[
+    Rod | Rope | Pulley | Pivot | Rail | Weld | Motor | Winding | Wire | Spring,
+    Field(discriminator="type"),
+]
+
+
+KINDS: Mapping[str, Kind] = kinds(get_args(get_args(Joint)[0]))
+"""What every kind of joint says of itself, by its type."""
+
+
+def is_exact(joint: Joint) -> bool:
+    """Whether a joint is solved exactly: it is no force, and none of pymunk's own."""
+    return joint.kind.force is None and getattr(joint, "exact", True)
+
+
+def ends_of(joint: Joint) -> Iterator[tuple[Path, End]]:
+    """Yield everything that a joint runs through, each with the path to it in the joint."""
+    if isinstance(joint, Wire):
+        yield ("bead",), joint.bead
+        return
+    yield ("ends", 0), joint.ends[0]
+    for index, peg in enumerate(joint.over if isinstance(joint, Pulley) else ()):
+        yield ("over", index), peg
+    yield ("ends", 1), joint.ends[1]
+
+
+def points(joint: Joint) -> tuple[End, ...]:
+    """Return everything that a joint runs through, from its first end to its second."""
+    return tuple(end for _, end in ends_of(joint))
+
+
+def body_of(end: End) -> str | None:
+    """Return the body that an end holds on to, None if that is the plane itself."""
+    if isinstance(end, Held):
+        return end.body
+    return end if isinstance(end, str) else None
+
+
+def bodies_of(joint: Joint) -> Iterator[str]:
+    """Yield the bodies that a joint holds on to."""
+    yield from (body for end in points(joint) if (body := body_of(end)) is not None)

@@ -1,0 +1,78 @@
+"""What a kind of joint says of itself, once; see `docs/adding-a-joint.md`.
+
+A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
+union `Joint` there, with a `kind` as below; `sandbox/physics/joints/assembly.py` makes it. From
+these follow the JSON Schema, the messages about unknown types and bodies, the quantities that can
+be measured of it, the accounts of the ledger, the schemes that a level may have, and the tests that
+go through all joints.
+
+Which fields name bodies is not said here, but by their type: `End` or `BodyName`. Whether it
+changes with time follows from its formulas.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import get_args
+
+from sandbox.model.base import Model
+from sandbox.model.effects.contract import Effect, IncompleteError
+
+
+def _of_a_line() -> Mapping[str, str]:
+    return {"tension": "N", "length": "m", "potential_energy": "J"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Kind:
+    """What a kind of joint says of itself.
+
+    Attributes
+    ----------
+    force
+        What it says of itself as a force; None if it holds exactly.
+    goes_slack
+        Whether it pulls and never pushes, so that it can go slack, and be jerked taut.
+    drives
+        Whether it moves what it holds against whatever there is, and does work by that.
+    turns
+        Whether it gives a torque to what it holds by its centre.
+    swings
+        Whether it swings across where it is taut, as light lines do.
+    points_meet
+        Whether what it asks of its start is asked of its ends, and not of a length.
+    quantities
+        What can be measured of it, and the units of that.
+    """
+
+    force: Effect | None = None
+    goes_slack: bool = False
+    drives: bool = False
+    turns: bool = False
+    swings: bool = False
+    points_meet: bool = False
+    quantities: Mapping[str, str] = field(default_factory=_of_a_line)
+
+
+def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:
+    """Return what kinds of joints say of themselves, by their type in a level's file.
+
+    Raises
+    ------
+    IncompleteError
+        If one says nothing of itself.
+    """
+    return {_type(joint): _kind(joint) for joint in joints}
+
+
+def _type(joint: type[Model]) -> str:
+    (name,) = get_args(joint.model_fields["type"].annotation)
+    return str(name)
+
+
+def _kind(joint: type[Model]) -> Kind:
+    kind = getattr(joint, "kind", None)
+    if not isinstance(kind, Kind):
+        place = f"the class {joint.__name__} in {joint.__module__.replace('.', '/')}"
+        rule = f"add 'kind: ClassVar[Kind] = Kind(...)' to {place}"
+        raise IncompleteError(f"the joint '{_type(joint)}' says nothing of itself: {rule}")
+    return kind

@@ -1,0 +1,94 @@
+"""Corners that meet corners keep their normal.
+
+Where a corner touches a corner, outlines have no normal, but a cone of them. pymunk has the line
+between the middles of two roundings, of 1e-8 m: it turns by as much as places are off, and flips to
+a side's where the roundings overlap. The forces go with it, and what they bend moves on. Any normal
+of the cone will do, so the one that was there first stays, as if it were that of a side of the
+first body, until the corners slip or turn against each other.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.outlines import PARALLEL
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates
+
+REACH = 1e-7
+"""m, by which corners may slip along each other: some roundings of theirs."""
+
+
+class Held(NamedTuple):
+    """Two corners that meet.
+
+    Attributes
+    ----------
+    points
+        Where, along the axes of the first body and of the second [m].
+    normal
+        From the first to the second, along the axes of the first.
+    turned
+        How far the second is turned against the first [rad].
+    """
+
+    points: tuple[complex, complex]
+    normal: complex
+    turned: float
+
+
+class CornerPairs:
+    """Remembers corners that meet from step to step."""
+
+    def __init__(self) -> None:
+        self._held: dict[tuple[int, int], Held] = {}
+
+    def forget(self) -> None:
+        """Know none any more: bodies were put elsewhere."""
+        self._held = {}
+
+    def note(self, kick: Kick) -> None:
+        """Remember those of a kick: those that were there as they were."""
+        corners, before, self._held = kick.features.corners, self._held, {}
+        if corners is None:
+            return
+        touching, features = kick.layout.touching, kick.features
+        for gap in np.flatnonzero(corners).tolist():
+            a, b = touching.bodies[:, gap].tolist()
+            if kick.contacts.touches[touching.pair[gap]] == 1:
+                one, other = features.points[:, gap].tolist()
+                turned = float(kick.place.angle[b] - kick.place.angle[a])
+                new = Held((one, other), complex(features.normal[gap]), turned)
+                self._held[a, b] = before.get((a, b), new)
+
+    def steady(self, contacts: Contacts, place: Coordinates, origin: complex) -> Contacts:
+        """Return the contacts with the normals that corners had.
+
+        Parameters
+        ----------
+        place
+            Where bodies are.
+        origin
+            From where places are counted [m].
+        """
+        if not self._held:
+            return contacts
+        touches, direction = contacts.touches.copy(), contacts.direction.copy()
+        points, depths = contacts.points.copy(), contacts.depths.copy()
+        for row, (a, b) in enumerate(contacts.bodies.tolist()):
+            if held := self._held.get((a, b)):
+                n = held.normal * complex(place.turned[a])
+                first, second = (
+                    complex(place.plane[body] + point * place.turned[body])
+                    for body, point in zip((a, b), held.points, strict=True)
+                )
+                off = (second - first) * n.conjugate()
+                turned = float(place.angle[b] - place.angle[a]) - held.turned
+                if abs(off.imag) > REACH or abs(turned) > PARALLEL:
+                    del self._held[a, b]
+                    continue
+                middle = (first + second) / 2 + origin
+                touches[row], direction[row], depths[row, 0] = 1, (n.real, n.imag), -off.real
+                points[row, 0] = middle.real, middle.imag
+        return contacts._replace(touches=touches, direction=direction, points=points, depths=depths)

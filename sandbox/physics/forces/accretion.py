@@ -1,0 +1,53 @@
+"""What pushes a body that gathers matter: m dv/dt = F + (w − v) dm/dt.
+
+w is the velocity of what comes (Meshchersky's equation).
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.effects import accretion as declared
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array, Values
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.variable_mass import Flow
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Accretion:
+    """A body gathers what moves at a velocity of its own: F = (w − v) dm/dt."""
+
+    effect: ClassVar[Effect] = declared.Accretion.effect
+
+    flow: Flow
+    velocity: XY  # m/s, w
+    step: float  # s
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add (w − v) dm/dt."""
+        body = self.flow.body
+        rate = self.flow.mean_rate(motion.t, self.step)
+        wrench[..., body, :2] += rate[..., None] * (self.velocity - motion.velocity[..., body, :])
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return zero: what comes brings none."""
+        return np.zeros(motion.position.shape[:-1])
+
+
+def flows(
+    said: Sequence[declared.Accretion], values: Values, names: Sequence[str]
+) -> Iterator[Flow]:
+    """Yield what the bodies of a level gather, in the order of its accretions."""
+    for one in said:
+        yield Flow(names.index(one.body), one.rate(values), effect=one.effect.name)
+
+
+def laws(said: Sequence[declared.Accretion], given: Given) -> Iterator[Law]:
+    """Yield what each stream of matter pushes with."""
+    for one, flow in zip(said, flows(said, given.values, given.names), strict=True):
+        yield Accretion(flow, evaluate(one.velocity, given.values), given.step)

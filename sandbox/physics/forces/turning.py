@@ -1,0 +1,62 @@
+"""Forces that turn velocities, and do no work: by a rotation inside of the kick.
+
+J. P. Boris's way (Proc. 4th Conf. Numerical Simulation of Plasmas, 1970): half of what all other
+forces give in the kick, then a rotation, then the other half,
+
+    v₊ = R(ω h) (v₋ + a h/2) + a h/2.
+
+The rotation is that by the whole angle, so a velocity in a uniform field turns as fast as it should
+at any step, and keeps its size to rounding. Places follow it in straight drifts, so that a circle
+is wider than it should be by (ω h)² / 24 of it: second order, as all of leapfrog.
+
+At a step, half-way through the kick, the velocity is (v₋ + v₊) / (2 cos(ω h / 2)), for v₋ + v₊ is
+the chord of an arc. And v₊ − v₋ − a h = 2 tan(ω h / 2) J (v₋ + v₊)/2, J the quarter turn: at right
+angles to the mean velocity, by which the work of an impulse is told. It is nothing, exactly.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Turn
+from sandbox.physics.state.motion import Motion
+
+
+def rates(turns: Sequence[Turn], motion: Motion) -> Array:
+    """Return how fast all together turn the velocity of each body: (n,) [rad/s]."""
+    return np.asarray(sum(turn.rate(motion) for turn in turns))
+
+
+def pull(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
+    """Return the mean acceleration by which velocities are turned in a kick: (n, 2) [m/s²].
+
+    Parameters
+    ----------
+    rate
+        (n,), how fast they turn [rad/s].
+    velocity
+        (n, 2), before the kick [m/s].
+    pulled
+        (n, 2), the acceleration by all other forces [m/s²].
+    length
+        How long the kick is [s].
+    """
+    middle, half = velocity + pulled * (length / 2), rate * (length / 2)
+    s, c = np.sin(half)[:, None], np.cos(half)[:, None]
+    return np.asarray(2 * s * (c * _across(middle) - s * middle) / length)  # (R − 1) v / h
+
+
+def at_the_step(rate: Array, mean: Array, length: float) -> Array:
+    """Return the velocities (n, 2) half-way through a kick, of which these are the means."""
+    return np.asarray(mean / np.cos(rate * (length / 2))[:, None])
+
+
+def given(rate: Array, mean: Array, length: float) -> Array:
+    """Return the change of velocities (n, 2) by the turning alone, of their means in a kick."""
+    return np.asarray(2 * np.tan(rate * (length / 2))[:, None] * _across(mean))
+
+
+def _across(velocity: Array) -> Array:
+    """Return velocities (n, 2) a quarter turn counter-clockwise."""
+    return np.column_stack((-velocity[:, 1], velocity[:, 0]))

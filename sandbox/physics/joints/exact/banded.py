@@ -1,0 +1,150 @@
+"""Many rods, ropes and pivots solved at a cost that grows with their number.
+
+An equation meets only those that share a body with it. Numbered so that these stand close together
+(Cuthill and McKee 1969), the system of a chain has three diagonals, and that of a net few for its
+size: LU factors of a band take m b², where those of the whole take m³.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Coordinates
+from sandbox.physics.joints.exact.distances import Reaches
+
+FEWEST = 48
+"""Equations from which on a band is worth while."""
+
+NARROW = 0.2
+"""The share of the equations that a band may be wide, each way."""
+
+Places = NDArray[np.intp]
+
+
+class Look(NamedTuple):
+    """What equations add up to (m,), and the entries of their gradients."""
+
+    total: Array
+    slopes: Array
+
+
+class Banded:
+    """The equations of a scene as a banded system; m equations, N bodies with the plane.
+
+    Parameters
+    ----------
+    reaches
+        The pieces of the equations.
+    count
+        m.
+    inverse
+        (3 N,), one over the mass or moment of each coordinate.
+    """
+
+    def __init__(self, reaches: Reaches, count: int, inverse: Array) -> None:
+        self._reaches, self._count, self._inverse = reaches, count, inverse
+        self._row, self._column = reaches.entries
+        self._weight = inverse[self._column]
+        pairs = np.array(list(self._meetings()), dtype=np.intp).reshape(-1, 2)
+        self._there, self._here = pairs.T
+        rows, columns = self._row[self._there], self._row[self._here]
+        self._order = _close_together(rows, columns, count)
+        rank = np.empty(count, dtype=np.intp)
+        rank[self._order] = np.arange(count)
+        i, j = rank[rows], rank[columns]
+        self.width = int(np.abs(i - j).max(initial=0))
+        self._into = (2 * self.width + i - j) * count + j  # as LAPACK keeps a band
+        self._size = (3 * self.width + 1) * count
+
+    def _meetings(self) -> Iterator[tuple[int, int]]:
+        """Yield which two entries are of the same coordinate, of those that move."""
+        held: dict[int, list[int]] = {}
+        for entry in np.flatnonzero(self._weight).tolist():
+            held.setdefault(int(self._column[entry]), []).append(entry)
+        for entries in held.values():
+            yield from ((a, b) for a in entries for b in entries)
+
+    @property
+    def pays(self) -> bool:
+        """Whether it is cheaper than a system of all with all."""
+        return self._count >= FEWEST and self.width <= NARROW * self._count
+
+    def look(self, place: Coordinates) -> Look:
+        """Return what the equations add up to somewhere, and their gradients there."""
+        return Look(*self._reaches.measure(place))
+
+    def along(self, look: Look, motion: Array) -> Array:
+        """Return how fast the equations change with a motion (3 N,): (m,)."""
+        moved = look.slopes * motion[self._column]
+        return np.bincount(self._row, moved, self._count).astype(float, copy=False)
+
+    def reply(self, look: Look, impulse: Array) -> Array:
+        """Return what impulses (m,) along the gradients change of the motion: (3 N,)."""
+        push = impulse[self._row] * look.slopes * self._weight
+        return np.bincount(self._column, push, len(self._inverse)).astype(float, copy=False)
+
+    def solved(self, there: Look, here: Look, excess: Array) -> Array:
+        """Return the impulses along the gradients here that change what is there by so much: (m,).
+
+        Raises
+        ------
+        LinAlgError
+            If none do.
+        """
+        from scipy.linalg.lapack import dgbsv  # takes its time, and few scenes need it
+
+        products = there.slopes[self._there] * (self._weight * here.slopes)[self._here]
+        band = np.bincount(self._into, products, self._size).reshape(-1, self._count)
+        *_, found, failed = dgbsv(self.width, self.width, band, excess[self._order])
+        if failed:
+            raise np.linalg.LinAlgError
+        impulse = np.empty_like(excess)
+        impulse[self._order] = found
+        return impulse
+
+    def held(
+        self,
+        place: Coordinates,
+        motion: Coordinates,
+        here: Look,
+        length: Array,
+        guess: Array,
+        drift: float,
+    ) -> tuple[Array, Array, Array]:
+        """Return the impulses that keep lengths (m,) through a drift, by Newton's method.
+
+        Parameters
+        ----------
+        place, motion, here
+            Where the drift begins and with what velocities, and the equations there.
+        length, guess
+            (m,), what they keep [m], and the impulses it begins with [N s].
+        drift
+            How long [s].
+
+        Returns
+        -------
+        The impulses (m,), the velocities after them (3 N,), and by how much each was off at the
+        last: (m,), more than rounding if there are none.
+        """
+        impulse = guess
+        for _ in range(MAX_ITERATIONS):
+            moved = motion.values - self.reply(here, impulse)
+            there = self.look(Coordinates(place.values + drift * moved))
+            wrong = there.total - length
+            impulse = impulse + self.solved(there, here, wrong) / drift
+            if wrong.dot(wrong) <= QUADRATIC**2:
+                break
+        return impulse, motion.values - self.reply(here, impulse), wrong
+
+
+def _close_together(rows: Places, columns: Places, count: int) -> Places:
+    """Return equations in an order in which those that meet, in pairs, stand close together."""
+    from scipy.sparse import csr_array
+    from scipy.sparse.csgraph import reverse_cuthill_mckee
+
+    meet = csr_array((np.ones(len(rows)), (rows, columns)), shape=(count, count))
+    return np.asarray(reverse_cuthill_mckee(meet, symmetric_mode=True), dtype=np.intp)

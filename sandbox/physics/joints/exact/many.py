@@ -1,0 +1,115 @@
+"""The exact joints of many runs, solved at once: what `ExactJoints` does, with the runs in front.
+
+Each operation is that of one run, in the same order, and each run ends its iterations where it
+would end them alone. So all get the bits that they would get alone.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.joints.exact.constraints import (
+    MAX_ITERATIONS,
+    QUADRATIC,
+    Coordinates,
+    order,
+    planes,
+)
+from sandbox.physics.joints.exact.shake import GROWS, ExactJoints, parabola
+
+DOUBTED = 1 + (GROWS - 1) / 2
+"""How many times its kinetic energy a kick may leave before it is looked at in a run alone."""
+
+
+class ManyJoints:
+    """The joints of N runs; n bodies and m equations in each.
+
+    Parameters
+    ----------
+    joints
+        Those of each run, all `plain`, right after its start.
+    step
+        How long a kick, and the drift after it, last [s].
+    """
+
+    def __init__(self, joints: Sequence[ExactJoints], step: float) -> None:
+        first = joints[0]
+        self._order, self._step = order(len(first.inverse) // 3 - 1), step
+        self._reaches = first.reaches.holding(np.array([one.reaches.points for one in joints]))
+        self._inverse = np.array([one.inverse for one in joints])
+        some = self._inverse > 0
+        self._inertia = np.where(some, 1 / np.where(some, self._inverse, 1.0), 0.0)
+        self._length = np.array([one.lengths(0.0) for one in joints])
+        self._origin = np.array([[one.origin] for one in joints])
+        depth = min(len(one.past) for one in joints)
+        self._past = [np.array([one.past[i] for one in joints]) for i in range(depth)]
+
+    def keep(self, rows: Booleans) -> None:
+        """Go on with some of the runs: (N,)."""
+        self._reaches = self._reaches.holding(self._reaches.points[rows])
+        for name in ("_inverse", "_inertia", "_length", "_origin"):
+            setattr(self, name, getattr(self, name)[rows])
+        self._past = [tension[rows] for tension in self._past]
+
+    def solve(self, place: Array, velocity: Array) -> tuple[Array, Booleans]:
+        """Return the velocities with which the joints hold through the next drift.
+
+        Parameters
+        ----------
+        place, velocity
+            (N, n, 3), at the kick [m, rad, m/s, rad/s].
+
+        Returns
+        -------
+        (N, n, 3), and which runs must be looked at alone: (N,).
+        """
+        here = Coordinates(self._values(place))
+        planes(here.values)[:, :-1] -= self._origin
+        motion = self._values(velocity)
+        reply = self._reaches.look(here).gradient * self._inverse[:, None]
+        impulse, lost = self._newton(here.values, motion, reply)
+        moved = motion - _times(impulse, reply)
+        rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2
+        gained = self._kinetic(moved) > DOUBTED * self._kinetic(motion) + rounding
+        self._past = [impulse / self._step, *self._past[:2]]
+        return moved[:, self._order], lost | gained
+
+    def _newton(self, place: Array, motion: Array, reply: Array) -> tuple[Array, Booleans]:
+        """Return the impulses, (N, m), and which runs have not found theirs."""
+        impulse, h = parabola(self._past) * self._step, self._step
+        seeking = np.ones(len(place), dtype=bool)
+        across = reply.swapaxes(1, 2)
+        for _ in range(MAX_ITERATIONS):
+            moved = motion - _times(impulse, reply)
+            there = self._reaches.look(Coordinates(place + h * moved))
+            excess = there.total - self._length
+            better = impulse + _solved(there.gradient @ across, excess) / h
+            impulse = better if seeking.all() else np.where(seeking[:, None], better, impulse)
+            seeking &= ~(_times(excess, excess[:, :, None])[:, 0] <= QUADRATIC**2)
+            if not seeking.any():
+                break
+        return impulse, seeking
+
+    def _values(self, rows: Array) -> Array:
+        """Return places or velocities as equations have them, the plane itself last: (N, 3 N)."""
+        values = np.zeros((len(rows), self._inverse.shape[1]))
+        values[:, self._order] = rows
+        return values
+
+    def _kinetic(self, motion: Array) -> Array:
+        """Return twice the kinetic energies of velocities: (N,) [J]."""
+        return np.asarray((motion * motion * self._inertia).sum(axis=1))
+
+
+def _times(vectors: Array, matrices: Array) -> Array:
+    """Multiply vectors, (N, m), with a matrix each, (N, m, k)."""
+    return np.asarray((vectors[:, None] @ matrices)[:, 0])
+
+
+def _solved(slope: Array, excess: Array) -> Array:
+    """Solve a linear system each: (N, m)."""
+    if excess.shape[1] == 1:
+        return excess / slope[:, 0]
+    return np.asarray(np.linalg.solve(slope, excess[:, :, None])[:, :, 0], dtype=float)

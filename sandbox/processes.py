@@ -1,0 +1,70 @@
+"""Work that is spread over processes, of which none outlives the one that has started it."""
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from itertools import islice
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from threading import Thread
+from typing import TypeVar
+
+from sandbox import interrupts
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+AHEAD = 2
+"""How many items each process has at a time: the one it is at, and the next."""
+
+
+def spread(
+    work: Callable[[Item], Result], items: Iterable[Item], jobs: int
+) -> Iterator[tuple[int, Result]]:
+    """Yield the number of each item and what came of it, as they come in.
+
+    However it ends, none of the processes goes on: each waits for the end of a pipe, which comes
+    when this one lets go of it, or is no more.
+
+    Parameters
+    ----------
+    work
+        What is done with an item: a function of a module, where the other processes find it.
+    items
+        They are begun in this order, and asked for only when a process is about to need them.
+    jobs
+        How many processes share them at the most; each is started when there is work for it.
+    """
+    context = get_context("spawn")
+    ending, life = context.Pipe(duplex=False)
+    pool = ProcessPoolExecutor(max(jobs, 1), context, _begin, (ending,))
+    coming = enumerate(items)
+    numbers: dict[Future[Result], int] = {}
+    try:
+        while True:
+            for number, item in islice(coming, AHEAD * max(jobs, 1) - len(numbers)):
+                numbers[pool.submit(work, item)] = number
+            if not numbers:
+                break
+            for done in wait(numbers, return_when=FIRST_COMPLETED).done:
+                yield numbers.pop(done), done.result()
+    except BaseException:
+        life.close()  # nobody waits for what they are at
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+        life.close()
+        ending.close()
+
+
+def _begin(ending: Connection) -> None:
+    """Prepare another process."""
+    interrupts.install()
+    Thread(target=_end_with, args=(ending,), daemon=True).start()
+
+
+def _end_with(ending: Connection) -> None:
+    try:
+        ending.recv()  # nothing is ever sent
+    except (EOFError, OSError):
+        os._exit(1)

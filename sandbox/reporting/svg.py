@@ -1,0 +1,35 @@
+"""Figures as part of a page: their text stays text, their ink is that of the page."""
+
+import re
+from html import escape
+
+from markupsafe import Markup
+from matplotlib.figure import Figure
+
+from sandbox.reporting import plots
+
+
+def inline(figure: Figure, label: str) -> Markup:
+    """Return a figure as an element of HTML, and in words what it shows.
+
+    Several figures share a page, so that only names that are used stay, which are unlike those of
+    the others as long as their titles are.
+    """
+    text = plots.written(figure, "svg").decode()
+    text = text[text.index("<svg") :]
+    text = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>|<!--.*?-->", "", text, flags=re.S)
+    text = re.sub(r"\s*font-family: [^;\"]*;?|\sxmlns(:\w+)?=\"[^\"]*\"", "", text)
+    text = text.replace("xlink:href", "href").replace("#000000", "currentColor")
+    text = text.replace("fill: #ffffff", "fill: none")
+    text = re.sub(r" transform=\"rotate\(-0 [^\"]*\"", "", text)
+    text = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", text)
+    used = set(re.findall(r"#([mp][0-9a-f]{10})\b", text))
+    text = re.sub(r" id=\"([^\"]*)\"", lambda name: name[0] if name[1] in used else "", text)
+    text = re.sub(r">\s+<", "><", re.sub(r"\s*\n", " ", text))
+    text = re.sub(r"<svg[^>]*?(viewBox=\"[^\"]*\")[^>]*>", _opening(label), text, count=1)
+    return Markup(text)  # matplotlib has escaped what it wrote
+
+
+def _opening(label: str) -> str:
+    said = escape(label).replace("\\", r"\\")
+    return rf'<svg \1 role="img" aria-label="{said}">'

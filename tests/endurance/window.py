@@ -1,0 +1,173 @@
+"""Somebody without any plan sits in front of the window: `python -m tests.endurance.window`.
+
+Events at random, several to a frame: every key, letters and characters that no font has, clicks,
+drags and wheels anywhere, windows of any size, files that are dropped on it, good and bad. Whatever
+leaves `Window.frame` is a defect. Memory is read once all levels have been open, and at the end.
+"""
+
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["SDL_AUDIODRIVER"] = "dummy"
+
+import tempfile
+from collections import deque
+from pathlib import Path
+from random import Random
+from time import monotonic
+from typing import Any
+
+import pygame
+import typer
+
+from sandbox.app.commands import BINDINGS
+from sandbox.app.window import Window
+from sandbox.model import catalog
+from tests.endurance.memory import held
+from validation.fuzz.command import made
+from validation.fuzz.mutation import mutated
+
+FRAME = 1 / 60  # s
+LEAK = 20.0
+"""MB, by which what is held may have grown at the end since all levels have been open."""
+
+TEXT = "abcxyz0123456789.-+eE /\u200b\u202e\u0301é∞𝄞\t\n\x00"
+"""What may be typed: with characters that have no width, no glyph, or no meaning."""
+
+SIZES = ((1280, 800), (640, 480), (320, 200), (1920, 1080), (200, 900), (1600, 300))
+KEYS = tuple((key, "") for b in BINDINGS for key in b.keys) + tuple(
+    (0, letter) for b in BINDINGS for letter in b.characters
+)
+LEAVE = pygame.K_ESCAPE
+
+
+class Monkey:
+    """Posts events at random; `last` are the latest of them."""
+
+    def __init__(self, window: Window, seed: int, folder: Path) -> None:
+        self.window, self.last = window, deque[str](maxlen=40)
+        self._random, self._folder = Random(seed), folder
+        self._down = 0  # the button that is held
+
+    def act(self) -> None:
+        """Post one event."""
+        kind = self._random.choices(
+            (
+                self._key,
+                self._letter,
+                self._move,
+                self._button,
+                self._wheel,
+                self._file,
+                self._size,
+            ),
+            (30, 12, 24, 28, 4, 1.5, 0.15),
+        )[0]
+        kind()
+
+    def _post(self, kind: int, **said: Any) -> None:  # noqa: ANN401 (whatever an event holds)
+        self.last.append(f"{pygame.event.event_name(kind)} {said}")
+        pygame.event.post(pygame.Event(kind, **said))
+
+    def _key(self) -> None:
+        key, letter = self._random.choice(KEYS)
+        if key == LEAVE and self._random.random() < 0.5:
+            key = pygame.K_BACKSPACE
+        self._press(key or ord(letter.lower()), letter)
+
+    def _letter(self) -> None:
+        letter = self._random.choice(TEXT)
+        self._press(ord(letter), letter)
+
+    def _press(self, key: int, letter: str) -> None:
+        mod = self._random.choice((0, 0, 0, pygame.KMOD_SHIFT, pygame.KMOD_CTRL))
+        said = {"key": key, "unicode": letter, "mod": mod, "scancode": 0}
+        self._post(pygame.KEYDOWN, **said)
+        if letter:
+            self._post(pygame.TEXTINPUT, text=letter)
+        self._post(pygame.KEYUP, **said)
+
+    def _place(self) -> tuple[int, int]:
+        width, height = self.window.surface.size
+        return self._random.randrange(-5, width + 5), self._random.randrange(-5, height + 5)
+
+    def _move(self) -> None:
+        place, before = self._place(), pygame.mouse.get_pos()
+        pygame.mouse.set_pos(place)
+        by = place[0] - before[0], place[1] - before[1]
+        held_down = tuple(int(i + 1 == self._down) for i in range(3))
+        self._post(pygame.MOUSEMOTION, pos=place, rel=by, buttons=held_down, touch=False)
+
+    def _button(self) -> None:
+        kind = pygame.MOUSEBUTTONUP if self._down else pygame.MOUSEBUTTONDOWN
+        button = self._down or self._random.choice((1, 1, 1, 1, 2, 3))
+        self._down = 0 if self._down else button
+        self._post(kind, pos=pygame.mouse.get_pos(), button=button, touch=False)
+
+    def _wheel(self) -> None:
+        by = self._random.choice((-3, -1, -0.2, 0.2, 1, 3))
+        said = {"x": 0, "y": round(by), "precise_x": 0.0, "precise_y": by, "flipped": False}
+        self._post(pygame.MOUSEWHEEL, **said, touch=False)
+
+    def _size(self) -> None:
+        size = self._random.choice(SIZES)
+        pygame.display.set_mode(size, pygame.RESIZABLE)
+        self._post(pygame.VIDEORESIZE, size=size, w=size[0], h=size[1])
+
+    def _file(self) -> None:
+        if self._random.random() < 0.5:
+            name = str(catalog.find(self._random.choice(catalog.names())))
+        else:
+            name = str(self._folder / "dropped.json")
+            Path(name).write_text(self._content(), encoding="utf-8")
+        self._post(pygame.DROPFILE, file=name)
+
+    def _content(self) -> str:
+        import json
+
+        kind = self._random.randrange(3)
+        if kind == 0:
+            return json.dumps(made(self._random.randrange(10**6), 0))
+        text = json.dumps(mutated(self._random))
+        return text if kind == 1 else text[: self._random.randrange(len(text))]
+
+
+def main(events: int = 100_000, seed: int = 0) -> None:
+    """Post so many events, and tell how memory went."""
+    window, begun = Window(), monotonic()
+    for name in catalog.textbook():  # what is made but once is there then
+        window.open_level(name)
+        for _ in range(3):
+            window.frame(FRAME)
+    window.open_level("newton/atwood")
+    with tempfile.TemporaryDirectory() as folder:
+        monkey = Monkey(window, seed, Path(folder))
+        readings: list[float] = []
+        for number in range(events):
+            monkey.act()
+            if number % 3 == 0:
+                _frame(window, monkey, number)
+            if number % (events // 10) == events // 10 - 1:
+                window.open_level("newton/atwood")  # the same is held at every reading
+                _frame(window, monkey, number)
+                readings.append(held())
+                typer.echo(
+                    f"{number + 1:,} events, {monotonic() - begun:.0f} s: {readings[-1]:.1f} MB"
+                )
+        window.close()
+    grown = readings[-1] - readings[0]
+    typer.echo(f"grown by {grown:.1f} MB since the first tenth; {LEAK:g} are the most")
+    raise typer.Exit(grown > LEAK)
+
+
+def _frame(window: Window, monkey: Monkey, number: int) -> None:
+    try:
+        window.frame(FRAME)
+    except Exception:
+        typer.echo(f"event {number:,}, after:\n" + "\n".join(monkey.last), err=True)
+        raise
+    window.open = True  # whoever has left comes back
+
+
+if __name__ == "__main__":
+    typer.run(main)

@@ -1,0 +1,44 @@
+"""Small experiments for tests."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+from sandbox.experiments.conduct import conduct
+from sandbox.experiments.document import made
+from sandbox.experiments.executors import Executor, Here
+from sandbox.experiments.plan import Plan, make
+from sandbox.experiments.storage import Store
+from sandbox.model.catalog import find
+from sandbox.model.loading import load
+
+RANGE = "ball.position.x@landing"
+
+
+def plan(level: str, vary: Mapping[str, str], *measure: str, **others: object) -> Plan:
+    """Return the plan of an experiment in which nothing is wrong."""
+    given = {"level": level, "vary": dict(vary), "measure": list(measure), **others}
+    experiment, faults = made(given)
+    assert experiment is not None, faults
+    found, faults = make(experiment, level, load(find(level)))
+    assert not faults
+    return found
+
+
+def wrong(level: str, **given: object) -> list[str]:
+    """Return all that is wrong with an experiment, each with its place."""
+    text = {"level": level, "vary": {}, "measure": ["t@end"], **json.loads(json.dumps(given))}
+    experiment, faults = made(text)
+    if experiment is not None:
+        faults = make(experiment, level, load(find(level)))[1]
+    return [f"{'.'.join(map(str, fault.path))}: {fault.rule}" for fault in faults]
+
+
+def table(found: Plan, folder: Path, executor: Executor | None = None) -> pa.Table:
+    """Run an experiment, and return its table."""
+    store = Store(folder, found)
+    conduct(found, store, executor or Here(), lambda _: None)
+    return pq.read_table(store.results)

@@ -1,0 +1,153 @@
+"""Row by row the same bits, whoever runs them and in whatever batches; what fails says why."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from random import Random
+
+import pyarrow as pa
+import pytest
+
+from sandbox.experiments.conduct import conduct
+from sandbox.experiments.executors import Cores, Here
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.running import Task, run
+from sandbox.experiments.storage import PARTS, RESULTS, Store
+from sandbox.model.errors import SandboxError
+from tests.elsewhere import PATIENCE, ROOT
+from tests.experiments.making import RANGE, plan, table
+from tests.test_processes import alive, until
+
+THROW = "kinematics/projectile"
+DRAG, END = "newton/projectile-with-drag", "ball.position.x@end"
+
+
+def throws(count: int = 60) -> Plan:
+    return plan(THROW, {"angle": f"6:85:{count}", "speed": "10±1"}, RANGE, draws=2, duration=6)
+
+
+def test_one_process_and_two_make_the_same_file(tmp_path: Path) -> None:
+    found = throws()
+    table(found, tmp_path / "one")
+    table(found, tmp_path / "two", Cores(2))
+    files = [(tmp_path / name / RESULTS).read_bytes() for name in ("one", "two")]
+    assert files[0] == files[1]
+
+
+@pytest.mark.parametrize(
+    ("level", "vary", "measure"),
+    [
+        (THROW, {"angle": "6:85:12"}, RANGE),
+        ("newton/incline-with-friction", {"angle": "20:40:6"}, "block.speed@end"),
+        ("newton/projectile-with-drag", {"without": "none, drag", "angle": "40, 50"}, "t@landing"),
+    ],
+)
+def test_a_row_is_the_same_in_whatever_batch(
+    level: str, vary: dict[str, str], measure: str
+) -> None:
+    found = plan(level, vary, measure, duration=0.4)
+    whole = run(Task(found, 0, found.runs)).rows
+    single = [run(Task(found, i, i + 1)).rows for i in range(found.runs)]
+    assert pa.Table.from_batches([whole]).equals(pa.Table.from_batches(single).combine_chunks())
+
+
+def test_without_an_effect_a_run_is_that_of_the_level_without_it(tmp_path: Path) -> None:
+    found = plan("newton/projectile-with-drag", {"without": "none, drag"}, "ball.position.x@1")
+    with_drag, free = table(found, tmp_path)["ball.position.x@1"].to_pylist()
+    assert free == pytest.approx(15 * 0.5**0.5, rel=1e-9)
+    assert with_drag < free
+
+
+def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
+    """Drawn values may leave the level's range."""
+    rows = table(plan(THROW, {"angle": "88.5±1.5"}, RANGE, draws=40), tmp_path)
+    failed = [reason for reason in rows["failure"].to_pylist() if reason]
+    assert 0 < len(failed) < 40
+    assert all("must lie between 5 and 90 deg" in reason for reason in failed)
+    missing = [x is None for x in rows[RANGE].to_pylist()]
+    assert missing == [reason is not None for reason in rows["failure"].to_pylist()]
+
+
+def test_a_scheme_that_is_not_for_a_level_is_a_reason(tmp_path: Path) -> None:
+    vary = {"scheme": "leapfrog, fourth-order"}
+    found = plan("newton/incline-with-friction", vary, "block.speed@end", duration=0.1)
+    reasons = table(found, tmp_path)["failure"].to_pylist()
+    assert reasons[0] is None
+    assert reasons[1]
+
+
+def started(folder: Path, jobs: int) -> "subprocess.Popen[bytes]":
+    command = ["experiment", DRAG, "--vary", "angle=20:80:150", "--duration", "0.3",
+               "--measure", END, "--output", folder, "--jobs", jobs]  # fmt: skip
+    return subprocess.Popen(
+        [sys.executable, "-m", "sandbox", *map(str, command)],
+        cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+    )  # fmt: skip
+
+
+def parts(folder: Path) -> int:
+    return len(list((folder / PARTS).glob("*.parquet")))
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_what_was_killed_at_any_moment_goes_on_to_the_same_table(tmp_path: Path, seed: int) -> None:
+    moments = Random(seed)
+    found = plan(DRAG, {"angle": "20:80:150"}, END, duration=0.3)
+    table(found, tmp_path / "whole")
+    killed = tmp_path / "killed"
+    with started(killed, seed) as process:
+        assert until(lambda: parts(killed) > 0 or process.poll() is not None)
+        time.sleep(moments.random() * 0.5)
+        process.kill()
+    (killed / PARTS / "0-half.parquet").write_bytes(b"half")  # what no write leaves, and no name
+    assert not (killed / RESULTS).exists()
+    kept = sum(stop - start for start, stop in Store(killed, found).missing())
+    assert kept < found.runs
+    table(found, killed)
+    assert (killed / RESULTS).read_bytes() == (tmp_path / "whole" / RESULTS).read_bytes()
+    assert not (killed / PARTS).exists()
+
+
+def test_a_dead_worker_ends_it_in_a_sentence_and_what_was_done_is_kept(tmp_path: Path) -> None:
+    with started(tmp_path, 2) as process:
+        assert until(lambda: parts(tmp_path) > 0)
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        workers = [int(c) for c in children if b"spawn_main" in command_line(int(c))]
+        os.kill(workers[0], signal.SIGKILL)
+        assert process.stderr
+        said = process.stderr.read().decode()
+        assert process.wait(PATIENCE / 10) == 1
+    assert "was ended from outside" in said
+    assert "runs are kept, and the same command goes on from there" in said
+    assert "Traceback" not in said
+    assert until(lambda: not any(map(alive, workers)))
+    assert parts(tmp_path) > 0
+
+
+def command_line(pid: int) -> bytes:
+    return Path(f"/proc/{pid}/cmdline").read_bytes()
+
+
+def test_a_full_disk_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = throws(2)
+    store = Store(tmp_path, found)
+
+    def full(*_: object) -> None:
+        raise SandboxError(f"cannot write {tmp_path}: No space left on device")
+
+    monkeypatch.setattr("sandbox.experiments.storage.write_atomically", full)
+    with pytest.raises(SandboxError, match="No space left on device"):
+        conduct(found, store, Here(), lambda _: None)
+    monkeypatch.undo()
+    conduct(found, store, Here(), lambda _: None)
+    assert store.complete
+
+
+def test_a_folder_holds_one_experiment(tmp_path: Path) -> None:
+    table(throws(2), tmp_path)
+    with pytest.raises(SandboxError, match="holds another experiment"):
+        Store(tmp_path, throws(3))
+    assert Store(tmp_path, throws(2)).complete

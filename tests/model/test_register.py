@@ -1,0 +1,144 @@
+"""What an effect says of itself is whole, or what is missing is told; the rest follows from it."""
+
+from importlib import import_module
+from pkgutil import iter_modules
+from types import GenericAlias
+from typing import Any, ClassVar
+
+import pytest
+from pydantic import create_model
+
+from sandbox.model import accounts, effects
+from sandbox.model.base import Model
+from sandbox.model.bounds import Strength
+from sandbox.model.effects import EFFECTS, Effects
+from sandbox.model.effects.contract import Effect, IncompleteError
+from sandbox.model.effects.register import register
+from sandbox.model.mention import ActedOn
+from sandbox.model.variants import DEFAULTS, including
+from tests.effects import examples
+from tests.model.levels import Data, bare, level, touching
+
+
+class Silent(Model):
+    """Says nothing of itself."""
+
+
+class Misnamed(Model):
+    """Has two names."""
+
+    effect: ClassVar[Effect] = Effect(name="other")
+
+
+class Weak(Model):
+    """Says that its strength is what it has not."""
+
+    effect: ClassVar[Effect] = Effect(name="thing", strength=("strength",))
+    mu: Strength
+
+
+class Bookless(Model):
+    """Is a force, and does not say what becomes of energy."""
+
+    effect: ClassVar[Effect] = Effect(name="thing", sees=("position",))
+
+
+class Turning(Model):
+    """A whole one."""
+
+    effect: ClassVar[Effect] = Effect(name="thing", sees=("velocity",), strength=("mu",))
+    mu: Strength
+    body: ActedOn
+
+
+def listed(effect: type[Model]) -> type[Model]:
+    """Return a manifest that lists one effect, several times over."""
+    fields: dict[str, Any] = {"thing": (GenericAlias(tuple, (effect, ...)) | None, None)}
+    made: type[Model] = create_model("Manifest", __base__=Model, **fields)
+    return made
+
+
+def test_an_effect_that_is_whole_is_registered() -> None:
+    assert register(listed(Turning)) == {"thing": Turning.effect}
+    assert Turning.effect.turns, "what does no work though it sees velocities"
+
+
+@pytest.mark.parametrize(
+    ("effect", "told"),
+    [
+        (
+            Silent,
+            "the effect 'thing' says nothing of itself: add 'effect: ClassVar[Effect] ="
+            ' Effect(name="thing", ...)\' to the class Silent in tests/model/test_register.py',
+        ),
+        (
+            Misnamed,
+            "'thing' in the list of effects has another name: the class Misnamed in"
+            " tests/model/test_register.py says 'other'",
+        ),
+        (
+            Weak,
+            "the effect 'thing' is not told in full: the class Weak in"
+            " tests/model/test_register.py has no field 'strength', which it says its strength is",
+        ),
+        (
+            Bookless,
+            "the effect 'thing' is not told in full: the class Bookless in"
+            " tests/model/test_register.py does not say 'book', what becomes of the energy that it"
+            " takes",
+        ),
+    ],
+)
+def test_an_effect_that_is_not_whole_is_told_with_its_place(effect: type[Model], told: str) -> None:
+    with pytest.raises(IncompleteError) as found:
+        register(listed(effect))
+
+    assert str(found.value) == told
+
+
+def test_an_effect_has_a_module_of_its_name_and_each_module_is_in_the_list() -> None:
+    for name, field in Effects.model_fields.items():
+        assert f"sandbox.model.effects.{name}." in str(field.annotation)
+    for found in iter_modules(effects.__path__):
+        module = import_module(f"{effects.__name__}.{found.name}")
+        declaring = [part for part in vars(module).values() if hasattr(part, "effect")]
+        assert not declaring or found.name in EFFECTS, f"add '{found.name}' to the class Effects"
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_what_can_be_tried_can_be_tried(name: str) -> None:
+    """Each on a ball above a floor, or beside another."""
+    data = touching()
+    data["bodies"]["other"] = data["bodies"]["ball"] | {"position": [5, 5]}
+    for body in data["bodies"].values():
+        del body["friction"], body["restitution"]
+    contact: Data = {} if name == "contact" else {"contact": {}}
+    data |= {"effects": contact, "parameters": {}, "checks": [], "ghosts": {}}
+    for body in ("ball", "other"):
+        data["bodies"][body]["mass"] = 1
+
+    assert name in including(level(data), name, {}).effects.declared
+
+
+FORCES = [name for name, effect in EFFECTS.items() if effect.is_force]
+
+
+@pytest.mark.parametrize("name", FORCES)
+def test_a_force_has_the_account_that_it_says(name: str) -> None:
+    books = {"potential": accounts.potentials, "work": accounts.works, "loss": accounts.losses}
+    effect = EFFECTS[name]
+    for said in examples(name):
+        data = bare()
+        ball = data["bodies"]["ball"] | {"mass": 5}
+        places = {"a": [3, 0], "b": [-3, 0], "c": [0, 3]}
+        data["bodies"] = {body: ball | {"position": at} for body, at in places.items()}
+        data |= {"parameters": {}, "checks": [], "ghosts": {}, "effects": {name: said}}
+        data["effects"]["rotation"] = {}
+        for body in data["bodies"].values():
+            body["angular_velocity"] = 1
+        this = level(data)
+        (one,) = (one for found, _, one in this.effects.said if found.name == name)
+
+        assert (name in accounts.outside(this)) is not effect.inside
+        for book, names in books.items():
+            assert (effect.booked in names(this)) is (effect.book_of(one) == book)

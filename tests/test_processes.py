@@ -1,0 +1,75 @@
+"""Work that is spread over processes ends with the one that has spread it."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from sandbox.interrupts import ENDED, INTERRUPTED
+from sandbox.processes import spread
+from tests.elsewhere import PATIENCE, ROOT
+
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals as on Unix")
+
+
+def until(holds: Callable[[], bool]) -> bool:
+    """Wait until something holds, and tell whether it came to that."""
+    end = time.monotonic() + PATIENCE / 10
+    while not holds() and time.monotonic() < end:
+        time.sleep(0.01)
+    return holds()
+
+
+def alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    stat = Path(f"/proc/{pid}/stat")
+    return not (stat.exists() and ") Z " in stat.read_text())  # what nobody has asked after
+
+
+@pytest.fixture
+def busy(tmp_path: Path) -> Iterator[tuple[subprocess.Popen[bytes], list[int]]]:
+    """Yield a process that shares its work with two others, and their numbers."""
+    command = [sys.executable, "-m", "tests.patience", str(tmp_path)]
+    with subprocess.Popen(command, cwd=ROOT, stderr=subprocess.DEVNULL) as process:
+        assert until(lambda: len(list(tmp_path.iterdir())) == 2)
+        workers = [int(path.name) for path in tmp_path.iterdir()]
+        yield process, workers
+        for pid in (process.pid, *workers):
+            if alive(pid):
+                os.kill(pid, signal.SIGKILL)
+
+
+@pytest.mark.parametrize(
+    ("number", "status"),
+    [
+        (signal.SIGTERM, ENDED),
+        (signal.SIGINT, INTERRUPTED),
+        (signal.SIGKILL, -signal.SIGKILL),
+    ],
+)
+def test_no_process_outlives_the_one_that_has_started_it(
+    busy: tuple[subprocess.Popen[bytes], list[int]], number: int, status: int
+) -> None:
+    process, workers = busy
+
+    process.send_signal(number)
+
+    assert process.wait(PATIENCE / 10) == status
+    assert until(lambda: not any(map(alive, workers)))
+
+
+def test_what_goes_wrong_in_another_process_is_raised_here() -> None:
+    with pytest.raises(ZeroDivisionError):
+        list(spread(divide, [1, 0, 2], 1))
+
+
+def divide(by: int) -> float:
+    return 1 / by

@@ -1,0 +1,67 @@
+"""What a level needs of a core, and what comes of accuracies that are asked for at random."""
+
+import json
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from validation import cli
+from validation.pace.measuring import Pace
+from validation.requests.command import complaints, told
+from validation.requests.trial import Trial, trial
+
+
+def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
+    file = tmp_path / "pace.json"
+    result = CliRunner().invoke(cli.app, ["pace", "kinematics/free-fall", "--json", str(file)])
+
+    assert result.exit_code == 0
+    [level] = json.loads(file.read_text())["levels"]
+    assert set(level) == {"level", "rate", "step_seconds", "load"}
+    assert level["level"] == "kinematics/free-fall"
+    assert level["load"] == pytest.approx(level["rate"] * level["step_seconds"])
+    assert 0 < level["load"] < 0.5
+
+
+def test_half_of_a_core_is_enough_and_more_is_not() -> None:
+    assert Pace("a", 100.0, 5e-3, 0.5).in_time
+    assert not Pace("a", 100.0, 6e-3, 0.6).in_time
+
+
+def test_a_level_that_is_not_there_is_named() -> None:
+    result = CliRunner().invoke(cli.app, ["pace", "no/such-level"])
+
+    assert result.exit_code == 1
+    assert "no/such-level" in result.output
+
+
+def drawn(delivered: float, estimated: float, cheaper: str = "") -> Trial:
+    return Trial(
+        1, "a", {}, 1e-3, "told", estimated=estimated, delivered=delivered, cheaper=cheaper
+    )
+
+
+def test_what_is_delivered_told_as_it_is_and_cheap_is_no_complaint() -> None:
+    trials = [drawn(9e-4, 5e-4), Trial(2, "b", {}, 1e-9, "cannot be had", refused=True)]
+
+    assert complaints(trials) == []
+    assert "1 refused, 1 looked at; of these 1 delivered, 1 told as they are" in told(trials)
+
+
+@pytest.mark.parametrize(
+    "bad", [drawn(2e-3, 2e-3), drawn(9e-4, 4e-4), drawn(9e-4, 9e-4, "leapfrog at 15 Hz")]
+)
+def test_what_is_not_is_one(bad: Trial) -> None:
+    assert complaints([bad])
+
+
+@pytest.mark.parametrize("seed", [1, 1000])
+def test_a_trial_is_the_same_twice(seed: int) -> None:
+    """What it says but for the price, which is measured."""
+    first, second = trial(seed), trial(seed)
+
+    assert (first.values, first.target) == (second.values, second.target)
+    assert (first.estimated, first.delivered) == (second.estimated, second.delivered)
+    assert first.kept
+    assert first.honest

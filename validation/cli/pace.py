@@ -1,0 +1,25 @@
+"""The command `pace`."""
+
+from typing import Annotated
+
+import typer
+
+from validation.cli.options import FAILED, JsonFile, told
+
+
+def command(
+    levels: Annotated[
+        list[str] | None, typer.Argument(metavar="[LEVEL]...", help="All levels if left out.")
+    ] = None,
+    json_file: JsonFile = None,
+) -> None:
+    """Show which share of a core each level needs to run in real time, at its own rate.
+
+    Exit status 1 if one needs more than half of a core.
+    """
+    from validation.pace.command import measure  # what one command needs need not slow all
+
+    with told():
+        slow = measure(levels or [], json_file)
+    if slow:
+        raise typer.Exit(FAILED)

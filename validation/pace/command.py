@@ -1,0 +1,57 @@
+"""`python -m validation pace`."""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from rich.table import Table
+
+from sandbox.model import catalog
+from sandbox.model.files import check_writable
+from validation import output
+from validation.environment import environment
+from validation.pace.measuring import Pace, pace
+
+
+def measure(names: Sequence[str], json_file: Path | None) -> list[str]:
+    """Measure levels, show the table, write it if asked to, and return what is not in real time.
+
+    Raises
+    ------
+    SandboxError
+        If there is no such level or it does not run, or the file cannot be written.
+    """
+    if json_file:
+        check_writable(json_file)
+    names = list(names) or catalog.names()
+    for name in names:
+        catalog.find(name)
+    found = output.progress(map(pace, names), "Measuring what levels need", len(names))
+    output.show(table(found))
+    if json_file:
+        output.write(content(found), json_file)
+    slow = [each.level for each in found if not each.in_time]
+    output.complain(slow)
+    return slow
+
+
+def content(found: Sequence[Pace]) -> dict[str, object]:
+    """Return what levels need as the JSON file holds it."""
+    return {"environment": environment(), "levels": [asdict(each) for each in found]}
+
+
+def table(found: Sequence[Pace]) -> Table:
+    """Return what levels need, the most first, as a table for the terminal."""
+    shown = Table(title="What levels need", header_style="bold", row_styles=("", "dim"))
+    shown.add_column("level")
+    for heading in ("rate", "a step", "of a core", ""):
+        shown.add_column(heading, justify="right", no_wrap=True)
+    for each in sorted(found, key=lambda pace: -pace.load):
+        shown.add_row(
+            each.level,
+            f"{each.rate:g} Hz",
+            f"{each.step_seconds * 1e6:.3g} µs",
+            f"{100 * each.load:.2g} %",
+            "[green]✓[/]" if each.in_time else "[red]✗[/]",
+        )
+    return shown

@@ -1,0 +1,1 @@
+"""Accuracies asked of levels at random parameters, and what is delivered."""

@@ -1,0 +1,76 @@
+"""`python -m validation requests`."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+import typer
+
+from sandbox.model.files import check_writable
+from validation import output
+from validation.environment import environment
+from validation.processes import spread
+from validation.requests.trial import Trial, trial
+
+
+def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> bool:
+    """Ask for accuracies, say what is not kept, and return whether all that was told holds.
+
+    Parameters
+    ----------
+    count, seed
+        How many, and the first of the numbers that they are drawn from.
+    json_file
+        Where the outcome goes, if anywhere.
+    jobs
+        How many processes share them; as many as there are cores if None.
+
+    Raises
+    ------
+    SandboxError
+        If the file cannot be written.
+    """
+    if json_file:
+        check_writable(json_file)
+    seeds = range(seed, seed + count)
+    found = dict(
+        output.progress(spread(trial, seeds, jobs or os.cpu_count() or 1), "Asking", count)
+    )
+    trials = [found[number] for number in range(count)]
+    typer.echo(told(trials))
+    output.complain(complaints(trials))
+    if json_file:
+        output.write(content(trials), json_file)
+    return all(each.kept and each.honest for each in trials if each.looked_at)
+
+
+def content(trials: Sequence[Trial]) -> dict[str, object]:
+    """Return what came of all as the JSON file holds it."""
+    requests = [{**output.finite(asdict(each)), "values": dict(each.values)} for each in trials]
+    return {"environment": environment(), "requests": requests}
+
+
+def told(trials: Sequence[Trial]) -> str:
+    """Return in a line how many accuracies were delivered."""
+    seen = [each for each in trials if each.looked_at]
+    refused = sum(each.refused for each in trials)
+    return (
+        f"{len(trials)} accuracies asked for: {refused} refused, {len(seen)} looked at; of these "
+        f"{sum(each.kept for each in seen)} delivered, {sum(each.honest for each in seen)} told "
+        f"as they are, {sum(not each.cheaper for each in seen)} for three times the least or less"
+    )
+
+
+def complaints(trials: Sequence[Trial]) -> list[str]:
+    """Return what is not as it was told, in words."""
+    found = []
+    for each in trials:
+        if each.looked_at and not (each.kept and each.honest and not each.cheaper):
+            at = ", ".join(f"{name}={value:.6g}" for name, value in each.values.items())
+            instead = f"; cheaper: {each.cheaper}" if each.cheaper else ""
+            found.append(
+                f"seed {each.seed}: {each.level} ({at}): {each.told}; delivered "
+                f"{each.delivered:.1e}{instead}"
+            )
+    return found

@@ -1,0 +1,161 @@
+"""One accuracy that is asked for, and what comes of it.
+
+A setting is held against a run with a much smaller step, and against settings that cost less.
+"""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from math import inf, isnan, nan
+from random import Random
+
+from sandbox.model import catalog
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.loading import load
+from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.errors import AccuracyError
+from sandbox.physics.accuracy.refinement import furthest
+from sandbox.physics.accuracy.runs import Watched, record, scaled, watched
+from sandbox.physics.accuracy.work import step_work
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.scene.schemes import usable
+from sandbox.physics.state.errors import SimulationError
+
+TARGETS = (1e-3, 1e-6, 1e-9)
+
+FINER = 8
+"""How many times as many steps the run takes that a setting is held against, or half of that."""
+
+LONGEST = 20.0
+"""s, how long that run may take, as its work is counted."""
+
+DEAR = 3.0
+"""How many times as much as the cheapest setting of the sweep another may cost."""
+
+BETTER = 2.0
+"""How many times as small as it is an error may be told."""
+
+ROUNDING = 1e-12
+"""An error below this may be told as any other below it."""
+
+SWEPT = tuple(15.0 * 2**i for i in range(13))
+"""Hz, the rates of the sweep."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """What was asked for, and what came of it.
+
+    Attributes
+    ----------
+    seed, level, values, target
+        What was asked for.
+    told
+        The setting in words, or why there is none.
+    refused
+        Whether it was said that it cannot be had.
+    estimated, delivered
+        The error that was told, and the one that was found; NaN where there is none.
+    cheaper
+        A setting of the sweep that does as well at less than a third of the work; empty if none.
+    """
+
+    seed: int
+    level: str
+    values: Values
+    target: float
+    told: str
+    refused: bool = False
+    estimated: float = nan
+    delivered: float = nan
+    cheaper: str = ""
+
+    @property
+    def looked_at(self) -> bool:
+        """Whether there was time to see what was delivered."""
+        return not isnan(self.delivered)
+
+    @property
+    def kept(self) -> bool:
+        """Whether it is as accurate as was asked for."""
+        return self.delivered <= self.target
+
+    @property
+    def honest(self) -> bool:
+        """Whether it was not told better than it is."""
+        return self.delivered <= max(BETTER * self.estimated, ROUNDING)
+
+
+def trial(seed: int) -> Trial:
+    """Draw a level, its parameters and an accuracy, ask for it, and look at what is delivered."""
+    random = Random(seed)
+    name = random.choice(catalog.textbook())
+    level = load(catalog.find(name))
+    values = {n: random.uniform(p.min, p.max) for n, p in level.parameters.items()}
+    target = random.choice(TARGETS)
+    try:
+        setting = calibrate(level, values, target)
+    except (AccuracyError, SimulationError) as error:
+        return Trial(seed, name, values, target, str(error), refused=True)
+    delivered, cheaper = nan, ""
+    with suppress(SimulationError):
+        delivered, cheaper = _looked_at(level, values, setting)
+    told = str(setting)
+    return Trial(
+        seed, name, values, target, told,
+        estimated=setting.chosen.error, delivered=delivered, cheaper=cheaper,
+    )  # fmt: skip
+
+
+def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, str]:
+    """Return how far off a setting is, and one that is cheaper."""
+    chosen = setting.chosen.stepping
+    finer = _finer(level, values, chosen)
+    if finer is None:
+        return nan, ""
+    wanted: Sequence[Watched] = watched(level, values)
+    if "chaotic" in setting.judged_by:
+        wanted = (Watched("system.energy"),)
+    best = record(level, values, finer, wanted, seen=max(chosen.rate, 240.0))
+    wanted = scaled(wanted, best)
+    run = record(level, values, chosen, wanted, seen=inf)
+    delivered = furthest(run, best, wanted)[0]
+    return delivered, _cheaper(level, values, setting, wanted, best)
+
+
+def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:
+    """Return a much finer setting, of fourth order where it can be; None if it takes too long."""
+    for times in (FINER, FINER // 2):
+        update: dict[str, object] = {"rate": times * chosen.rate, "scheme": "leapfrog"}
+        if "fourth-order" in usable(level):
+            update["scheme"] = "fourth-order"
+        elif level.effects.contact:
+            update["iterations"] = min(FINER * chosen.iterations, 1000)
+        finer = chosen.model_copy(update=update)
+        if finer.rate <= 2 * HIGHEST_RATE and _work(level, values, finer) <= LONGEST:
+            return finer
+    return None
+
+
+def _work(level: Level, values: Values, stepping: Stepping) -> float:
+    """Return how much work a run is [s], as counted."""
+    return step_work(level, values, stepping) * stepping.rate * level.duration(values)
+
+
+def _cheaper(
+    level: Level, values: Values, setting: Setting, wanted: Sequence[Watched], best: Trace
+) -> str:
+    """Return the setting of the sweep that does as well at far less work; empty if none does."""
+    chosen = setting.chosen.stepping
+    enough = _work(level, values, chosen) / DEAR
+    for scheme in usable(level):
+        for rate in SWEPT:
+            tried = chosen.model_copy(update={"scheme": scheme, "rate": rate})
+            if _work(level, values, tried) >= enough:
+                break
+            with suppress(SimulationError):
+                run = record(level, values, tried, wanted)
+                if furthest(run, best, wanted)[0] <= setting.target:
+                    return f"{scheme} at {rate:g} Hz"
+    return ""
