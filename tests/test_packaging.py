@@ -28,4 +28,6 @@ def test_the_lock_names_one_version_of_whatever_the_project_asks_for() -> None:
         found = re.match(r"[\w-]+", requirement)
         assert found
         name = found[0].lower()
+        if name == project["name"]:  # one extra takes up another
+            continue
         assert {name, name.replace("_", "-"), name.replace("-", "_")} & locked.keys(), name

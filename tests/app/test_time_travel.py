@@ -26,6 +26,11 @@ def take(session: Session, steps: int) -> str:
 def go_to(session: Session, step: int) -> None:
     """Go to a step, however many frames it takes."""
     session.go_to(step)
+    arrive_in(session)
+
+
+def arrive_in(session: Session) -> None:
+    """Let frames pass until the step that is sought is there."""
     while session.sought is not None:
         session.update(1 / 60)
 
@@ -110,11 +115,9 @@ def test_a_long_way_takes_some_frames_and_then_time_goes_on() -> None:
     session._begin_again(20)
     assert session.sought == 20
 
-    while session.sought is not None:
-        session.update(1 / 60)
+    arrive_in(session)
 
-    assert session.world.steps == 20
-    assert session.playing
+    assert (session.world.steps, session.playing) == (20, True)
 
 
 def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:

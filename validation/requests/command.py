@@ -8,9 +8,9 @@ from pathlib import Path
 import typer
 
 from sandbox.model.files import check_writable
+from sandbox.processes import spread
 from validation import output
 from validation.environment import environment
-from validation.processes import spread
 from validation.requests.trial import Trial, trial
 
 

@@ -41,6 +41,10 @@ CROWD = 500
 PRESSED = 1e-6
 """Bodies are wedged in if so much of their approach is left by whatever may push them apart."""
 
+LOST = 8
+"""How many units in the last place of all that is added up may be lost: a light body between two
+heavy ones feels but the difference of what they push with."""
+
 WEDGED = (
     "elastic bodies are wedged in, and would collide for ever: what presses them together does not"
     " give way; let their 'restitution' be less than 1, or leave them room"
@@ -137,9 +141,11 @@ class Pile:
         return self._impulse
 
     def _wedged(self) -> bool:
-        """Whether some would approach whatever pushed them apart."""
-        left = self._parting + self._answers @ pushes(self._answers, self._parting)
-        return bool(left.min() < PRESSED * self._parting.min())
+        """Whether some would approach whatever pushed them apart, by more than rounding."""
+        push = pushes(self._answers, self._parting)
+        left = self._parting + self._answers @ push
+        rounding = LOST * np.finfo(float).eps * (np.abs(self._answers) @ push)
+        return bool((left + rounding).min() < PRESSED * self._parting.min())
 
     def _bounce(self) -> tuple[int, float]:
         """Turn round the fastest approach, and those with the same e that are equally fast.

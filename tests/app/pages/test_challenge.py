@@ -100,8 +100,10 @@ def test_hints_come_one_after_the_other_and_then_no_more(person: Person) -> None
     person.wait()
     before = page(person)._hints.image.get_height()
 
+    person.press(pygame.K_PAGEDOWN)
     person.click(page(person).button.rect)
     first = page(person)._hints.image.get_height()
+    person.press(pygame.K_PAGEDOWN)
     person.click(page(person).button.rect)
 
     assert before < first < page(person)._hints.image.get_height()

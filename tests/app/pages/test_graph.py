@@ -3,6 +3,7 @@
 import numpy as np
 import pygame
 import pytest
+from pygame_gui.elements import UIButton
 
 from sandbox.app import theme
 from sandbox.app.history import History
@@ -101,6 +102,13 @@ def test_what_hardly_changes_is_drawn_beyond_an_offset_and_rounding_is_a_straigh
     assert np.isfinite([nothing.low, nothing.high]).all()
 
 
+def row(page: GraphPage, name: str) -> UIButton:
+    """Return the row of a quantity in the list of what can be drawn."""
+    assert page.up.item_list_container is not None
+    rows = [each for each in page.up.item_list_container.elements if isinstance(each, UIButton)]
+    return next(each for each in rows if each.text == name)
+
+
 def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_d, "d")
@@ -109,8 +117,7 @@ def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> Non
     choice = person.window.workers.of(Choice)
     assert choice.up(person.session) == ("ball.position.x",)
 
-    rows = page(person).up.item_list_container.elements
-    person.click(next(row for row in rows if row.text == "ball.position.y").rect)
+    person.click(row(page(person), "ball.position.y").rect)
     person.wait(0.1)  # the list tells it two frames after its button
     assert choice.up(person.session) == ("ball.position.x", "ball.position.y")
 

@@ -120,7 +120,7 @@ def test_a_film_shows_the_run_from_its_start_to_its_end(kind: film.Kind, tmp_pat
 def _frames(content: bytes, kind: film.Kind) -> list[np.ndarray]:
     import av
 
-    with av.open(BytesIO(content), format=kind) as container:
+    with av.open(BytesIO(content), "r", format=kind) as container:
         return [frame.to_ndarray(format="rgb24") for frame in container.decode(video=0)]
 
 

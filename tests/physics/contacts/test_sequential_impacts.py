@@ -210,7 +210,8 @@ def test_what_is_struck_equally_from_both_sides_stays(e: float, mass: float) -> 
     """And those that struck it bounce as off a wall."""
     end = build(row(np.array([1, mass, 1]), np.array([2.0, 0, -2.0]), e)).advance(10)
 
-    assert np.abs(end.velocity[:, 0] - [-2 * e, 0, 2 * e]).max() <= 1e-14
+    # rounding, passed on to what is five times as light: 1.1e-14 on some processors, less on others
+    assert np.abs(end.velocity[:, 0] - [-2 * e, 0, 2 * e]).max() <= 5e-14
 
 
 @pytest.mark.parametrize("hang", [1, 2, 3])
