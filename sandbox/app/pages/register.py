@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages import accuracy, challenge, effects, graph, level, race, share
+from sandbox.app.pages import accuracy, challenge, effects, graph, level, momentum, race, share
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -11,6 +11,7 @@ PAGES: tuple[Page, ...] = (
     level.PAGE,
     challenge.PAGE,
     graph.PAGE,
+    momentum.PAGE,
     effects.PAGE,
     race.PAGE,
     accuracy.PAGE,
