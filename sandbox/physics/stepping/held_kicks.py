@@ -25,8 +25,8 @@ UNSETTLED = 1000
 """How many times the rounding velocities must still change for that."""
 
 FOOT = 16
-"""How many times worse than a place the foot of a body on a curve is known, which is found from
-several. What is left of it in a kick differs between processors: 1e-13 to 1e-12 m/s at 500 Hz."""
+"""How much worse than a place the foot of a body on a curve is known: it is found from several.
+What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz."""
 
 LULL = 10
 """For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
@@ -95,8 +95,10 @@ class HeldKicks:
         if self._placed:
             from sandbox.physics.joints.exact.constraints import PLACES
 
-            farthest = np.abs(self._batch.state()[:, :3]).max(initial=0.0)
-            near = max(near, FOOT * PLACES * farthest / kick.drift)
+            near = max(
+                near,
+                FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / kick.drift,
+            )
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         changes: list[float] = []
         for count in range(self._most):
