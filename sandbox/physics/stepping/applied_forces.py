@@ -119,8 +119,7 @@ class Forces:
         """
         if not self._guesses or kick.start is not None or kick.length != kick.clock.dt:
             return np.zeros_like(self._field[:, :2])
-        gained = self._batch.velocity() - self._older - self.smooth * kick.length
-        return gained[:, :2]
+        return (self._batch.velocity() - self._older - self.smooth * kick.length)[:, :2]
 
     def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
         """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""

@@ -82,13 +82,7 @@ class Observer:
         return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
     def velocity(self, seen: Observation) -> Array:
-        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s].
-
-        Parameters
-        ----------
-        seen
-            The last that was observed, which may be of this step.
-        """
+        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
         if seen.after is None or seen.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
         return seen.after
