@@ -7,7 +7,10 @@ import pytest
 
 from sandbox.model import catalog, templates
 from sandbox.model.loading import load
+from sandbox.model.rules import corners
 from sandbox.model.writing import formatted
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
 from tests.cli.helpers import Run, Write
 
 TEMPLATES = templates.names()
@@ -32,6 +35,24 @@ def test_a_new_level_is_well_formed_and_passes_its_checks(run: Run, template: st
     assert run("check", "mine.json") == (0, "1 level well formed\n", "")
     assert run("format", "--check", "mine.json").status == 0
     assert run("simulate", "mine.json", "--output", "mine.csv").status == 0
+
+
+@pytest.mark.parametrize("template", TEMPLATES)
+def test_a_template_passes_its_checks_at_the_corners_of_its_ranges(template: str) -> None:
+    level = load(templates.path(template))
+
+    for values in corners(level):
+        verdicts = {result.verdict for result in grade(simulate(level, values))}
+        assert verdicts <= {"passed", "not applicable"}, values
+
+
+def test_the_challenge_among_the_templates_can_be_won(run: Run) -> None:
+    run("new", "mine", "--from", "challenge")
+    solution = ("--set", "speed=12.2", "--set", "angle=45")
+
+    outcome = run("simulate", "mine.json", *solution, "--output", "mine.csv")
+
+    assert "challenge: 2 of 2 stars" in outcome.out
 
 
 @pytest.mark.parametrize("template", TEMPLATES)
