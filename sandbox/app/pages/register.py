@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages import accuracy, challenge, effects, graph, level, race, share
+from sandbox.app.pages import accuracy, challenge, effects, graph, level, predict, race, share
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -10,6 +10,7 @@ from sandbox.model.level import Level
 PAGES: tuple[Page, ...] = (
     level.PAGE,
     challenge.PAGE,
+    predict.PAGE,
     graph.PAGE,
     effects.PAGE,
     race.PAGE,
