@@ -89,13 +89,17 @@ def test_a_run_stands_at_its_start_until_something_is_predicted(asked: Person) -
 
     asked.press(pygame.K_ESCAPE)
     asked.press(pygame.K_SPACE, " ")
-    asked.press(pygame.K_RIGHT)
-    asked.session.go_to(30)
-    asked.press(pygame.K_r, "r")
     asked.wait(0.2)
-
     assert asked.session.world.steps == 0
     assert not asked.session.playing
+    asked.press(pygame.K_RIGHT)
+    assert asked.session.world.steps == 0
+    asked.session.go_to(30)
+    asked.wait(0.2)
+    assert asked.session.world.steps == 0
+
+    asked.press(pygame.K_r, "r")
+
     assert asked.session.locked
 
 
