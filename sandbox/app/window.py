@@ -243,10 +243,10 @@ class Window:
 
     def _play(self, session: Session, seconds: float) -> None:
         """Let time pass, and note what that takes."""
-        world, hooks, begun = session.world, session.world.hook_seconds, perf_counter()
+        world, hooks, begun = session.world, session.world.kicks.seconds, perf_counter()
         session.update(seconds)
         if session.playing:
-            self._load.stepped(perf_counter() - begun, world.hook_seconds - hooks)
+            self._load.stepped(perf_counter() - begun, world.kicks.seconds - hooks)
 
     def close(self) -> None:
         """End what works for the window."""

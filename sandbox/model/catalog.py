@@ -21,6 +21,9 @@ CHAPTERS = (
 ORDER = "order.txt"
 """The file that tells in which order the levels of a chapter stand; others follow by name."""
 
+SCHEMA = "level.schema.json"
+"""The file of the format's JSON Schema, beside the chapters."""
+
 CHALLENGES = "challenges"
 """The folder of the levels that set a task."""
 

@@ -47,6 +47,17 @@ def load(path: Path) -> Level:
     LevelError
         If the file cannot be read, or the level has mistakes.
     """
+    return parse(read(path), str(path))
+
+
+def read(path: Path) -> str:
+    """Return the text of a level's file, which may be anything.
+
+    Raises
+    ------
+    LevelError
+        If the file cannot be read, is too large or holds no text.
+    """
     source = str(path)
     try:
         content = _content(path, source).removeprefix(codecs.BOM_UTF8)
@@ -55,12 +66,11 @@ def load(path: Path) -> Level:
     except (OSError, ValueError) as error:
         refuse(source, f"cannot be read: {getattr(error, 'strerror', None) or error}")
     try:
-        text = content.decode()
+        return content.decode()
     except UnicodeDecodeError as error:
         before = content[: error.start].decode()
         rule = "is not UTF-8 text: here is a byte that makes no character"
         refuse(source, rule, position(before, len(before)))
-    return parse(text, source)
 
 
 def parse(text: str, source: str = "<text>") -> Level:

@@ -12,7 +12,8 @@ Path = tuple[str | int, ...]
 Position = tuple[int, int]
 """Line and column, from 1."""
 
-_TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\]]|[^\s,:{}\[\]"]+', re.DOTALL)
+TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[{}\[\]]|[^\s,:{}\[\]"]+', re.DOTALL)
+"""A bracket, a text with its quotes, a number or a word of JSON."""
 
 
 class Value(NamedTuple):
@@ -51,7 +52,7 @@ def values(text: str) -> Iterator[Value]:
     """
     opened: list[_Container] = []
     start, repeated = -1, False
-    for match in _TOKEN.finditer(text):
+    for match in TOKEN.finditer(text):
         token = match[0]
         if token in "}]":
             opened.pop()

@@ -78,7 +78,7 @@ def write() -> Path:
         If the package is installed: it keeps the schema that it came with.
     """
     catalog.sources()
-    target = catalog.root() / "level.schema.json"
+    target = catalog.root() / catalog.SCHEMA
     write_atomically(target, text())
     return target
 

@@ -1,26 +1,147 @@
-"""A level that a program has made, as the text of a file that people can read."""
+"""A level as the text of a file, laid out as people write one by hand.
+
+Only spaces, line breaks and the order of the outermost keys are ever changed. Numbers, formulas and
+texts stay as they were typed, so that the level says the same afterwards, to the last bit.
+"""
 
 import json
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
+
+from sandbox.model.level import Level
+from sandbox.model.locating import TOKEN
+
+WIDTH = 100
+"""Columns: what stands a line a member is put on one line if it fits in so many."""
+
+_INDENT = "  "
+_ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
+
+_NAMED = ("parameters", "bodies", "joints", "checks", "ghosts")
+"""The parts whose members come and go, so that each may have a line of its own, however short."""
+
+
+@dataclass(slots=True)
+class _Part:
+    """A value of a JSON text as it is typed, and where its lines are broken."""
+
+    key: str
+    """As it is typed, with its quotes; empty if it has none."""
+    text: str
+    """The value; of an object or a list only the bracket that opens it."""
+    broken: bool
+    """Whether a line begins with it."""
+    members: list["_Part"] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """Its key without quotes."""
+        return json.loads(self.key) if self.key else ""
+
+    @property
+    def spread(self) -> bool:
+        """Whether lines are broken between its brackets."""
+        return any(member.broken for member in self.members)
+
+    @property
+    def a_line_each(self) -> bool:
+        """Whether none of its members shares a line: programs write so, and people at times."""
+        return self.spread and all(member.broken for member in self.members[1:])
+
+    @property
+    def head(self) -> str:
+        """What comes before its members."""
+        return f"{self.key}: {self.text}" if self.key else self.text
+
+    @property
+    def tail(self) -> str:
+        """What comes after its members."""
+        return {"{": "}", "[": "]"}.get(self.text, "")
+
+    @property
+    def line(self) -> str:
+        """All of it on one line."""
+        return self.head + ", ".join(member.line for member in self.members) + self.tail
 
 
 def text(document: Mapping[str, Any]) -> str:
-    """Return a level as JSON, a body, joint or check a line."""
-    parts = []
-    for key, value in document.items():
-        said = _json(value)
-        if key in ("bodies", "joints"):
-            said = _block("{}", [f"{_json(name)}: {_json(part)}" for name, part in value.items()])
-        elif key == "checks":
-            said = _block("[]", [_json(part) for part in value])
-        parts.append(f"  {_json(key)}: {said}")
-    return "{\n" + ",\n".join(parts) + "\n}\n"
+    """Return a level that a program has made as JSON: a parameter, body, joint or check a line."""
+    return formatted(json.dumps(document, ensure_ascii=False))
 
 
-def _block(brackets: str, lines: list[str]) -> str:
-    return f"{brackets[0]}\n" + ",\n".join(f"    {line}" for line in lines) + f"\n  {brackets[1]}"
+def formatted(typed: str) -> str:
+    """Return the JSON text of a level in its proper layout; what has that layout stays as it is.
+
+    Parameters
+    ----------
+    typed
+        What is known to be a well-formed level.
+    """
+    proper = _written(_read(typed))
+    return proper.replace("\n", "\r\n") if "\r\n" in typed else proper
 
 
-def _json(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False)
+def with_schema(typed: str, place: str) -> str:
+    """Return the JSON text of a level that names the place of its schema, in its proper layout."""
+    level = _read(typed)
+    rest = [member for member in level.members if member.name != "$schema"]
+    named = _Part('"$schema"', json.dumps(place, ensure_ascii=False), broken=False)
+    level.members = [named, *rest]
+    return _written(level)
+
+
+def _read(typed: str) -> _Part:
+    """Return the whole of a text as a part with its members."""
+    whole = _Part("", "", broken=False)
+    opened, key, broken, end = [whole], "", False, 0
+    for match in TOKEN.finditer(typed):
+        token, inside = match[0], opened[-1]
+        if not key:  # a value belongs to its key, on whatever line it stands
+            broken = "\n" in typed[end : match.start()]
+        end = match.end()
+        if token in "}]":
+            opened.pop()
+        elif inside.text == "{" and not key:
+            key = token
+            continue
+        else:
+            part = _Part(key, token, broken)
+            inside.members.append(part)
+            if token in "{[":
+                opened.append(part)
+        key = ""
+    return whole.members[0]
+
+
+def _written(level: _Part) -> str:
+    """Return the text of a whole level."""
+    chosen = level.spread
+    level.members.sort(key=lambda part: _ORDER.index(part.name))
+    for part in level.members:
+        part.broken = True
+        if part.name in _NAMED and not chosen:  # nobody has said where lines are to end
+            for member in part.members:
+                member.broken = True
+    return _said(level, 0) + "\n"
+
+
+def _said(part: _Part, depth: int) -> str:
+    """Return the text of a part whose first line is indented so many times."""
+    if _is_short(part, depth):
+        return part.line
+    if not part.spread:
+        return part.head + ", ".join(_said(member, depth) for member in part.members) + part.tail
+    line, inside = "\n" + _INDENT * depth, "\n" + _INDENT * (depth + 1)
+    said = part.head
+    for i, member in enumerate(part.members):
+        said += "," * bool(i) + (inside if member.broken or not i else " ")
+        said += _said(member, depth + 1)
+    return said + line + part.tail
+
+
+def _is_short(part: _Part, depth: int) -> bool:
+    """Whether a part that is written a line a member belongs on one line."""
+    if not part.a_line_each or depth == 0 or (depth == 1 and part.name in _NAMED):
+        return False
+    return len(_INDENT) * depth + len(part.line) + len(",") <= WIDTH

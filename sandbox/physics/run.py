@@ -19,7 +19,8 @@ from sandbox.physics.energy.closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
-from sandbox.physics.stepping.world import World, make_world
+from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.world import World
 
 
 def build(level: Level, values: Values | None = None, stepping: Stepping | None = None) -> World:

@@ -72,7 +72,7 @@ def test_what_breaks_down_while_a_rate_is_judged_is_told(
     assert isinstance(refusing.refusal(level({"ball": disc()}, GRAVITY)), BreakdownError)
 
 
-@pytest.mark.parametrize(("owner", "name"), [(Forces, "apply"), (Observer, "snapshot")])
+@pytest.mark.parametrize(("owner", "name"), [(Forces, "_read"), (Observer, "snapshot")])
 def test_what_breaks_down_in_a_step_is_told_and_ends_the_run(
     fail: Fail, monkeypatch: pytest.MonkeyPatch, owner: type, name: str
 ) -> None:
@@ -122,7 +122,7 @@ def test_numpy_warns_nobody_of_what_is_told_by_name(monkeypatch: pytest.MonkeyPa
         assert np.isinf(np.float64(1) / np.zeros(1)).all()
 
     made = falling()
-    monkeypatch.setattr(made._watchdog, "look", careless)
+    monkeypatch.setattr(made._watch, "look", careless)
     monkeypatch.setattr(made, "step", careless)
 
     with warnings.catch_warnings():

@@ -12,7 +12,7 @@ from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import BUDGET
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
-from sandbox.physics.scene.integrators import usable
+from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
 from validation.cost.requests import Request, ask, prices
 from validation.cost.yardstick import Yardstick, run, yardstick

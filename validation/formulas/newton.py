@@ -299,3 +299,39 @@ def massive_pulley_tensions(m1: float, m2: float, wheel: float, g: float) -> tup
     """
     a = massive_pulley_acceleration(m1, m2, wheel, g)
     return m1 * (g + a), m2 * (g - a)
+
+
+def gyration_rate(mass: float, charge: float, field: float) -> float:
+    """Return how fast a magnetic field turns a velocity [rad/s], counter-clockwise: −q B / m.
+
+    F = q v × B with B [T] out of the plane (J. D. Jackson, Classical Electrodynamics, 12.2), for
+    speeds far below that of light.
+    """
+    return -charge * field / mass
+
+
+def gyration_radius(mass: float, charge: float, field: float, speed: float) -> float:
+    """Return the radius of the circle of a charge in a magnetic field [m]: m v / |q B|.
+
+    From m v² / r = |q| v B; Jackson, 12.2.
+    """
+    return speed / abs(gyration_rate(mass, charge, field))
+
+
+def gyration_period(mass: float, charge: float, field: float) -> float:
+    """Return how long a charge takes once round in a magnetic field [s]: 2 π m / |q B|.
+
+    Circumference over speed, whatever the speed.
+    """
+    return 2 * np.pi / abs(gyration_rate(mass, charge, field))
+
+
+def gravity_drift(mass: float, charge: float, field: float, g: float, t: ArrayLike) -> Array:
+    """Return x, y of a charge let go from rest in a magnetic field and gravity [m]: (2, ...).
+
+    It drifts with F × B / (q B²) (Jackson, 12.3), −m g / (q B) for B out of the plane, and in the
+    frame that drifts along it goes round with that speed: the cycloid of a point on a rolling rim.
+    """
+    turned = gyration_rate(mass, charge, field) * np.asarray(t, dtype=float)
+    rolling = g / gyration_rate(mass, charge, field) ** 2
+    return np.array([rolling * (turned - np.sin(turned)), -rolling * (1 - np.cos(turned))])

@@ -19,7 +19,7 @@ from sandbox.physics.accuracy.refinement import furthest
 from sandbox.physics.accuracy.runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.work import step_work
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.scene.integrators import usable
+from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
 
 TARGETS = (1e-3, 1e-6, 1e-9)

@@ -78,3 +78,14 @@ def label(pen: Pen, width: int, text: str) -> pygame.Surface:
     card = Card(pen, width)
     card.text(text, 13, theme.DIM)
     return card.drawn()
+
+
+def bar(width: int, share: float, color: Color) -> pygame.Surface:
+    """Draw a bar from the middle: to the right if positive, to the left if negative."""
+    image = pygame.Surface((width, 10))
+    image.fill(theme.RAISED)
+    middle = width // 2
+    length = round(min(abs(share), 1.0) * middle)
+    image.fill(color, (middle if share >= 0 else middle - length, 0, length, 10))
+    image.fill(theme.AXIS, (middle, 0, 1, 10))
+    return image

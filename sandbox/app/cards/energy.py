@@ -6,7 +6,7 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.books import Energies
-from sandbox.app.cards.card import Card
+from sandbox.app.cards.card import Card, bar
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.physics.energy.balance import Balance
@@ -60,8 +60,8 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         card.put(pen.write(name, 13, theme.DIM), 0)
         text = pen.write(wording.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
-        bar = _bar(max(width - LABEL - NUMBER, 20), value / scale if scale else 0.0, color)
-        card.put(bar, LABEL, 5)
+        length = max(width - LABEL - NUMBER, 20)
+        card.put(bar(length, value / scale if scale else 0.0, color), LABEL, 5)
         card.y += pen.height(13) + 1
     return card.drawn()
 
@@ -73,14 +73,3 @@ def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
         card.put(pen.write(name, 12, color), i * column)
         card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
     card.y += pen.height(12) + pen.height(13)
-
-
-def _bar(width: int, share: float, color: Color) -> pygame.Surface:
-    """Draw a bar from the middle: to the right if positive, to the left if negative."""
-    bar = pygame.Surface((width, 10))
-    bar.fill(theme.RAISED)
-    middle = width // 2
-    length = round(min(abs(share), 1.0) * middle)
-    bar.fill(color, (middle if share >= 0 else middle - length, 0, length, 10))
-    bar.fill(theme.AXIS, (middle, 0, 1, 10))
-    return bar

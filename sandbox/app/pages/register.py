@@ -2,7 +2,17 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages import accuracy, challenge, effects, graph, level, predict, race, share
+from sandbox.app.pages import (
+    accuracy,
+    challenge,
+    effects,
+    graph,
+    level,
+    momentum,
+    predict,
+    race,
+    share,
+)
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -12,6 +22,7 @@ PAGES: tuple[Page, ...] = (
     challenge.PAGE,
     predict.PAGE,
     graph.PAGE,
+    momentum.PAGE,
     effects.PAGE,
     race.PAGE,
     accuracy.PAGE,

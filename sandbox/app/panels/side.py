@@ -130,7 +130,7 @@ class SidePanel:
     def _draw_energy(self) -> pygame.Surface:
         session = self._session
         if not self._graph:
-            ahead = not session.world.composed
+            ahead = not session.world.kicks.composed
             return ledger(self._pen, self._width, session.books.balance, ahead=ahead)
         drawn = graph.energies(self._graph_size, session.books.history, session.duration)
         now = session.books.energies

@@ -12,18 +12,24 @@ from sandbox.cli.commands import (
     effects,
     experiment,
     generate,
+    migrate,
+    new,
     play,
     render,
     replay,
     simulate,
     tour,
 )
+from sandbox.cli.commands import format as formatting
 from sandbox.cli.commands import list as listing
 
 COMMANDS = (
     play,
     listing,
+    new,
     check,
+    formatting,
+    migrate,
     simulate,
     describe,
     effects,

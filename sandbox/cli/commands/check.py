@@ -12,6 +12,10 @@ def command(
             metavar="LEVEL", help="Names of levels, or paths of files.", show_default=False
         ),
     ],
+    watch: Annotated[
+        bool,
+        typer.Option("--watch", help="Check anew whenever a file changes, until Ctrl-C."),
+    ] = False,
 ) -> None:
     """Check whether levels are well formed.
 
@@ -19,6 +23,8 @@ def command(
     it breaks, and where possible what was probably meant; springs and drags that are too strong
     for the level's rate among them. Nothing is run.
     """
-    from sandbox.cli.check import check
+    from sandbox.cli.check import check, keep_checking
 
+    if watch:
+        keep_checking(levels)
     raise typer.Exit(check(levels))

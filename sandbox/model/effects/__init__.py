@@ -22,6 +22,7 @@ from sandbox.model.effects.force import Force
 from sandbox.model.effects.friction import Friction
 from sandbox.model.effects.gravitation import Gravitation
 from sandbox.model.effects.gravity import Gravity
+from sandbox.model.effects.magnetic import Magnetic
 from sandbox.model.effects.register import register
 from sandbox.model.effects.restitution import Restitution
 from sandbox.model.effects.rotation import Rotation
@@ -55,6 +56,8 @@ class Effects(Model):
     """The plane turns about a vertical axis."""
     drag: Drag | None = None
     """A fluid slows bodies down."""
+    magnetic: Magnetic | None = None
+    """A magnetic field turns charged bodies."""
     force: Annotated[tuple[Force, ...], SEVERAL] | None = None
     """Given forces act on bodies."""
     belt: Annotated[tuple[Belt, ...], SEVERAL] | None = None

@@ -15,7 +15,8 @@ from sandbox.physics.accuracy.refinement import Ladder
 from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import World, make_world
+from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.world import World
 
 NUDGE = 1e-9
 """m, by which one body is moved at the start."""

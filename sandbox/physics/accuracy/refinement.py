@@ -11,7 +11,7 @@ from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.accuracy.runs import Watched, apart, scale, size
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 
 NEARLY = 0.75
 """The share of its order that a scheme shows where its steps are small enough for it."""

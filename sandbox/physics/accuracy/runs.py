@@ -14,7 +14,7 @@ from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 
 Stop = Callable[[], bool]
 """Tells whether somebody has lost patience."""

@@ -21,7 +21,7 @@ from sandbox.physics.accuracy.search import FEWEST, Climber, Progress, climb, pr
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 
 CONFIRMED = 2.0
 """How many times the work of a search may be spent on seeing that what is promised is so."""

@@ -21,8 +21,8 @@ from sandbox.physics.accuracy.search import Climber, climb
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
-from sandbox.physics.scene.integrators import usable
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.scene.schemes import usable
+from sandbox.physics.stepping.making import make_world
 
 CLIMB = 2.0
 """s, for the runs of one scheme; the one that is under way is not cut short."""

@@ -12,7 +12,8 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import World, make_world
+from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.world import World
 
 STEPS = 20
 """How many steps are counted, and as many go before them."""
@@ -50,7 +51,9 @@ def step_work(level: Level, values: Values, stepping: Stepping) -> float:
         touches = len(world.contacts.bodies)
     except SimulationError:
         return CALL
-    own = len(world.parts) * (BODY * len(level.bodies) + TOUCH * touches * stepping.iterations)
+    own = len(world.kicks.parts) * (
+        BODY * len(level.bodies) + TOUCH * touches * stepping.iterations
+    )
     return CALL * (1 + calls) + own
 
 

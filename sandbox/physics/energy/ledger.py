@@ -37,7 +37,7 @@ from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.turning import given
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.geometry.distance import surfaces
-from sandbox.physics.joints.assembly import Pulls
+from sandbox.physics.joints.pulls import Pulls, pulls_of
 from sandbox.physics.state.motion import Instant, momentum
 
 SEEN = 1e-12
@@ -86,7 +86,7 @@ class Ledger:
         self._back = begun is not None
         self.steps = self._step.steps - self._back
         self._velocity = scene.batch.velocity() if begun is None else begun
-        slack = scene.joints.pulls(len(self._mass)).tension <= 0
+        slack = pulls_of(scene.joints, len(self._mass)).tension <= 0
         self._slack = slack, slack  # in the last kick, and in that before it
         self._overlaps = 0.0
         start = self._middle(0.5 - self._back, self._velocity)
@@ -122,7 +122,7 @@ class Ledger:
         seen = step.seen or self._middle(0.0, before)
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
         self._carry(t, before, after)
-        pulls = self._scene.joints.pulls(len(self._mass))
+        pulls = pulls_of(self._scene.joints, len(self._mass))
         begun = before
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)

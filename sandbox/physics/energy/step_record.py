@@ -1,18 +1,20 @@
 """What a step leaves behind for whoever keeps books of its energy: frozen, and known after it."""
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.events.impact_response import Collided
-from sandbox.physics.events.slip import Stop
-from sandbox.physics.scene.integrators import Substep
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.substeps import Substep
 from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from sandbox.physics.events.impact_response import Collided
+    from sandbox.physics.events.slip import Stop
 
 
 class StepRecord(NamedTuple):
@@ -36,15 +38,15 @@ class StepRecord(NamedTuple):
         The drifts and kicks of which it was made.
     trail
         After each of them but the last, places and velocities: (n, 6) each; empty unless kept.
+    hold
+        The row of the body that a hand holds, and the arm from its centre to the grip [m]; None if
+        it holds none.
     impacts
         What located impacts did in its drift; None if there were none.
     stop
         What the end of slipping did in its drift; None if none ended.
     jump
         (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
-    hold
-        The row of the body that a hand holds, and the arm from its centre to the grip [m]; None if
-        it holds none.
     """
 
     steps: int
@@ -56,10 +58,10 @@ class StepRecord(NamedTuple):
     smooth: Array
     parts: Sequence[Substep]
     trail: Sequence[Array]
-    impacts: Collided | None
-    stop: Stop | None
-    jump: Array | None
     hold: tuple[int, XY] | None
+    impacts: "Collided | None" = None
+    stop: "Stop | None" = None
+    jump: Array | None = None
 
     @property
     def t(self) -> float:

@@ -7,40 +7,22 @@ and no body may join the space once a `Batch` looks at it.
 
 from collections.abc import Sequence
 from math import sqrt
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
-from pymunk.batch import (
-    ArbiterFields,
-    BodyFields,
-    Buffer,
-    get_space_arbiters,
-    get_space_bodies,
-)
+from pymunk.batch import BodyFields, Buffer, get_space_bodies
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.handles import Pair, Table
 
+if TYPE_CHECKING:
+    from sandbox.physics.engine.arbiters import Arbiters
+
 _VELOCITY = BodyFields.VELOCITY | BodyFields.ANGULAR_VELOCITY
 _FORCE = BodyFields.FORCE | BodyFields.TORQUE
 _STATE = BodyFields.POSITION | BodyFields.ANGLE | _VELOCITY
-_CONTACT_INTEGERS = (
-    ArbiterFields.BODY_A_ID
-    | ArbiterFields.BODY_B_ID
-    | ArbiterFields.IS_FIRST_CONTACT
-    | ArbiterFields.CONTACT_COUNT
-)
-_CONTACT_FIELDS = (
-    _CONTACT_INTEGERS
-    | ArbiterFields.TOTAL_IMPULSE
-    | ArbiterFields.NORMAL
-    | ArbiterFields.POINT_A_1
-    | ArbiterFields.POINT_B_1
-    | ArbiterFields.POINT_A_2
-    | ArbiterFields.POINT_B_2
-)
 
 Integers = NDArray[np.intp]
 Booleans = NDArray[np.bool_]
@@ -123,29 +105,6 @@ class Contacts(NamedTuple):
         return Contacts._make(field[count:] for field in self) if count else self
 
 
-class Pairs(NamedTuple):
-    """Which pairs touch, as pymunk tells it: this seldom changes from step to step.
-
-    Attributes
-    ----------
-    raw
-        What pymunk wrote.
-    rows
-        (k,), which of its rows they are, in the order of the bodies.
-    bodies, first, touches
-        As of `Contacts`.
-    alone
-        Whether no two bodies touch twice: then this order is the order of the contacts.
-    """
-
-    raw: bytes
-    rows: Integers
-    bodies: Integers
-    first: Booleans
-    touches: Integers
-    alone: bool
-
-
 NO_CONTACTS = Contacts(
     np.empty((0, 2), dtype=np.intp),
     np.empty(0, dtype=bool),
@@ -156,9 +115,6 @@ NO_CONTACTS = Contacts(
     np.empty((0, 2, 2)),
     np.empty((0, 2)),
     np.empty((0, 2)),
-)
-NO_PAIRS = Pairs(
-    b"", NO_CONTACTS.touches, NO_CONTACTS.bodies, NO_CONTACTS.first, NO_CONTACTS.touches, alone=True
 )
 
 
@@ -187,9 +143,8 @@ class Batch:
         self._state = Table(space, _STATE, len(ids), 6)
         self._velocity = Table(space, _VELOCITY, len(ids), 3)
         self._force = Table(space, _FORCE, len(ids), 3)
-        self._contacts = Buffer()
-        self._raw, self._known = (b"", b""), NO_CONTACTS
-        self._pairs = NO_PAIRS
+        self._arbiters: Arbiters | None = None
+        self._known = NO_CONTACTS
 
     def pair(self, a: int | None, b: int | None) -> Pair:
         """Return two bodies, to be read and written by themselves; None is the plane itself."""
@@ -227,43 +182,15 @@ class Batch:
 
     def contacts(self) -> Contacts:
         """Return who is in contact, with the impulses of the last step; not to be written to."""
-        self._contacts.clear()
-        get_space_arbiters(self._space, _CONTACT_FIELDS, self._contacts)
-        raw = bytes(self._contacts.int_buf()), bytes(self._contacts.float_buf())
-        if raw != self._raw:  # several ask in a step
-            self._raw, self._known = raw, self._read(*raw)
+        arbiters = self._arbiters = self._arbiters or self._look()
+        if arbiters.changed():  # several ask in a step
+            fields, pairs = arbiters.read(), arbiters.pairs
+            found = Contacts._make(fields) if fields else NO_CONTACTS
+            self._known = found if pairs and pairs.alone else found.in_order()
         return self._known
 
-    def _read(self, integer: bytes, floating: bytes) -> Contacts:
-        """Return the contacts that pymunk has written down."""
-        if integer != self._pairs.raw:
-            self._pairs = self._read_pairs(integer)
-        _, rows, bodies, first, touches, alone = self._pairs
-        if not len(rows):
-            return NO_CONTACTS
-        floats = np.frombuffer(floating).reshape(-1, 12)[rows]
-        impulse, direction = floats[:, :2], floats[:, 2:4]
-        on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
-        overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
-        across = overlap * direction[:, None]
-        depth = across[:, :, 0] + across[:, :, 1]
-        points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
-        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
-        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
-        normal = np.abs(along)
-        friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
-        found = Contacts(
-            bodies, first, direction, normal, friction, touches, points, impulse, depth
-        )
-        return found if alone else found.in_order()
+    def _look(self) -> "Arbiters":
+        """Return what reads contacts: it is not even loaded where nobody asks for any."""
+        from sandbox.physics.engine.arbiters import Arbiters
 
-    def _read_pairs(self, integer: bytes) -> Pairs:
-        """Return which pairs pymunk has written down."""
-        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
-        live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for a while after they part
-        bodies = self._order[self._ids.searchsorted(integers[live, :2])]
-        order = np.lexsort((bodies[:, 1], bodies[:, 0]))
-        rows, bodies = live[order], bodies[order]
-        alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
-        first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
-        return Pairs(integer, rows, bodies, first, touches, alone)
+        return Arbiters(self._space, self._ids, self._order)

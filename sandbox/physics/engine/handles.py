@@ -5,9 +5,6 @@ anew each time: 0.9 of the 1.1 µs that it takes to read two bodies, and 1.4 of 
 them. A `pymunk.Body` takes 0.5 µs to tell its place, of which 0.3 make a vector of it. A whole step
 with a string or a force law takes few µs and has from two to eight such calls. Here the arguments
 are made once; no public way is as fast, and nothing else in the sandbox looks behind pymunk.
-
-To ask an arbiter for its shapes, bodies and points takes 12 µs of vectors and lists, and to give it
-a point that is replaced as much again; that it touched nothing so far cannot be said at all.
 """
 
 from collections.abc import Callable
@@ -108,76 +105,3 @@ class Pair:
         memory.floats.num = 0
         lib.pmSpaceBodySetIteratorFuncBatched(self._a, memory.call)
         lib.pmSpaceBodySetIteratorFuncBatched(self._b, memory.call)
-
-
-def address(shape: pymunk.Shape) -> int:
-    """Return by what pymunk knows a shape, as long as it lives."""
-    return int(ffi.cast("uintptr_t", shape._shape))  # noqa: SLF001
-
-
-class Meeting:
-    """Two shapes that pymunk has found to be near, before it solves their contact."""
-
-    __slots__ = ("_arbiter", "shapes")
-
-    def __init__(self, arbiter: pymunk.Arbiter) -> None:
-        self._arbiter = arbiter._arbiter  # noqa: SLF001
-        self.shapes: tuple[int, int] = (
-            int(ffi.cast("uintptr_t", self._arbiter.a)),
-            int(ffi.cast("uintptr_t", self._arbiter.b)),
-        )
-
-    def places(self) -> tuple[tuple[complex, complex], tuple[complex, complex]]:
-        """Return where the two bodies are, and how they are turned: x + iy [m], cos + i sin."""
-        arbiter = self._arbiter
-        return _place(arbiter.body_a), _place(arbiter.body_b)
-
-    def motions(self) -> tuple[tuple[complex, float], tuple[complex, float]]:
-        """Return how fast the two bodies move and turn [m/s, rad/s]."""
-        arbiter = self._arbiter
-        return _motion(arbiter.body_a), _motion(arbiter.body_b)
-
-    def bounce(self, restitution: float) -> None:
-        """Let them part so many times as fast as they approach."""
-        self._arbiter.e = restitution
-
-    @property
-    def restitution(self) -> float:
-        """How many times as fast as they approach they part."""
-        return float(self._arbiter.e)
-
-    def refuse(self) -> None:
-        """Let them pass through each other in this step."""
-        self._arbiter.processCollision = False
-
-    def accept(self, *, first: bool) -> None:
-        """Let them touch; for the first time, if they did not in the step before."""
-        self._arbiter.processCollision = True
-        if first:
-            self._arbiter.state = 0  # pymunk takes those that were refused for old friends
-
-    def replace(self, normal: complex, one: complex, other: complex) -> None:
-        """Let them touch elsewhere than pymunk thinks.
-
-        Parameters
-        ----------
-        normal
-            The unit vector from the first to the second.
-        one, other
-            The points of contact on the surfaces of the two [m].
-        """
-        arbiter, contact = self._arbiter, self._arbiter.contacts[0]
-        (a, _), (b, _) = self.places()
-        arbiter.n = normal.real, normal.imag
-        contact.r1 = (one - a).real, (one - a).imag
-        contact.r2 = (other - b).real, (other - b).imag
-
-
-def _motion(body: object) -> tuple[complex, float]:
-    velocity = lib.cpBodyGetVelocity(body)
-    return complex(velocity.x, velocity.y), lib.cpBodyGetAngularVelocity(body)
-
-
-def _place(body: object) -> tuple[complex, complex]:
-    place, turned = lib.cpBodyGetPosition(body), lib.cpBodyGetRotation(body)
-    return complex(place.x, place.y), complex(turned.x, turned.y)

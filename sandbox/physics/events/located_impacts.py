@@ -21,7 +21,7 @@ from sandbox.model.level import Level
 from sandbox.physics.contacts.materials import pair_coefficients
 from sandbox.physics.contacts.post_impact import impacts
 from sandbox.physics.contacts.simultaneous_impacts import PRESSED
-from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns
 from sandbox.physics.events.impact_response import Coefficients, Collided, Collision, Impact
 from sandbox.physics.events.time_of_impact import Hit, Path, meet, touching
@@ -93,7 +93,7 @@ class Located:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
         self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
-        self._joints, self._solids = scene.joints.together, scene.joints.solids
+        self._joints, self._all_joints = scene.joints.together, scene.joints
         linked = self._joints is not None
         self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
         self._row = np.array([o.body for o in outlines])
@@ -195,24 +195,6 @@ class Located:
         mean = (path.pull + path.pull_at(t)) / 2
         return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
 
-    def contacts(self) -> Contacts:
-        """Return the impacts of the last drift as contacts."""
-        if not self.impacts:
-            return NO_CONTACTS
-        two = [(i.points[0], i.points[-1]) for i in self.impacts]
-        across = [i.impulse / i.normal for i in self.impacts]
-        return Contacts(
-            np.array([i.bodies for i in self.impacts], dtype=np.intp),
-            np.ones(len(two), dtype=bool),
-            np.array([(i.normal.real, i.normal.imag) for i in self.impacts]),
-            np.array([a.real for a in across]),
-            np.array([abs(a.imag) for a in across]),
-            np.array([len(i.points) for i in self.impacts], dtype=np.intp),
-            np.array([[(p.real, p.imag) for p in points] for points in two]),
-            np.array([(i.impulse.real, i.impulse.imag) for i in self.impacts]),
-            np.zeros((len(two), 2)),
-        )
-
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the corners of boxes around the shapes, from their bodies' places: (s, 2) each."""
         turns = (self._agility[:, 2] > 0) | (state[:, 5] != 0)
@@ -246,7 +228,7 @@ class Located:
         self, pull: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
     ) -> None:
         """Take what pymunk's impacts did in the last kick out of its accelerations."""
-        contacts, solid = self._batch.contacts(), self._solids.pairs
+        contacts, solid = self._batch.contacts(), self._all_joints.joined
         hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
         pull[hit] = onwards
 
@@ -298,6 +280,23 @@ class Located:
             if left.parting < PRESSED * group[0].parting:
                 raise EndlessImpacts(max(left.bodies, key=lambda b: self._mass[b]), SHUT_IN)
         return bounce.struck
+
+
+def as_contacts(impacts: Sequence[Impact]) -> Contacts:
+    """Return impacts, of which there are some, as contacts."""
+    two = [(i.points[0], i.points[-1]) for i in impacts]
+    across = [i.impulse / i.normal for i in impacts]
+    return Contacts(
+        np.array([i.bodies for i in impacts], dtype=np.intp),
+        np.ones(len(two), dtype=bool),
+        np.array([(i.normal.real, i.normal.imag) for i in impacts]),
+        np.array([a.real for a in across]),
+        np.array([abs(a.imag) for a in across]),
+        np.array([len(i.points) for i in impacts], dtype=np.intp),
+        np.array([[(p.real, p.imag) for p in points] for points in two]),
+        np.array([(i.impulse.real, i.impulse.imag) for i in impacts]),
+        np.zeros((len(two), 2)),
+    )
 
 
 def locate(level: Level, values: Values, scene: Scene, dt: float) -> Located | None:

@@ -151,7 +151,7 @@ class Stops:
 
     def _struck(self, smooth: Array) -> bool:
         """Return whether the last kick held an impact, which no acceleration stands for."""
-        contacts, solid = self._batch.contacts(), self._scene.joints.solids.pairs
+        contacts, solid = self._batch.contacts(), self._scene.joints.joined
         if not contacts.first.any():
             return False
         place, mass = self._batch.state()[:, :3], self._scene.mass

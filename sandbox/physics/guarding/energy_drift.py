@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.scene.scene import Scene
-from sandbox.physics.state.motion import Instant
+from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 UNNOTICED = 1e-2
@@ -79,7 +79,9 @@ class Gains:
     def energies(self, now: Snapshot) -> tuple[float, float]:
         """Return the whole energy and what is stored of it [J]."""
         stored = sum(float(law.potential_energy(now).sum()) for law in self._stores)
-        return float(kinetic(self._scene, now).sum()) + stored, stored
+        return float(
+            kinetic_energy(self._scene.mass, self._scene.moment, now).sum()
+        ) + stored, stored
 
     def follow(self, now: Snapshot, contacts: Contacts, before: Array | None) -> None:
         """Take note of what taking back overlaps has lifted since the last observation.
@@ -127,12 +129,6 @@ class Gains:
         for law in self._laws:
             law.add(motion, wrench)
         return np.asarray(wrench * self._scene.agility)
-
-
-def kinetic(scene: Scene, now: Snapshot) -> Array:
-    """Return the kinetic energy of each body: (n,) [J]."""
-    square = np.sum(now.velocity * now.velocity, axis=1)
-    return (scene.mass * square + scene.moment * now.angular_velocity**2) / 2
 
 
 def _extent(scene: Scene, start: Snapshot, thickness: Array) -> float:

@@ -20,12 +20,13 @@ from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
-from sandbox.physics.guarding.energy_drift import Gains, kinetic
+from sandbox.physics.guarding.energy_drift import Gains
+from sandbox.physics.guarding.lost import is_sound, refuse_beyond, refuse_lost, stop
 from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
-from sandbox.physics.state.errors import SimulationError, way_out
-from sandbox.physics.state.motion import Instant
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 EVERY = 8
@@ -79,7 +80,8 @@ class Watchdog:
     good
         The last state in which all was well, as far as was looked.
     doubts
-        Whether it stopped what could go on, for it no longer trusts it.
+        Whether it stopped what could go on, for it no longer trusts it: something is too deep in
+        something else, has parted, or has energy from nowhere.
     trusts
         Whether it lets that go on: then it stops only what is lost, or too much for a step.
     """
@@ -117,7 +119,9 @@ class Watchdog:
         self.good = start
         self.doubts = self.trusts = False
         if not isfinite(self._gains.energies(start)[0]):
-            self._refuse_beyond(int(np.argmax(kinetic(scene, start))), start)
+            self._refuse_beyond(
+                int(np.argmax(kinetic_energy(scene.mass, scene.moment, start))), start
+            )
 
     def look(
         self,
@@ -169,18 +173,14 @@ class Watchdog:
             self._recent = self._recent[-1:]
 
     def _look_for_lost(self, now: Snapshot) -> None:
-        motion = now.position, now.velocity, now.angle, now.angular_velocity
-        if isfinite(sum(np.vdot(part, part) for part in motion)):  # no square is, if one is not
-            return
-        rows = np.column_stack(motion)
-        gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
-        if gone.any():
-            row = int(gone.argmax())
-            reason = f"the body '{self._names[row]}' is no longer anywhere finite"
-            cause, rate = self._without_value(row, now) or self._cause(row)
-            self._stop(row, now, f"{reason}{cause}", rate)
-        if lost.any():
-            self._refuse_beyond(int(lost.argmax()), now)
+        if not is_sound(now):
+            refuse_lost(self._names, now, self._rate, lambda row: self._gone_by(row, now), self._by)
+
+    def _gone_by(self, row: int, now: Snapshot) -> tuple[str, float | None]:
+        return self._without_value(row, now) or self._cause(row)
+
+    def _by(self, row: int) -> tuple[str, float | None]:
+        return self._known_cause(row) or ("", None)
 
     def _without_value(self, row: int, now: Snapshot) -> tuple[str, None] | None:
         """Return the law that had no value any more, where or when a body had got to."""
@@ -196,14 +196,10 @@ class Watchdog:
 
     def _refuse_beyond(self, row: int, now: Snapshot) -> NoReturn:
         """Stop, for a body's energy is beyond the largest number."""
-        name = self._names[row]
-        reason = f"'{name}' is so fast, so far away or so heavy that its energy is no finite number"
-        cause, rate = self._known_cause(row) or ("", None)
-        self._stop(row, now, f"{reason}{cause}", rate)
+        refuse_beyond(self._names, row, now, self._rate, self._by)
 
     def _stop(self, row: int, now: Snapshot, reason: str, rate: float | None) -> NoReturn:
-        hint = "" if rate is None else way_out(rate, self._rate)
-        raise SimulationError(self._names[row], float(now.t), reason, rate, hint=hint)
+        stop(self._names[row], now, reason, rate, self._rate)
 
     def _refuse_crowd(self, now: Snapshot, contacts: Contacts) -> NoReturn:
         """Stop, for more bodies touch than a step can carry."""
@@ -270,7 +266,7 @@ class Watchdog:
 
     def _refuse(self, now: Snapshot, gained: float) -> NoReturn:
         """Stop, for so much energy has come from nowhere [J]."""
-        row = int(np.argmax(kinetic(self._scene, now)))
+        row = int(np.argmax(kinetic_energy(self._scene.mass, self._scene.moment, now)))
         if not isfinite(gained):
             self._refuse_beyond(row, now)
         self.doubts = True

@@ -1,4 +1,4 @@
-"""The joints of a scene: what holds exactly, and what pulls like a spring.
+"""Making the joints of a scene: what holds exactly, and what pulls like a spring.
 
 A plain string over pegs that shares no body with another exact joint is solved by itself, which is
 five times as fast. All other exact joints are solved together. pymunk solves what is not exact.
@@ -6,7 +6,7 @@ five times as fast. All other exact joints are solved together. pymunk solves wh
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
-from typing import NamedTuple, cast
+from typing import cast
 
 import numpy as np
 import pymunk
@@ -36,7 +36,7 @@ from sandbox.model.joints import (
 from sandbox.model.level import Level, is_alone, is_direct, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
-from sandbox.physics.engine.batch import Batch, Booleans
+from sandbox.physics.engine.batch import Batch
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.geometry.quintics import course
 from sandbox.physics.joints.composites import Solids, Touches
@@ -46,10 +46,10 @@ from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.exact.sizes import refuse_too_many
 from sandbox.physics.joints.exact.wire import WireEquation
+from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
-from sandbox.physics.state.anchor import Anchor, length
-from sandbox.physics.state.motion import Motion
+from sandbox.physics.state.anchor import Anchor
 
 Lengths = Rod | Rope | Pulley | Rail
 Turning = Pivot | Weld | Motor | Winding
@@ -62,29 +62,15 @@ FAR = 1e4
 a float knows a place worse than joints are kept."""
 
 
-class Pulls(NamedTuple):
-    """What exact joints did in a kick; m equations, n bodies.
-
-    Attributes
-    ----------
-    gradient
-        (m, n, 3), how what they keep changes with the bodies' places and angles.
-    tension
-        (m,), the force against that [N].
-    pulls_only
-        (m,), whether they may be shorter, as ropes.
-    changes
-        (m,), whether what they keep changes with time.
-    """
-
-    gradient: Array
-    tension: Array
-    pulls_only: Booleans
-    changes: Booleans
-
-
-class Joints:
-    """All joints of a scene; j of them, in the level's order.
+def assemble(
+    level: Level,
+    values: Values,
+    bodies: Mapping[str, pymunk.Body],
+    batch: Batch,
+    agility: Array,
+    touches: Touches | None = None,
+) -> Joints:
+    """Make the joints of a scene.
 
     Parameters
     ----------
@@ -96,121 +82,100 @@ class Joints:
         (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     touches
         Tells which of the pairs that stick have met; None if none do.
-
-    Attributes
-    ----------
-    springs
-        Those that are force laws, by name.
-    strings
-        Those that are solved by themselves, by name.
-    own
-        Those that pymunk solves, by name.
-    together
-        All other exact ones; None if there are none.
-    paths
-        The points that each runs through, by name; of a wire, points of its curve.
-    touches
-        Tells which of the pairs that stick have met; None if none do.
-    lines
-        The names of rods, ropes and strings, which swing across when they are taut.
-    solids
-        Who is welded or stuck to whom.
-    radii
-        Of the circles on which strings are wound, by name [m].
     """
+    return _Assembly(level, values, bodies, agility, touches).joints(batch)
+
+
+class _Assembly:
+    """Makes joints one after the other; for the parameters see `assemble`."""
 
     def __init__(
         self,
         level: Level,
         values: Values,
         bodies: Mapping[str, pymunk.Body],
-        batch: Batch,
         agility: Array,
-        touches: Touches | None = None,
+        touches: Touches | None,
     ) -> None:
+        self._level, self._values, self._bodies, self._agility = level, values, bodies, agility
         self._index = index = {name: i for i, name in enumerate(bodies)}
-        lengths = {name: span(spec, level.bodies, values) for name, spec in level.joints.items()}
-        self.paths = {
-            name: tuple(_anchor(end, index, values) for end in points(spec))
-            for name, spec in level.joints.items()
-        }
-        self.lines = [name for name, spec in level.joints.items() if spec.kind.swings]
-        self.wires: dict[str, WireEquation] = {}
-        self.springs: dict[str, SpringForce] = {}
-        self.strings: dict[str, PulleyString] = {}
-        self.together: ExactJoints | None = None
-        self.touches = touches
-        self.radii: dict[str, float] = {}
-        self._fixtures = any("torque" in j.kind.quantities for j in level.joints.values())
-        self._inverse_moment = agility[:, 2]
-        self.own = self._take_own(level, bodies, lengths, values)
-        origin = _origin(bodies)
-        rows, others = self._take_ours(level, bodies, lengths, values, origin)
-        if rows or others or level.effects.sticking or is_direct(level):
-            refuse_too_many((*rows, *others), agility[:, 0])
-            self.together = ExactJoints(rows, others, batch, agility[:, 0], agility[:, 2], origin)
-        together = (self.together,) if self.together else ()
-        self._solved = (*self.strings.values(), *self.own.values(), *together)
-        self.solids = Solids(bodies)
-        for a, b in _welded(level):
-            self.solids.join(a, b)
+        self._lengths = {n: span(spec, level.bodies, values) for n, spec in level.joints.items()}
+        self._joints = Joints(
+            paths={
+                name: tuple(_anchor(end, index, values) for end in points(spec))
+                for name, spec in level.joints.items()
+            },
+            lines=[name for name, spec in level.joints.items() if spec.kind.swings],
+            twists=any("torque" in spec.kind.quantities for spec in level.joints.values()),
+            solids=Solids(bodies),
+            touches=touches,
+            weld=self._weld_where_they_are,
+        )
 
-    def _take_ours(
-        self,
-        level: Level,
-        bodies: Mapping[str, pymunk.Body],
-        lengths: Mapping[str, float],
-        values: Values,
-        origin: complex,
-    ) -> tuple[list[Row], list[Equation]]:
+    def joints(self, batch: Batch) -> Joints:
+        """Return all joints."""
+        joints, level = self._joints, self._level
+        self._take_own()
+        origin = _origin(self._bodies)
+        rows, others = self._take_ours(origin)
+        if rows or others or level.effects.sticking or is_direct(level):
+            agility = self._agility[:, 0], self._agility[:, 2]
+            refuse_too_many((*rows, *others), agility[0])
+            joints.together = ExactJoints(rows, others, batch, *agility, origin)
+        assert joints.solids
+        for a, b in _welded(level):
+            joints.solids.join(a, b)
+        return joints
+
+    def _weld_where_they_are(self, a: str, b: str) -> None:
+        together = self._joints.together
+        assert together
+        ends = Anchor(self._index[a]), Anchor(self._index[b])
+        together.add(*self._weld(f"{a} and {b}", *ends, together.place()))
+
+    def _take_ours(self, origin: complex) -> tuple[list[Row], list[Equation]]:
         """Make the joints that pymunk does not solve, and return what is to be solved together."""
+        level, values, joints, lengths = self._level, self._values, self._joints, self._lengths
         rows: list[Row] = []
         others: list[Equation] = []
-        start = _coordinates(bodies, origin)
+        start = _coordinates(self._bodies, origin)
         for name, spec in _ours(level).items():
             _require_made(spec)
-            path = _from(origin, self.paths[name])
+            path = _from(origin, joints.paths[name])
             if isinstance(spec, Wire):
                 curve = course(spec, values) - origin
-                self.wires[name] = WireEquation(name, self.paths[name][0], curve)
-                self.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
-                others.append(self.wires[name])
+                joints.wires[name] = WireEquation(name, joints.paths[name][0], curve)
+                joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
+                others.append(joints.wires[name])
             elif isinstance(spec, Spring):
-                self.springs[name] = _spring(spec, self.paths[name], lengths[name], values)
+                joints.springs[name] = _spring(spec, joints.paths[name], lengths[name], values)
             elif isinstance(spec, Pulley) and is_alone(name, level):
-                self.strings[name] = _string(name, spec, bodies, lengths[name], values)
+                joints.strings[name] = _string(name, spec, self._bodies, lengths[name], values)
             elif isinstance(spec, Lengths):
                 rows += _rows(name, spec, path, lengths[name], values)
             else:
-                new_rows, new_others = self._turning(name, spec, path, start, values)
+                new_rows, new_others = self._turning(name, spec, path, start)
                 rows += new_rows
                 others += new_others
         return rows, others
 
-    def _take_own(
-        self,
-        level: Level,
-        bodies: Mapping[str, pymunk.Body],
-        lengths: Mapping[str, float],
-        values: Values,
-    ) -> dict[str, OwnJoint]:
+    def _take_own(self) -> None:
         """Make the joints that pymunk solves, and put them into the space of their bodies."""
-        own: dict[str, OwnJoint] = {}
-        for name, spec in level.joints.items():
+        values, bodies, joints = self._values, self._bodies, self._joints
+        for name, spec in self._level.joints.items():
             if isinstance(spec, Own) and not spec.exact:
                 space = next(iter(bodies.values())).space
                 assert space
                 known = [*bodies.values(), space.static_body]
                 a, b = (
                     (known[-1 if end.body is None else end.body], (end.point.real, end.point.imag))
-                    for end in self.paths[name]
+                    for end in joints.paths[name]
                 )
                 given = getattr(spec, "length", None)
-                whole = lengths[name] if given is None else given(values)
-                turns = self._can_turn(*self.paths[name])
-                own[name] = OwnJoint(spec, values, (a, b), whole, turns=turns)
-                space.add(*own[name].constraints)
-        return own
+                whole = self._lengths[name] if given is None else given(values)
+                turns = self._can_turn(*joints.paths[name])
+                joints.own[name] = OwnJoint(spec, values, (a, b), whole, turns=turns)
+                space.add(*joints.own[name].constraints)
 
     def _turning(
         self,
@@ -218,9 +183,8 @@ class Joints:
         spec: Turning,
         path: tuple[Anchor, ...],
         start: Coordinates,
-        values: Values,
     ) -> tuple[list[Row], Sequence[Equation]]:
-        a, b = path
+        (a, b), values, radii = path, self._values, self._joints.radii
         match spec:
             case Pivot():
                 return pin(name, a, b), ()
@@ -230,9 +194,9 @@ class Joints:
                 driven = turn(name, a, b, start, _driven(rate, values))
                 return pin(name, a, b), (driven,) if self._can_turn(a, b) else ()
             case Winding(radius=radius, unwinds=way):
-                self.radii[name] = radius(values)
+                radii[name] = radius(values)
                 sense = 1 if way == "counterclockwise" else -1
-                return [], (winding(name, a, b, self.radii[name], sense, start),)
+                return [], (winding(name, a, b, radii[name], sense, start),)
 
     def _weld(
         self, name: str, a: Anchor, b: Anchor, start: Coordinates
@@ -242,105 +206,7 @@ class Joints:
 
     def _can_turn(self, *anchors: Anchor) -> bool:
         held = [anchor.body for anchor in anchors if anchor.body is not None]
-        return bool(self._inverse_moment[held].any())
-
-    def _stick(self) -> None:
-        """Weld those that have just met where they are."""
-        assert self.together
-        assert self.touches
-        self.touches.end_step()
-        for a, b in self.touches.latest:
-            if self.solids.join(a, b):
-                ends = Anchor(self._index[a]), Anchor(self._index[b])
-                place = self.together.place()
-                self.together.add(*self._weld(f"{a} and {b}", *ends, place))
-
-    def length(self, name: str, motion: Motion) -> Array:
-        """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
-        distance = length(self.paths[name], motion)
-        radius = self.radii.get(name)
-        return distance if radius is None else np.sqrt(distance**2 - radius**2)
-
-    def solvers(
-        self, until: Callable[[], float], solve: Callable[[float], None] | None
-    ) -> list[Callable[[], None]]:
-        """Return what must run after pymunk's solver.
-
-        Parameters
-        ----------
-        until
-            Tells the time at the end of the next drift [s].
-        solve
-            Solves the exact joints, and contacts as well, up to such a time [s]; None if the joints
-            are solved without contacts.
-        """
-        work: list[Callable[[], None]] = [string.solve for string in self.strings.values()]
-        if self.touches:
-            work.append(self._stick)
-        if exact := solve or (self.together.solve if self.together else None):
-            work.append(lambda: exact(until()))
-        return work
-
-    def time(self, kick: float, drift: float) -> None:
-        """Set how long the next kicks last, and the drift that follows each [s]."""
-        for joint in self._solved:
-            joint.time(kick, drift)
-
-    def refit(self, t: float) -> None:
-        """Take the present lengths as those that hold from a time on [s]."""
-        for string in self.strings.values():
-            string.refit()
-        for own in self.own.values():
-            own.refit()
-        for wire in self.wires.values():
-            wire.forget()
-        if self.together:
-            self.together.refit(t)
-
-    def parting(self) -> tuple[str, float]:
-        """Return which of those solved together is furthest off, and by how much [m, rad]."""
-        return self.together.parting() if self.together else ("", 0.0)
-
-    def tension(self, motion: Motion) -> Array:
-        """Return the force with which each joint pulled in the last kick, or pulls now [N]."""
-        return np.array([self._tension(name, motion) for name in self.paths])
-
-    def pulls(self, count: int) -> Pulls:
-        """Return what the exact joints did in the last kick, to so many bodies."""
-        parts = [
-            _of_string(string, [self.paths[name][end].body for end in (0, -1)], count)
-            for name, string in self.strings.items()
-        ]
-        if joints := self.together:
-            parts.append(
-                Pulls(joints.gradients(), joints.tension, joints.pulls_only, joints.changes)
-            )
-        if not parts:
-            none = np.zeros(0, dtype=bool)
-            return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none)
-        return Pulls(*(np.concatenate(column) for column in zip(*parts, strict=True)))
-
-    def _tension(self, name: str, motion: Motion) -> float:
-        if name in self.strings:
-            return self.strings[name].tension
-        if name in self.own:
-            return self.own[name].tension
-        if name in self.springs:
-            return float(self.springs[name].tension(motion))
-        assert self.together
-        force = self.together.force(name)
-        return abs(force) if name in self.wires else force
-
-    def torque(self) -> Array:
-        """Return the torque of each joint on its second body in the last kick [N m]."""
-        torque = np.zeros(len(self.paths))
-        if self._fixtures:
-            for i, name in enumerate(self.paths):
-                if name in self.own:
-                    torque[i] = self.own[name].torque
-                elif self.together:
-                    torque[i] = self.together.torque(name)
-        return torque
+        return bool(self._agility[held, 2].any())
 
 
 def _require_made(joint: Model) -> None:
@@ -348,14 +214,6 @@ def _require_made(joint: Model) -> None:
     if not isinstance(joint, Lengths | Turning | Wire | Spring):
         rule = f"take up {type(joint).__name__} in sandbox/physics/joints/assembly.py"
         raise IncompleteError(f"a joint is made by nothing: {rule}")
-
-
-def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
-    gradient = np.zeros((1, count, 3))
-    for row, direction in zip(rows, string.gradient(), strict=True):
-        if row is not None:
-            gradient[0, row, :2] += direction
-    return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
 
 
 def _ours(level: Level) -> dict[str, Joint]:

@@ -28,6 +28,7 @@ import pymunk
 from sandbox.model.shapes import XY
 from sandbox.physics.engine.handles import Pair
 from sandbox.physics.state.errors import JointFailure
+from sandbox.physics.state.kick import Kick
 
 MAX_ITERATIONS = 20
 
@@ -68,11 +69,6 @@ class PulleyString:
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
         self._warm = 0.0  # the tension that has acted in this kick already
-        self._kick = self._drift = 0.0
-
-    def time(self, kick: float, drift: float) -> None:
-        """Set how long the next kicks last, and the drift that follows each [s]."""
-        self._kick, self._drift = kick, drift
 
     def refit(self) -> None:
         """Take the present path as the string's length, as after a body was put elsewhere."""
@@ -91,7 +87,7 @@ class PulleyString:
         (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
         return (ax - peg_ax, ay - peg_ay), (bx - peg_bx, by - peg_by)
 
-    def warm_start(self) -> None:
+    def warm_start(self, _kick: Kick) -> None:
         """Pull in this kick as in the one before, in the direction of now."""
         if not self.tension:
             return
@@ -99,7 +95,7 @@ class PulleyString:
         for body, (x, y) in zip(self._ends, self.gradient(), strict=True):
             body.apply_force_at_world_point((-x * self._warm, -y * self._warm), body.position)
 
-    def solve(self) -> None:
+    def solve(self, kick: Kick) -> None:
         """Find the impulse that keeps the length through the next drift, and apply the rest."""
         ax, ay, ux, uy, bx, by, vx, vy = self._pair.read()
         (peg_ax, peg_ay), (peg_bx, peg_by) = self._pegs
@@ -110,24 +106,27 @@ class PulleyString:
             reply_a = self._inverse[0] and self._inverse[0] / far_a
             reply_b = self._inverse[1] and self._inverse[1] / far_b
             px, py, qx, qy = reply_a * ax, reply_a * ay, reply_b * bx, reply_b * by
-            impulse = self._newton((ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy))
+            impulse = self._newton(
+                kick, (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy)
+            )
         except ZeroDivisionError:
             raise JointFailure(self._name, f"an end of '{self._name}' has run into a peg") from None
         if impulse:
             self._pair.set_velocity(
                 ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy
             )
-        self.tension = self._warm + impulse / self._kick
+        self.tension = self._warm + impulse / kick.length
         self._warm = 0.0
 
-    def _newton(self, one: End, other: End) -> float:
+    def _newton(self, kick: Kick, one: End, other: End) -> float:
         """Return the impulse beyond the warm start's, found by Newton's method [N s]."""
         (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
-        h, least, close = self._drift, -self._warm * self._kick, QUADRATIC * self._free_length
+        h, lasts, close = kick.drift, kick.length, QUADRATIC * self._free_length
+        least = -self._warm * lasts
         off = far_a + far_b - self._free_length
         if -self._rounding <= off <= self._rounding:
             off *= SHARE
-        impulse = self.tension * self._kick + least
+        impulse = self.tension * lasts + least
         for _ in range(MAX_ITERATIONS):
             # how far both drift, where to, and how long their arms are then
             dax, day = h * (ux - impulse * px), h * (uy - impulse * py)

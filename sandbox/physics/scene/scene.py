@@ -6,52 +6,28 @@ rotation every moment is infinite, without friction or restitution the coefficie
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Level, Stepping, is_direct
-from sandbox.physics.contacts.corners import reach_out
-from sandbox.physics.contacts.crowding import most_pairs, refuse_crowd
-from sandbox.physics.contacts.hollow_contacts import Hollows
-from sandbox.physics.contacts.hollow_shapes import make_hollow
-from sandbox.physics.contacts.materials import (
-    correct_contacts,
-    give_coefficients,
-    stand_proud,
-    take_bounces,
-)
-from sandbox.physics.contacts.overlaps import refuse_overlaps
-from sandbox.physics.contacts.queries import Query
-from sandbox.physics.contacts.shapes import (
-    DIRECT_HAIR,
-    HAIR,
-    choose_correction,
-    leave_contacts,
-    make_surfaces,
-    run_belts,
-    skip_ids,
-)
-from sandbox.physics.contacts.static_friction import Sticking
+from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
-from sandbox.physics.engine.broadphase import choose_broad_phase
 from sandbox.physics.forces.declared import Gravity, Law, Turn, gravity, laws, mass_share
 from sandbox.physics.forces.law import Given
-from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.variable_mass import MassFlows, Share
-from sandbox.physics.joints.assembly import Joints
-from sandbox.physics.joints.composites import Touches
-from sandbox.physics.joints.native import pull_by_pymunk
-from sandbox.physics.scene.integrators import composition
-from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
+from sandbox.physics.joints.joints import Joints
+from sandbox.physics.scene.parts import Made, Pairs
 from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
+    from sandbox.physics.contacts.static_friction import Sticking
+    from sandbox.physics.forces.spring import SpringForce
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +36,6 @@ class Scene:
 
     Attributes
     ----------
-    step
-        How long a step is [s].
     bodies
         In the level's order, static and kinematic ones included; n of them.
     batch
@@ -82,8 +56,8 @@ class Scene:
         How many callbacks the pairs with coefficients of their own make, with a contact each.
     sticking
         The friction of pairs whose static coefficient is larger, by their bodies' numbers.
-    restitution
-        (n, n), the pairs' coefficients where impacts are a sequence; None where pymunk solves them.
+    sequence
+        Lets impacts come one after the other; None where that is not how the level wants them.
     reach
         How far from the origin pymunk can look for pairs [m].
     direct
@@ -99,7 +73,6 @@ class Scene:
     """
 
     space: pymunk.Space
-    step: float
     bodies: dict[str, pymunk.Body]
     batch: Batch
     mass: Array
@@ -109,11 +82,11 @@ class Scene:
     agility: Array
     joints: Joints
     pair_callbacks: int
-    sticking: Mapping[frozenset[int], Sticking]
-    restitution: Array | None
+    sticking: "Mapping[frozenset[int], Sticking]"
+    sequence: "Sequential | None"
     reach: float
     direct: "Direct | None"
-    hollows: Hollows | None
+    hollows: "Hollows | None"
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -133,7 +106,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     space.iterations = stepping.iterations
     bodies = {name: make_body(name, level, values) for name in level.bodies}
     space.add(*bodies.values())
-    pairs = _make_contacts(space, bodies, level, values, stepping)
+    pairs = _touching(space, bodies, level, values, stepping)
     mass, moment = _inertia(list(bodies.values()))
     inertia = np.stack((mass, mass, moment), axis=1)
     agility = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
@@ -142,17 +115,14 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = Joints(level, values, bodies, batch, agility, _touches(space, level))
-    if level.effects.contact and not level.effects.contact.overlaps:
-        refuse_overlaps(space, bodies, pairs.hollows)
+    joints = _make_joints(level, values, bodies, batch, agility, pairs.hollows)
     given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
     forces, turns = laws(level.effects, given)
-    query = Query(space, list(bodies.values()), pairs.hollows)
-    direct = _make_direct(level, values, stepping, query, joints, batch, inertia)
-    _check_rate(list(bodies), batch, agility, joints, (forces, turns), stepping)
+    made = Made(level, values, stepping, bodies, batch, joints, inertia, agility)
+    direct, sequence = _solvers(made, pairs)
+    _check_rate(made, forces, turns)
     return Scene(
         space=space,
-        step=given.step,
         bodies=bodies,
         batch=batch,
         mass=mass,
@@ -163,7 +133,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         joints=joints,
         pair_callbacks=pairs.callbacks,
         sticking=pairs.sticking,
-        restitution=pairs.restitution,
+        sequence=sequence,
         reach=pairs.reach,
         direct=direct,
         hollows=pairs.hollows,
@@ -182,33 +152,89 @@ def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array]:
     return mass, np.where(np.isfinite(moment) & dynamic, moment, 0.0)
 
 
-def _check_rate(
-    names: Sequence[str],
+def _touching(
+    space: pymunk.Space,
+    bodies: dict[str, pymunk.Body],
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+) -> Pairs:
+    """Give bodies the shapes with which they touch, if they do."""
+    if not level.effects.contact:
+        return Pairs()
+    from sandbox.physics.scene.touching import make_contacts
+
+    return make_contacts(space, bodies, level, values, stepping)
+
+
+def _make_joints(
+    level: Level,
+    values: Values,
+    bodies: dict[str, pymunk.Body],
     batch: Batch,
     agility: Array,
-    joints: Joints,
-    forces: tuple[Sequence[Law], Sequence[Turn]],
-    stepping: Stepping,
-) -> None:
+    hollows: "Hollows | None",
+) -> Joints:
+    """Make the joints, if anything may ever hold bodies together."""
+    contact = level.effects.contact
+    if not (level.joints or contact or level.effects.sticking):
+        return Joints()
+    from sandbox.physics.joints.assembly import assemble
+    from sandbox.physics.scene.touching import touches_of
+
+    space = next(iter(bodies.values())).space
+    assert space
+    joints = assemble(level, values, bodies, batch, agility, touches_of(space, level))
+    if contact and not contact.overlaps:
+        from sandbox.physics.contacts.overlaps import refuse_overlaps
+
+        refuse_overlaps(space, bodies, hollows)
+    return joints
+
+
+def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | None]":
+    """Make what solves contacts, or impacts, where that is not pymunk."""
+    if not made.level.effects.contact:
+        return None, None
+    from sandbox.physics.scene.touching import make_direct, make_sequence
+
+    return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)
+
+
+def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
     """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
-    start = Reading(np.zeros(()), batch.state())
-    reach = composition(stepping.scheme, held=bool(joints.together)).reach
+    joints, agility, stepping = made.joints, made.agility, made.stepping
+    drags = [law for law in forces if law.effect.sees_velocity and not stepping.as_it_comes]
+    if not (joints.springs or drags or turns):
+        return
+    from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
+
+    start = Reading(np.zeros(()), made.batch.state())
+    reach = _reach(stepping, held=bool(joints.together))
     check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
-    laws_of, turns = forces
+    names = list(made.bodies)
     for turn in turns:
         check_turn(turn, names, start, stepping.rate)
-    for law in laws_of:
-        if law.effect.sees_velocity and not stepping.as_it_comes:
-            check_drag(law, names, start, joints, agility, stepping.rate)
+    for law in drags:
+        check_drag(law, names, start, joints, agility, stepping.rate)
+
+
+def _reach(stepping: Stepping, *, held: bool) -> float:
+    """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
+    if stepping.scheme != "fourth-order":
+        return 2.0
+    from sandbox.physics.scene.compositions import fourth_order
+
+    return fourth_order(held=held).reach
 
 
 def _hooked(
-    springs: Mapping[str, SpringForce],
+    springs: "Mapping[str, SpringForce]",
     bodies: Sequence[pymunk.Body],
     level: Level,
     stepping: Stepping,
     share: Share,
-) -> Iterator[SpringForce]:
+) -> "Iterator[SpringForce]":
     """Leave plain springs to pymunk, and yield the others.
 
     Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
@@ -220,101 +246,8 @@ def _hooked(
     for spring in springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)
         if simple and space and held and not (spring.damping or spring.pushes_only):
+            from sandbox.physics.joints.native import pull_by_pymunk
+
             pull_by_pymunk(spring, bodies, space)
         else:
             yield spring
-
-
-class _Pairs(NamedTuple):
-    """How many callbacks pairs of bodies make, and what `Scene` says of them."""
-
-    callbacks: int
-    sticking: Mapping[frozenset[int], Sticking]
-    restitution: Array | None
-    reach: float
-    hollows: Hollows | None
-
-
-def _make_contacts(
-    space: pymunk.Space,
-    bodies: dict[str, pymunk.Body],
-    level: Level,
-    values: Values,
-    stepping: Stepping,
-) -> _Pairs:
-    """Give bodies the shapes with which they touch, and say what happens where they do."""
-    if not level.effects.contact:
-        return _Pairs(0, {}, None, inf, None)
-    ours = not stepping.as_it_comes
-    if ours:
-        skip_ids(space, level)
-    sequence = level.effects.in_sequence and ours
-    direct = ours and is_direct(level)
-    hair, shapes = _hair(ours=ours, direct=direct), {}
-    for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
-        shapes[name] = make_surfaces(spec, bodies[name], level, values, hair, kind)
-    refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
-    for made in shapes.values():  # pymunk looks for pairs at once
-        space.add(*made)
-    follows = ours and not (sequence or direct)
-    drift = 1 / stepping.rate if follows else None
-    hollows = make_hollow(space, level, values, shapes, hair, drift)
-    reach = choose_broad_phase(space)
-    run_belts(level, values, bodies)
-    if sequence or direct:
-        bounces = take_bounces(space, level, values) if sequence else None
-        if not sequence:
-            stand_proud(space)
-        count = correct_contacts(space, level, hollows) if hollows else 0
-        pairs = _Pairs(count, {}, bounces, reach, hollows)
-    else:
-        given = give_coefficients(space, level, values, hollows)
-        pairs = _Pairs(*given, None, reach, hollows)
-    if ours:
-        reach_out(space)
-        _choose_solver(space, level, values, 1 / stepping.rate)
-    return pairs
-
-
-def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
-    """Leave contacts to what solves them directly, or say how pymunk is to take overlaps back."""
-    if is_direct(level):
-        leave_contacts(space)
-    else:
-        choose_correction(space, level, values, dt)
-
-
-def _hair(*, ours: bool, direct: bool) -> float:
-    """Return how far flat surfaces stand proud [m]."""
-    if not ours:
-        return 0.0
-    return DIRECT_HAIR if direct else HAIR
-
-
-def _make_direct(
-    level: Level,
-    values: Values,
-    stepping: Stepping,
-    query: Query,
-    joints: Joints,
-    batch: Batch,
-    inertia: Array,
-) -> "Direct | None":
-    """Make what solves contacts and exact joints together, where the level wants it."""
-    if stepping.as_it_comes or not is_direct(level):
-        return None
-    from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.direct.surfaces import surfaces_of
-
-    assert joints.together
-    surfaces = surfaces_of(level, values, query.bodies)
-    dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
-    return Direct(batch, joints.together, surfaces, inertia, dt, query, strikes=strikes)
-
-
-def _touches(space: pymunk.Space, level: Level) -> Touches | None:
-    """Watch the pairs that are to stick to each other, if there are any."""
-    sticking = level.effects.sticking
-    if sticking is None:
-        return None
-    return Touches(space, list(level.bodies), [pair.bodies for pair in sticking.pairs])

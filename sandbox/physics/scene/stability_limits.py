@@ -9,8 +9,8 @@ from sandbox.model.expressions import Array
 from sandbox.model.locating import Path
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.joints.assembly import Joints
 from sandbox.physics.joints.exact.shake import SINGULAR
+from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion
 

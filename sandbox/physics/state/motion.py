@@ -109,3 +109,17 @@ def momentum(share: Array, place: Array) -> Array:
     x, y = place.T[:2]
     moment = x * share[:, 1] - y * share[:, 0] + share[:, 2]
     return np.array([*share[:, :2].sum(axis=0), moment.sum()])
+
+
+def kinetic_energy(mass: Array, moment: Array, motion: Motion) -> Array:
+    """Return the kinetic energy of n bodies [J]: (..., n).
+
+    Parameters
+    ----------
+    mass, moment
+        (n,), 0 of what nothing moves, or turns [kg, kg m²].
+    motion
+        How they move.
+    """
+    square = np.sum(motion.velocity * motion.velocity, axis=-1)
+    return np.asarray((mass * square + moment * motion.angular_velocity**2) / 2)

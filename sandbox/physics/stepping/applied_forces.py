@@ -2,15 +2,19 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.forces.turning import pull, rates
 from sandbox.physics.forces.variable_mass import MassFlows
-from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.kick import Kick
 from sandbox.physics.state.motion import Reading
+
+if TYPE_CHECKING:
+    from sandbox.physics.engine.grab import Hand
+    from sandbox.physics.joints.exact.shake import ExactJoints
 
 
 class Forces:
@@ -20,10 +24,8 @@ class Forces:
     ----------
     seen
         What the laws saw in the last kick; None if there are none, or before it.
-    older
-        (n, 3), the velocities that the last kick began with, by which those at the next are known
-        [m/s, rad/s].
-
+    hand
+        What takes hold of bodies; None unless one has.
     turning
         (n,), how fast the last kick turned velocities [rad/s]; None if nothing does.
 
@@ -37,9 +39,9 @@ class Forces:
         Whether kicks are half a step from the velocities before them.
     """
 
-    def __init__(self, scene: Scene, pulling: ExactJoints | None, *, leapfrog: bool) -> None:
+    def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
         self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
-        self._turns, self._space, self._step = scene.turns, scene.space, scene.step
+        self._turns = scene.turns
         self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
         sees = any(law.effect.sees_velocity for law in scene.laws)
@@ -49,7 +51,9 @@ class Forces:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
         self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
         self._agility = scene.agility
-        self.older: Array = np.zeros_like(self._field)
+        # (n, 3), the velocities that the last kick began with, by which those at the next are known
+        self._older: Array = np.zeros_like(self._field)
+        self.hand: Hand | None = None
         self.turning: Array | None = None
         self.seen: Reading | None = None
 
@@ -65,66 +69,71 @@ class Forces:
 
     def start(self, begun: Array, after: Array) -> None:
         """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""
+        self.restart(begun + (begun - after))
+
+    def restart(self, older: Array) -> None:
+        """Take the last kick to have begun with other velocities: (n, 3) [m/s, rad/s]."""
         if self._guesses:
-            self.older = begun + (begun - after)
+            self._older = older
+
+    def shift(self, jump: Array) -> None:
+        """Take in how velocities have jumped since the last kick began: (n, 3) [m/s, rad/s]."""
+        if self._guesses:
+            self._older = self._older + jump
 
     @contextmanager
     def tried(self) -> Iterator[None]:
         """Let kicks be tried: what the last one before them saw and gave is known again after."""
-        kept = self.older, self.seen, self._wrench
+        kept = self._older, self.seen, self._wrench
         self._wrench = self._wrench.copy()
         yield
-        self.older, self.seen, self._wrench = kept
+        self._older, self.seen, self._wrench = kept
 
-    def apply(self, t: float, scale: float) -> None:
-        """Read all bodies once, add up the laws, and write all forces once.
+    def held(self, dt: float) -> Array:
+        """Return the accelerations in a kick of a length [s], the hand's among them: (n, 3)."""
+        if self.hand is None or not self.hand.hold:
+            return self.smooth
+        return self.smooth + self.hand.pull(self._batch.velocity(), self._inverse, dt)
 
-        Parameters
-        ----------
-        t
-            The time of the kick [s].
-        scale
-            What the forces are multiplied by.
-        """
-        held = self._held(scale) if self._turns else None
-        self.seen = reading = self._read(t)
+    def apply(self, kick: Kick) -> None:
+        """Read all bodies once, add up the laws, and write all forces once."""
+        gained = self._gained(kick) if self._turns else None
+        self.seen = reading = self._read(kick)
         if isinstance(self._share, MassFlows):
             self._weigh(self._share, reading.t)
         wrench = self._wrench
         wrench.fill(0.0)
         for law in self._laws:
             law.add(reading, wrench)
-        if held is not None:
-            self._turn(reading, wrench, held, self._length(scale))
+        if gained is not None:
+            self._turn(reading, wrench, gained, kick.length)
         if self._pulling:
             wrench = wrench.copy()
             self._pulling.pull(wrench)
-        self._batch.set_force(wrench if scale == 1 else wrench * scale)
+        self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
-    def _held(self, scale: float) -> Array:
+    def _gained(self, kick: Kick) -> Array:
         """Return what joints and contacts gave each velocity in the last kick: (n, 2) [m/s].
 
-        A kick of another length than a step is the first of a motion, and nothing is known yet.
+        Nothing is known of it in the first kick of a motion, which is not as long as a step.
         """
-        if not self._guesses or self._length(scale) != self._step:
+        if not self._guesses or kick.start is not None or kick.length != kick.clock.dt:
             return np.zeros_like(self._field[:, :2])
-        gained = self._batch.velocity() - self.older - self.smooth * self._step
+        gained = self._batch.velocity() - self._older - self.smooth * kick.length
         return gained[:, :2]
 
-    def _turn(self, reading: Reading, wrench: Array, held: Array, length: float) -> None:
+    def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
         """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
+        from sandbox.physics.forces.turning import pull, rates
+
         self.turning = rates(self._turns, reading)
-        velocity = self.older[:, :2] if self._guesses else reading.velocity
+        velocity = self._older[:, :2] if self._guesses else reading.velocity
         agility = self._agility[:, :2]
-        others = self._field[:, :2] + wrench[:, :2] * agility + held / length
+        others = self._field[:, :2] + wrench[:, :2] * agility + gained / length
         pulled = pull(self.turning, velocity, others, length)
         wrench[:, :2] += np.divide(pulled, agility, out=np.zeros_like(pulled), where=agility > 0)
 
-    def _length(self, scale: float) -> float:
-        """Return how long the kick is that pymunk is about to give [s]; a step before the first."""
-        return scale * (self._space.current_time_step or self._step)
-
-    def _read(self, t: float) -> Reading:
+    def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.
 
         pymunk's velocities are half a step old. Those at the kick are, to second order, 3/2 of them
@@ -133,9 +142,11 @@ class Forces:
         state = self._batch.state()
         if self._guesses:
             velocity = state[:, 3:].copy()
-            state[:, 3:] = 1.5 * velocity - 0.5 * self.older
-            self.older = velocity
-        return Reading(np.asarray(t), state)
+            state[:, 3:] = 1.5 * velocity - 0.5 * (
+                self._older if kick.start is None else kick.start
+            )
+            self._older = velocity
+        return Reading(np.asarray(kick.t), state)
 
     def _weigh(self, share: MassFlows, t: Array) -> None:
         """Give the bodies whose mass changes that of a time [s], for the kick around it."""

@@ -5,24 +5,40 @@ Where something hits there is no such mean (see `post_impact` and `sequential_im
 know better where a step has several kicks (see `shake`).
 """
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.level import Level, Stepping
-from sandbox.physics.contacts.post_impact import impacts
-from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.forces.turning import at_the_step
-from sandbox.physics.scene.integrators import Substep
-from sandbox.physics.scene.scene import Scene
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.applied_forces import Forces
+from sandbox.physics.stepping.stage import Setup, Stages
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.sequential_impacts import Sequence
+    from sandbox.physics.energy.step_record import StepRecord
+
+
+class Observation(NamedTuple):
+    """What was seen at a step; n bodies.
+
+    Attributes
+    ----------
+    steps
+        How many were taken.
+    snapshot, contacts
+        The state, and who touched whom.
+    begun
+        (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    after
+        (n, 3), those that it ended with; None where the run has just begun.
+    """
+
+    steps: int
+    snapshot: Snapshot
+    contacts: Contacts
+    begun: Array
+    after: Array | None
 
 
 class Observer:
@@ -30,34 +46,83 @@ class Observer:
 
     Parameters
     ----------
-    level, stepping
-        What the scene was built from.
-    scene
-        What moves.
-    forces
-        What gravity and the force laws do.
-    strikes
-        What finds impacts, and tells what they did; None where that is pymunk.
+    setup
+        What runs.
+    stages
+        What else may know of contacts and impacts.
     """
 
-    def __init__(
-        self,
-        level: Level,
-        stepping: Stepping,
-        scene: Scene,
-        forces: Forces,
-        strikes: "Sequence | Direct | None",
-    ) -> None:
-        self._dt, self._leapfrog = 1 / stepping.rate, not stepping.as_it_comes
-        self._mass, self._joints, self._hollows = scene.mass, scene.joints, scene.hollows
-        self._forces, self._strikes = forces, strikes
-        self._bounces = level.effects.restitution is not None
-        self._untouched = np.zeros(len(scene.mass))
+    def __init__(self, setup: Setup, stages: Stages) -> None:
+        self._scene, self._forces, self._kicks = setup.scene, setup.forces, setup.kicks
+        self._leapfrog, effects = setup.leapfrog, setup.level.effects
+        self._touching = effects.contact is not None
+        self._strikes = setup.scene.sequence or setup.scene.direct
+        self._bounces = effects.restitution is not None
+        self._stages = stages
+        self._untouched = np.zeros(len(setup.scene.mass))
         self._untouched.setflags(write=False)
 
-    def rates(
-        self, state: Array, before: Array, contacts: Contacts, parts: list[Substep]
-    ) -> tuple[Array, Array]:
+    def observe(self, begun: Array) -> Observation:
+        """Return the state at the step that was just taken.
+
+        Parameters
+        ----------
+        begun
+            (n, 3), the velocities half a kick before it [m/s, rad/s].
+        """
+        kicks = self._kicks
+        state = self._scene.batch.state()
+        contacts = self.contacts()
+        rates = self._rates(state, begun, contacts)
+        if (impacts := self._stages.impacts) and (found := impacts()):
+            from sandbox.physics.events.located_impacts import as_contacts
+
+            contacts = as_contacts(found).and_(contacts)
+        snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
+        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
+
+    def velocity(self, seen: Observation) -> Array:
+        """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s].
+
+        Parameters
+        ----------
+        seen
+            The last that was observed, which may be of this step.
+        """
+        if seen.after is None or seen.steps != self._kicks.clock.steps:
+            return self._scene.batch.velocity()
+        return seen.after
+
+    def record(self, seen: Observation) -> "StepRecord":
+        """Return what books must know of the step that was last observed."""
+        from sandbox.physics.energy.step_record import StepRecord
+
+        forces, kicks = self._forces, self._kicks
+        record = StepRecord(
+            steps=kicks.clock.steps,
+            dt=kicks.clock.dt,
+            snapshot=seen.snapshot,
+            contacts=seen.contacts,
+            begun=seen.begun,
+            seen=forces.seen,
+            smooth=forces.smooth,
+            parts=kicks.parts,
+            trail=kicks.trail or (),
+            hold=forces.hand.hold if forces.hand else None,
+        )
+        for add in self._stages.record:
+            record = add(record)
+        return record
+
+    def contacts(self) -> Contacts:
+        """Return who touched whom in the last kick."""
+        if not self._touching:
+            return NO_CONTACTS
+        touches = self._scene.joints.touches
+        contacts = (self._stages.contacts or self._scene.batch.contacts)()
+        return touches.with_latest(contacts) if touches else contacts
+
+    def _rates(self, state: Array, before: Array, contacts: Contacts) -> tuple[Array, Array]:
         """Return the velocities and accelerations at a step: (n, 3) each.
 
         Parameters
@@ -68,50 +133,54 @@ class Observer:
             (n, 3), the velocities half a kick before it [m/s, rad/s].
         contacts
             Of the kick.
-        parts
-            What the step is made of.
         """
-        after = state[:, 3:]
-        velocity, acceleration = after, (after - before) / parts[-1].kick
+        after, parts = state[:, 3:], self._kicks.parts
+        acceleration = (after - before) / parts[-1].kick
         if not self._leapfrog:
-            return velocity, acceleration
+            return after, acceleration
         velocity = (before + after) / 2
         if (turning := self._forces.turning) is not None:
-            velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._dt)
-        if len(parts) > 1 and self._joints.together:
-            velocity, acceleration = self._joints.together.motion(velocity, self._forces.smooth)
+            from sandbox.physics.forces.turning import at_the_step
+
+            velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._kicks.clock.dt)
+        if len(parts) > 1 and (joints := self._scene.joints.together):
+            velocity, acceleration = joints.motion(velocity, self._forces.smooth)
         if self._strikes:
-            struck = self._strikes.last
+            struck, half = self._strikes.last, self._kicks.clock.dt / 2
             if len(hit := np.flatnonzero(struck.struck)):
-                acceleration[hit] = (after - struck.velocity)[hit] / (self._dt / 2)
+                acceleration[hit] = (after - struck.velocity)[hit] / half
                 velocity[hit] = struck.velocity[hit]
-        elif contacts.first.any() or self._bounces:
-            solid, pull = self._joints.solids.pairs, self._forces.smooth
-            place = state[:, :3]
-            if self._hollows:
-                contacts = self._hollows.impacts(contacts)
-            hit, onwards = impacts(
-                contacts, solid, place, before, after, pull, self._mass, self._dt
-            )
-            acceleration[hit] = onwards
-            velocity[hit] = after[hit] - onwards * (self._dt / 2)
+        elif self._touching and (self._bounces or contacts.first.any()):
+            self._take_impacts(state, before, contacts, (velocity, acceleration))
         return velocity, acceleration
+
+    def _take_impacts(
+        self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
+    ) -> None:
+        """Put right the velocities and accelerations of what pymunk has let collide in a kick."""
+        from sandbox.physics.contacts.post_impact import impacts
+
+        (velocity, acceleration), after = rates, state[:, 3:]
+        scene, pull, dt = self._scene, self._forces.smooth, self._kicks.clock.dt
+        if scene.hollows:
+            contacts = scene.hollows.impacts(contacts)
+        solid, place = scene.joints.joined, state[:, :3]
+        hit, onwards = impacts(contacts, solid, place, before, after, pull, scene.mass, dt)
+        acceleration[hit] = onwards
+        velocity[hit] = after[hit] - onwards * (dt / 2)
 
     def snapshot(
         self,
-        t: float,
         state: Array,
         velocity: Array,
         acceleration: Array,
         contacts: Contacts,
         kick: float,
     ) -> Snapshot:
-        """Return the state at a step.
+        """Return the state at the present step.
 
         Parameters
         ----------
-        t
-            The time [s].
         state
             (n, 6), of which places count.
         velocity, acceleration
@@ -129,15 +198,15 @@ class Observer:
             )
             if self._strikes:
                 normal = normal + self._strikes.last.impulse / kick
-        motion = Instant.at(t, state, velocity)
+        motion = Instant.at(self._kicks.clock.after(0), state, velocity)
         return Snapshot(
             *motion,
             acceleration=acceleration[:, :2],
             angular_acceleration=acceleration[:, 2],
             normal=normal,
             friction=friction,
-            tension=self._joints.tension(motion),
-            torque=self._joints.torque(),
+            tension=self._scene.joints.tension(motion),
+            torque=self._scene.joints.torque(),
         )
 
 

@@ -319,13 +319,13 @@ def test_a_load_is_smoothed_and_adds_up() -> None:
 
 def test_hooks_are_timed_only_when_it_is_asked_for_and_change_no_bit() -> None:
     plain, timed = (Session(scenes.level(effects=DRAG)) for _ in range(2))
-    timed.world.time_hooks()
+    timed.world.kicks.time_calls()
     for session in (plain, timed):
         for _ in range(30):
             session.step()
 
-    assert plain.world.hook_seconds == 0
-    assert timed.world.hook_seconds > 0
+    assert plain.world.kicks.seconds == 0
+    assert timed.world.kicks.seconds > 0
     assert timed.world.snapshot.position.tobytes() == plain.world.snapshot.position.tobytes()
 
 

@@ -101,7 +101,7 @@ def test_a_card_is_as_wide_as_it_is_asked_to_be(pen: Pen, page: Page) -> None:
 def test_no_caption_of_a_tab_is_cut(
     person: Person, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int], count: int
 ) -> None:
-    captions = ("Momentum", "Forces", "Graphs", "Experiment", "Time")
+    captions = ("Forces", "Graphs", "Experiment", "Time")
     names = captions[: max(count - len(PAGES), 0)]
     more = [fake(name.lower(), caption=name) for name in names]
     pages = (*PAGES, *more)
@@ -125,11 +125,11 @@ def test_no_caption_of_a_tab_is_cut(
 def test_a_page_that_is_a_card_needs_no_panel(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(register, "PAGES", (*PAGES, fake("momentum")))
+    monkeypatch.setattr(register, "PAGES", (*PAGES, fake("forces")))
     monkeypatch.setattr(tabs, "tip", lambda command: command)
     person.window.open_level(LEVELS[0])
 
-    person.window._turn_to("momentum page")
+    person.window._turn_to("forces page")
     person.wait()
 
     sheet = side_of(person)._sheet.container.rect

@@ -5,7 +5,7 @@ from math import cos, hypot, radians, sin, tan
 import pytest
 
 from sandbox.physics.run import build as make
-from sandbox.physics.scene import scene
+from sandbox.physics.scene import touching
 from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, G, box, fixed, floor, level
 
@@ -57,7 +57,7 @@ def test_what_lies_on_edges_presses_on_them_at_once(angle: float, solver: str) -
 
 
 def test_without_prouder_corners_it_falls(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(scene, "reach_out", lambda _space: None)
+    monkeypatch.setattr(touching, "reach_out", lambda _space: None)
     world = ladder(63)
     start = world.snapshot.position[0, 1]
 

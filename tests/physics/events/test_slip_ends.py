@@ -382,11 +382,11 @@ def test_a_run_goes_on_from_where_a_body_is_put() -> None:
 
 @pytest.mark.parametrize("located", [True, False])
 def test_only_who_asks_pays(located: bool) -> None:
-    assert (build(thrown_along(3.0, located=located)).stops is not None) == located
+    assert build(thrown_along(3.0, located=located)).hooks == located
 
 
 def test_pymunk_as_it_comes_locates_nothing() -> None:
-    assert build(thrown_along(3.0), stepping=Stepping(scheme="symplectic-euler")).stops is None
+    assert build(thrown_along(3.0), stepping=Stepping(scheme="symplectic-euler")).hooks == 0
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,7 @@ import pytest
 
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.joints.exact import banded, shake
-from sandbox.physics.stepping.world import make_world
+from sandbox.physics.stepping.making import make_world
 from tests.physics.scenes import GRAVITY, Spec, disc, level
 
 LINKS = 60

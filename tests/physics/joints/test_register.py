@@ -15,6 +15,7 @@ from sandbox.model.level import Level
 from sandbox.model.mention import NAMES
 from sandbox.model.quantities import quantities
 from sandbox.model.schemes import unsmooth
+from sandbox.physics.joints.pulls import pulls_of
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved
@@ -74,7 +75,7 @@ def test_a_joint_is_a_force_or_holds_exactly_as_its_kind_says(kind: str) -> None
 
     assert ("tie" in joints.springs) is (KINDS[kind].force is not None)
     if KINDS[kind].force is None:
-        pulls = joints.pulls(2)
+        pulls = pulls_of(joints, 2)
         assert len(pulls.tension) >= 1
         assert bool(pulls.pulls_only.any()) is KINDS[kind].goes_slack
         assert bool(pulls.changes.any()) is KINDS[kind].drives

@@ -302,7 +302,7 @@ def test_a_hand_needs_a_rate_that_is_high_enough_for_leapfrog() -> None:
     with pytest.raises(SandboxError, match="'s' needs a 'rate' of at least 15, not 14"):
         world.grab("ball", (1.0, 0.0))
 
-    assert world.composed
+    assert world.kicks.composed
     assert not world.disturbed
 
 

@@ -81,7 +81,7 @@ class AccuracyPage:
         """Show what is known by now."""
         if self._session.world is not self._world:
             self._world = self._session.world
-            self._session.world.time_hooks()
+            self._session.world.kicks.time_calls()
         text = "Cancel" if self._studying.running else "Measure"
         if self._button.text != text:
             self._button.set_text(text)

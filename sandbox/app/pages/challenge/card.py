@@ -65,8 +65,13 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         card.text("Restart (R) to try again.", 13, theme.DIM)
         return card.drawn()
     _stars(card, found, best)
+    before = ""
     for index, outcome in enumerate(found.outcomes):
-        _goal(card, outcome, _rank(index, asked))
+        rank = _rank(index, asked)
+        if rank != before:
+            card.text(rank, 12, theme.DIM)
+        before = rank
+        _goal(card, outcome)
     if found.altered:
         names = ", ".join(found.altered)
         card.text(f"No star counts: {names} is locked in this challenge.", 13, theme.NOTICE)
@@ -97,7 +102,7 @@ def _stars(card: Card, found: Attempt, best: int) -> None:
         card.put(_star(earned=index < found.stars), index * (2 * _STAR + 6), 2)
     text = f"best so far: {best} of {found.most}" if best else ""
     card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * _STAR + 6) + 8, 5)
-    card.y += 2 * _STAR + 10
+    card.y += 2 * _STAR + 8
 
 
 def _star(*, earned: bool) -> pygame.Surface:
@@ -113,9 +118,8 @@ def _star(*, earned: bool) -> pygame.Surface:
     return sign
 
 
-def _goal(card: Card, outcome: Outcome, rank: str) -> None:
+def _goal(card: Card, outcome: Outcome) -> None:
     color = _COLORS[outcome.standing]
-    card.y += GAP
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
     card.text(outcome.goal.label, 14, bold=True, indent=INDENT)
     value = outcome.measured
@@ -123,7 +127,7 @@ def _goal(card: Card, outcome: Outcome, rank: str) -> None:
     card.columns(
         ((now, theme.TEXT), (wording.bounds(outcome), theme.DIM), (outcome.standing, color)), 13
     )
-    card.text(rank, 12, theme.DIM, indent=INDENT)
+    card.y += GAP
 
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}

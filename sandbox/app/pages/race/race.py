@@ -15,7 +15,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
 from sandbox.physics.run import build
-from sandbox.physics.scene.integrators import usable
+from sandbox.physics.scene.schemes import usable
 
 MOST = 4
 """How many schemes race."""

@@ -1,11 +1,12 @@
 """The overlays of the stage: one list, from which keys, help, buttons and drawing are derived."""
 
-from sandbox.app.stage.overlays import arrows, components, ghosts, names, trail
+from sandbox.app.stage.overlays import arrows, components, ghosts, momenta, names, trail
 from sandbox.app.stage.overlays.overlay import Overlay
 
 OVERLAYS: tuple[Overlay, ...] = (
     trail.OVERLAY,
     ghosts.OVERLAY,
+    momenta.OVERLAY,
     components.OVERLAY,
     arrows.OVERLAY,
     names.OVERLAY,

@@ -1,19 +1,16 @@
-"""The substeps of which a step is made.
+"""The drifts and kicks of which a step of fourth order is made.
 
-pymunk's step is a drift and a kick. A scheme of higher order is a row of several of different
-lengths, some of which go back in time. The kick at the end of a step belongs in equal parts to that
-step and to the next. pymunk takes a kick as long as the drift before it; forces are scaled so that
-it comes out as long as it should be.
+A scheme of higher order is a row of drifts and kicks of different lengths, some of which go back in
+time. The kick at the end of a step belongs in equal parts to that step and to the next. pymunk
+takes a kick as long as the drift before it; forces are scaled so that it comes out as long as it
+should be.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import accumulate, pairwise
-from typing import NamedTuple, get_args
+from typing import NamedTuple
 
-from sandbox.model.level import Level, Scheme
-from sandbox.model.schemes import unsmooth
-from sandbox.physics.forces.declared import any_law
-from sandbox.physics.state.errors import SchemeError
+from sandbox.physics.scene.substeps import Substep
 
 
 class Composition(NamedTuple):
@@ -25,24 +22,6 @@ class Composition(NamedTuple):
     reach: float
     """the largest ω h at which an oscillation stays what it is: there the trace of the step's
     matrix leaves −2 to 2"""
-
-
-class Substep(NamedTuple):
-    """A drift and the kick after it."""
-
-    drift: float
-    """s, backwards if negative"""
-    ahead: float
-    """how much of the step the drift brings to an end"""
-    kick: float
-    """s, how long the kick lasts"""
-    following: float
-    """s, the drift after that kick"""
-
-    @property
-    def scale(self) -> float:
-        """What forces are multiplied by, for pymunk's kick lasts as long as the drift."""
-        return self.kick / self.drift
 
 
 def _composed(half: Sequence[float], reach: float) -> Composition:
@@ -66,8 +45,6 @@ def _split(drifts: Sequence[float], kicks: Sequence[float], reach: float) -> Com
     return Composition((*half, *half[::-1]), (*inner, middle, *inner[::-1], 2 * first), reach)
 
 
-LEAPFROG = Composition((1.0,), (1.0,), 2.0)
-
 _FIFTH = 1 / (4 - 4 ** (1 / 3))
 
 SUZUKI = _composed((_FIFTH, _FIFTH, 1 - 4 * _FIFTH), 2.7209745)
@@ -88,43 +65,16 @@ must be exact, and those of bodies that joints hold are not.
 """
 
 
-def composition(scheme: Scheme, *, held: bool) -> Composition:
-    """Return what a step of a scheme is made of, where joints hold exactly and where none does."""
-    if scheme != "fourth-order":
-        return LEAPFROG
+def fourth_order(*, held: bool) -> Composition:
+    """Return what a step of fourth order is made of, where joints hold exactly or none does."""
     return SUZUKI if held else BLANES_MOAN
-
-
-def require(level: Level, scheme: Scheme) -> None:
-    """Refuse a scheme that is not for a level.
-
-    Raises
-    ------
-    SchemeError
-        If it is not.
-    """
-    if scheme == "fourth-order" and (rule := unsmooth(level)):
-        raise SchemeError(rule)
-
-
-def usable(level: Level) -> Iterator[Scheme]:
-    """Yield the schemes that are for a level and differ there.
-
-    Without a force law there is nothing that explicit Euler takes at another place.
-    """
-    for scheme in get_args(Scheme):
-        if scheme == "fourth-order" and unsmooth(level):
-            continue
-        if scheme == "explicit-euler" and not any_law(level):
-            continue
-        yield scheme
 
 
 def substeps(shares: Composition, dt: float) -> list[Substep]:
     """Return the parts of a step [s]; the last is followed by the next one's first.
 
-    >>> substeps(LEAPFROG, 0.5)
-    [Substep(drift=0.5, ahead=1, kick=0.5, following=0.5)]
+    >>> [round(part.drift, 3) for part in substeps(SUZUKI, 0.5)]
+    [0.207, 0.207, -0.329, 0.207, 0.207]
     """
     places = [*list(accumulate(shares.drifts))[:-1], 1]
     after = (*shares.drifts[1:], shares.drifts[0])

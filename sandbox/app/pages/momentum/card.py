@@ -1,0 +1,114 @@
+"""The momentum of each body and of all together, and what gave it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import Card, bar
+from sandbox.app.session import Session
+from sandbox.app.stage import momenta
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.expressions import Array
+from sandbox.physics.stepping.world import World
+
+MOST = 10
+"""So many bodies have bars of their own; those of the others are one."""
+LABEL, AXIS, NUMBER = 82, 14, 104  # px: left of a bar, its axis, right of it
+COLUMN = 68  # px, of numbers along y
+COLORS = (theme.ACROSS, theme.UPWARDS)
+"""Of the axes."""
+
+
+class Momentum(NamedTuple):
+    """A momentum and whose it is: (2,) [kg m/s]."""
+
+    name: str
+    value: Array
+
+
+def bodies(world: World) -> list[Momentum]:
+    """Return the momenta of all bodies; of a crowd those of the largest, and of the rest as one."""
+    found, every = momenta.heavy(world), momenta.momenta(world, world.snapshot)
+    if len(found) <= MOST:
+        return [Momentum(name, every[row]) for row, name in found]
+    rows = np.array([row for row, _ in found])
+    sizes = np.hypot(every[rows, 0], every[rows, 1])
+    largest = set(rows[np.argsort(-sizes, kind="stable")[:MOST]].tolist())
+    rest = [row for row, _ in found if row not in largest]
+    shown = [Momentum(name, every[row]) for row, name in found if row in largest]
+    return [*shown, Momentum(f"{len(rest)} others", every[rest].sum(axis=0))]
+
+
+def given(session: Session) -> list[Momentum]:
+    """Return how much the total has changed since the start, and by which impulses from outside."""
+    books = session.books.balance
+    impulses = [Momentum(name, value[:2]) for name, value in books.impulse.items()]
+    outside = sum((each.value for each in impulses), np.zeros(2))
+    unexplained = books.unexplained_impulse[:2]
+    return [
+        Momentum("change of the total", outside + unexplained),
+        Momentum("impulse from outside", outside),
+        *(Momentum(f"  {each.name}", each.value) for each in impulses if len(impulses) > 1),
+        Momentum("unexplained", unexplained),
+    ]
+
+
+def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
+    """Draw momenta as bars, along x and along y, above what has become of their sum."""
+    card, world = Card(pen, width), session.world
+    scale = momenta.scale(session, world, session.history.snapshots)
+    card.heading("Momentum")
+    shown = bodies(world)
+    if not shown:
+        card.text("Nothing in this level has a momentum.", 13, theme.DIM)
+        return card.drawn()
+    card.text(
+        f"a full bar is {scale:g} {momenta.UNIT}" if scale else "nothing has moved yet",
+        12,
+        theme.DIM,
+    )
+    card.y += 4
+    total = momenta.momenta(world, world.snapshot).sum(axis=0)
+    _add_bars(card, Momentum("total", total), scale, (theme.TOTAL, theme.TOTAL))
+    if len(shown) > MOST:
+        card.text(f"the largest {MOST}, and the others together", 12, theme.DIM)
+    for each in shown:
+        _add_bars(card, each, scale, COLORS)
+    card.y += 4
+    card.heading("Since the start")
+    _add_table(card, given(session), "" if world.composed else "half a step ahead")
+    return card.drawn()
+
+
+def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) -> None:
+    """Add two bars, one along x and one along y."""
+    pen, width = card.pen, card.width
+    length = max(width - LABEL - AXIS - NUMBER, 20)
+    card.put(pen.write(pen.shorten(row.name, LABEL - 4, 13), 13), 0)
+    for axis, value, color, own in zip("xy", row.value.tolist(), colors, COLORS, strict=True):
+        card.put(pen.write(axis, 13, own), LABEL)
+        card.put(bar(length, value / scale if scale else 0.0, color), LABEL + AXIS, 5)
+        text = pen.write(wording.quantity(value, momenta.UNIT, 4), 13)
+        card.put(text, width - text.width)
+        card.y += pen.height(13)
+    card.y += 3
+
+
+def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
+    """Add momenta as numbers, in a column for each axis, under a note."""
+    pen, ends = card.pen, (card.width - COLUMN, card.width)
+    card.put(pen.write(note, 12, theme.DIM), 0)
+    for axis, color, end in zip("xy", COLORS, ends, strict=True):
+        head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
+        card.put(head, end - head.width)
+    card.y += pen.height(12)
+    for row in rows:
+        card.put(pen.write(row.name, 13, theme.DIM), 0)
+        for value, end in zip(row.value.tolist(), ends, strict=True):
+            text = pen.write(wording.number(value, 3), 13)
+            card.put(text, end - text.width)
+        card.y += pen.height(13) + 1

@@ -1,0 +1,108 @@
+"""The momenta of what moves, and the scale on which they are drawn over a whole run."""
+
+from typing import NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from sandbox.app.stage.marks import PATH_POINTS, places
+from sandbox.app.wording import nice
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
+
+JUMP = 3.0
+"""A ghost's speed beyond so many times its 95th percentile is a jump of the formula, no speed."""
+UNIT = "kg·m/s"
+
+_scales: WeakKeyDictionary[object, "_Kept"] = WeakKeyDictionary()
+
+
+class _Kept(NamedTuple):
+    """The scale of a run, and what it is the run of."""
+
+    level: Level
+    values: object
+    disturbed: bool
+    scale: float
+
+
+def heavy(world: World) -> list[tuple[int, str]]:
+    """Return the rows and names of the bodies that have a momentum."""
+    return [(i, name) for i, name in enumerate(world.scene.bodies) if world.scene.mass[i] > 0]
+
+
+def momenta(world: World, snapshot: Snapshot) -> Array:
+    """Return every body's momentum, time in front for a stack of snapshots: (n, 2) [kg m/s]."""
+    scene = world.scene
+    product: Array = (scene.mass * scene.share(snapshot.t))[..., None] * snapshot.velocity
+    return product
+
+
+def expected(world: World) -> float:
+    """Return the largest momentum to be expected [kg m/s]: that at the start or of a ghost."""
+    t = np.linspace(0.0, count_steps(world) * world.dt, PATH_POINTS)
+    peak, mass = _peak(momenta(world, world.snapshot)), dict(heavy(world))
+    together = np.zeros((len(t) - 1, 2))
+    known = 0
+    for row, name in mass.items():
+        formulas = world.level.ghosts.get(name)
+        where = places(formulas, world.values, t) if formulas else None
+        if where is None or not np.isfinite(where).all():
+            continue
+        velocity = np.diff(where, axis=0) / t[1]
+        speed = np.hypot(velocity[:, 0], velocity[:, 1])
+        velocity[speed > JUMP * np.percentile(speed, 95)] = 0.0
+        momentum = float(world.scene.mass[row]) * velocity
+        together, known = together + momentum, known + 1
+        peak = max(peak, float(np.hypot(momentum[:, 0], momentum[:, 1]).max()))
+    if known == len(mass):
+        peak = max(peak, _peak(together[:, None]))
+    return peak
+
+
+def scale(owner: object, world: World, observed: Snapshot) -> float:
+    """Return the momentum of a full bar [kg m/s]; 0 if nothing has moved yet.
+
+    It is a round number that stays the same over a run, a way back in time, and the same run taken
+    again; where no ghost tells beforehand how large momenta become, it may have to grow.
+
+    Parameters
+    ----------
+    owner
+        What is kept while its scale is, such as a session.
+    world
+        Whose momenta are drawn.
+    observed
+        What has been seen of it: one snapshot, or a stack.
+    """
+    kept = _scales.get(owner)
+    values, disturbed = dict(world.values), world.disturbed
+    if kept is None or (kept.level, kept.values, kept.disturbed) != (
+        world.level,
+        values,
+        disturbed,
+    ):
+        kept = _Kept(world.level, values, disturbed, _round(expected(world)))
+        kept = kept._replace(scale=max(kept.scale, _round(_peak(momenta(world, observed)))))
+    peak = _peak(momenta(world, world.snapshot))
+    if peak > kept.scale * (1 + 1e-9):
+        kept = kept._replace(scale=_round(peak))
+    _scales[owner] = kept
+    return kept.scale
+
+
+def _peak(momentum: Array) -> float:
+    """Return the largest size of a momentum, of a body or of all together [kg m/s]."""
+    every = np.concatenate((momentum, momentum.sum(axis=-2, keepdims=True)), axis=-2)
+    return float(np.hypot(every[..., 0], every[..., 1]).max(initial=0.0))
+
+
+def _round(value: float) -> float:
+    """Return the smallest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is not below a value."""
+    if value <= 0 or not np.isfinite(value):
+        return 0.0
+    below = nice(value)
+    return below if below >= value * (1 - 1e-9) else nice(2.5 * below)

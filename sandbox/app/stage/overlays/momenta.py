@@ -1,0 +1,50 @@
+"""Arrows of the momenta."""
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.stage import momenta
+from sandbox.app.stage.marks import LONGEST
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+from sandbox.app.wording import nice
+
+WIDTH = 6.0  # px: broad, so that it is seen below the arrow of the velocity
+KEY = 16, 112, 130, 40  # px: from the right, from below, width, height of what explains the length
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    if not view.few:
+        return
+    full = momenta.scale(view, view.world, view.world.snapshot)
+    if not full:
+        return
+    length = LONGEST * view.camera.size[0] / full  # px for 1 kg m/s
+    every = momenta.momenta(view.world, view.world.snapshot)
+    for row, name in momenta.heavy(view.world):
+        x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
+        px, py = every[row].tolist()
+        end = x + px * length, y - py * length
+        lines.arrow(surface, theme.RESULTANT, (x, y), end, WIDTH)
+    _draw_key(surface, view, length)
+
+
+def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
+    """Explain the arrows' length, above what explains that of the velocities."""
+    value = nice(70 / length)
+    right, below, width, height = KEY
+    x, y = view.camera.size[0] - right, view.camera.size[1] - below
+    text = view.pen.write(f"{value:g} {momenta.UNIT}", 12)
+    start = x - value * length
+    lines.arrow(surface, theme.RESULTANT, (start, y), (x, y), WIDTH)
+    surface.blit(text, (x - max(value * length, text.width), y - text.height - 3))
+    view.labels.take(pygame.Rect(x + right - width, y - height + 8, width, height))
+
+
+OVERLAY = Overlay(
+    name="momenta",
+    key="i",
+    text="arrows of momenta",
+    draw=_draw,
+    on=lambda _level: False,
+)

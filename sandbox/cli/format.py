@@ -1,0 +1,43 @@
+"""`format`: the text of levels, laid out as people write them by hand."""
+
+from collections.abc import Sequence
+
+import typer
+
+from sandbox.cli.usage import levels
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+from sandbox.model.loading import parse, read
+from sandbox.model.writing import formatted
+
+
+def format_levels(arguments: Sequence[str], *, write: bool) -> int:
+    """Lay levels out anew, or say which would change, and return the exit status."""
+    bad = changed = 0
+    for argument in arguments:
+        try:
+            differs = _format(argument, write=write)
+        except SandboxError as error:
+            bad += 1
+            typer.echo(error, err=True)
+        else:
+            changed += differs
+            if differs:
+                typer.echo(f"{argument}: {'laid out anew' if write else 'would change'}")
+    count = levels(len(arguments))
+    if bad:
+        typer.echo(f"{bad} of {count} cannot be laid out", err=True)
+    typer.echo(f"{changed} of {count} {'changed' if write else 'would change'}")
+    return int(bad > 0 or (changed > 0 and not write))
+
+
+def _format(argument: str, *, write: bool) -> bool:
+    """Return whether the text of a level is not in its layout, and mend that if asked to."""
+    path = catalog.find(argument)
+    typed = read(path)
+    parse(typed, str(path))
+    proper = formatted(typed)
+    if write and proper != typed:
+        write_atomically(path, proper)
+    return proper != typed

@@ -1,0 +1,57 @@
+"""`migrate`: levels in the newest version of the format, of which there is one so far."""
+
+from collections.abc import Sequence
+
+import typer
+
+from sandbox.cli.usage import levels
+from sandbox.model import catalog
+from sandbox.model.document import Document, refuse
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import read
+from sandbox.model.parts import Fault
+
+NEWEST = 1
+"""The newest version of the level format."""
+
+
+def migrate(arguments: Sequence[str]) -> int:
+    """Say of each level which version it has, and return the exit status."""
+    bad = 0
+    for argument in arguments:
+        try:
+            version = _version(argument)
+        except SandboxError as error:
+            bad += 1
+            typer.echo(error, err=True)
+        else:
+            typer.echo(f"{argument}: format {version}, the newest; nothing to do")
+    if bad:
+        typer.echo(f"{bad} of {levels(len(arguments))} cannot be migrated", err=True)
+    return int(bad > 0)
+
+
+def _version(argument: str) -> int:
+    """Return the version of a level's file, whatever else is in it.
+
+    Raises
+    ------
+    LevelError
+        If the file has none, or one that does not exist.
+    """
+    path = catalog.find(argument)
+    document = Document(read(path), str(path))
+    data = document.read()
+    if not isinstance(data, dict):
+        refuse(str(path), "is no level, which is an object, {...}")
+    if "format" not in data:
+        refuse(str(path), f"has no 'format', the version of the format: \"format\": {NEWEST}")
+    version = data["format"]
+    if type(version) is not int or version < 1:  # true is equal to 1
+        document.refuse(
+            [Fault(("format",), f"must be a whole number from 1; the newest is {NEWEST}")]
+        )
+    if version > NEWEST:
+        rule = f"is not known: the newest version here is {NEWEST}; a newer sandbox may know it"
+        document.refuse([Fault(("format",), rule)])
+    return version

@@ -1,0 +1,71 @@
+"""`new`: the file of a level to go on from."""
+
+import os
+from pathlib import Path
+
+import typer
+
+from sandbox.cli import usage
+from sandbox.model import catalog, templates
+from sandbox.model.errors import LevelError, brief
+from sandbox.model.files import write_atomically
+from sandbox.model.loading import parse, read
+from sandbox.model.suggest import suggestion
+from sandbox.model.writing import with_schema
+
+_ENDING = ".json"
+
+
+def new(name: str, template: str) -> None:
+    """Write the file of a new level that begins as a template or another level does.
+
+    Raises
+    ------
+    UsageError
+        If the file is there already or cannot be written, or there is no such template.
+    LevelError
+        If the other level has mistakes.
+    """
+    target = _target(name)
+    source = _source(template)
+    typed = read(source)
+    level = parse(typed, str(source))
+    write_atomically(target, with_schema(typed, _schema(target)))
+    typer.echo(
+        f"{target}: {level.title}; open it with 'play {target}', and let 'check --watch {target}'"
+        " tell mistakes while you write"
+    )
+
+
+def _target(name: str) -> Path:
+    """Return the path that a new level is written at."""
+    stem = name.removesuffix(_ENDING)
+    if not stem or stem.endswith((os.sep, "/", ".")):
+        raise usage.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
+    path = Path(stem + _ENDING)
+    if os.path.lexists(path):
+        raise usage.UsageError(f"{path} is there already; nothing is overwritten")
+    usage.output_file(path)
+    return path
+
+
+def _source(template: str) -> Path:
+    """Return the file of a template, or of a level."""
+    known = templates.names()
+    if template in known:
+        return templates.path(template)
+    try:
+        return catalog.find(template)
+    except LevelError:
+        levels = catalog.names()
+        hint = suggestion(template, levels if "/" in template else known)
+        rule = f"is neither a template nor a level{hint}"
+        raise usage.UsageError(f"--from {brief(template)}: {rule}") from None
+
+
+def _schema(target: Path) -> str:
+    """Return where the schema is, as seen from a level's file: relative within a checkout."""
+    schema, folder = catalog.root() / catalog.SCHEMA, target.resolve().parent
+    if folder.is_relative_to(schema.parent.parent):
+        return Path(os.path.relpath(schema, folder)).as_posix()
+    return schema.as_uri()

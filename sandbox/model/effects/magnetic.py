@@ -1,0 +1,35 @@
+"""A uniform magnetic field, and the charges that it turns."""
+
+from typing import Annotated, ClassVar
+
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import MOST_FORCES, Strength
+from sandbox.model.effects.contract import Effect
+from sandbox.model.mention import ActedOn
+
+
+class Charge(Model):
+    """The charge of a body; those of a body that is named several times add up."""
+
+    body: ActedOn
+    """what carries it"""
+    charge: Strength
+    """C, negative for electrons"""
+
+
+class Magnetic(Model):
+    """A uniform magnetic field across the plane, F = q v × B; it turns charges and does no work."""
+
+    effect: ClassVar[Effect] = Effect(
+        name="magnetic",
+        sees=("velocity",),
+        strength=("field",),
+    )
+
+    field: Strength
+    """T, out of the plane; negative into it. A positive charge goes round clockwise in a positive
+    field"""
+    charges: Annotated[tuple[Charge, ...], Field(min_length=1, max_length=MOST_FORCES)]
+    """those that it acts on"""

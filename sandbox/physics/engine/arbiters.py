@@ -1,0 +1,111 @@
+"""The pairs in contact as pymunk writes them down, an arbiter each; see `Contacts` in `batch`.
+
+Which pairs touch seldom changes from step to step: what follows from that alone is kept.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pymunk
+from numpy.typing import NDArray
+from pymunk.batch import ArbiterFields, Buffer, get_space_arbiters
+
+_FIELDS = (
+    ArbiterFields.BODY_A_ID
+    | ArbiterFields.BODY_B_ID
+    | ArbiterFields.IS_FIRST_CONTACT
+    | ArbiterFields.CONTACT_COUNT
+    | ArbiterFields.TOTAL_IMPULSE
+    | ArbiterFields.NORMAL
+    | ArbiterFields.POINT_A_1
+    | ArbiterFields.POINT_B_1
+    | ArbiterFields.POINT_A_2
+    | ArbiterFields.POINT_B_2
+)
+
+
+class Pairs(NamedTuple):
+    """Which pairs touch.
+
+    Attributes
+    ----------
+    raw
+        What pymunk wrote.
+    rows
+        (k,), which of its rows they are, in the order of the bodies.
+    bodies, first, touches
+        As of `Contacts`.
+    alone
+        Whether no two bodies touch twice: then this order is the order of the contacts.
+    """
+
+    raw: bytes
+    rows: NDArray[np.intp]
+    bodies: NDArray[np.intp]
+    first: NDArray[np.bool_]
+    touches: NDArray[np.intp]
+    alone: bool
+
+
+class Arbiters:
+    """Reads the pairs in contact of a space.
+
+    Parameters
+    ----------
+    space
+        What pymunk steps.
+    ids, order
+        (n,), the ids of the bodies in rising order, and which bodies have them.
+
+    Attributes
+    ----------
+    pairs
+        Which pairs touched when it was last read; None before.
+    """
+
+    def __init__(
+        self, space: pymunk.Space, ids: NDArray[np.uintp], order: NDArray[np.intp]
+    ) -> None:
+        self._space, self._ids, self._order = space, ids, order
+        self._buffer, self._raw = Buffer(), (b"", b"")
+        self.pairs: Pairs | None = None
+
+    def changed(self) -> bool:
+        """Look at what pymunk has written down, and tell whether it is not what it was."""
+        before, buffer = self._raw, self._buffer
+        buffer.clear()
+        get_space_arbiters(self._space, _FIELDS, buffer)
+        self._raw = bytes(buffer.int_buf()), bytes(buffer.float_buf())
+        return self._raw != before
+
+    def read(self) -> tuple[NDArray[Any], ...] | None:
+        """Return the fields of `Contacts`, in the order of the bodies; None if nobody touches."""
+        integer, floating = self._raw
+        if self.pairs is None or integer != self.pairs.raw:
+            self.pairs = self._read_pairs(integer)
+        _, rows, bodies, first, touches, _ = self.pairs
+        if not len(rows):
+            return None
+        floats = np.frombuffer(floating).reshape(-1, 12)[rows]
+        impulse, direction = floats[:, :2], floats[:, 2:4]
+        on_surfaces = floats[:, 4:].reshape(-1, 2, 2, 2)
+        overlap = on_surfaces[:, :, 0] - on_surfaces[:, :, 1]
+        across = overlap * direction[:, None]
+        depth = across[:, :, 0] + across[:, :, 1]
+        points = (on_surfaces[:, :, 0] + on_surfaces[:, :, 1]) / 2
+        along = impulse[:, 0] * direction[:, 0] + impulse[:, 1] * direction[:, 1]
+        impulse = impulse * np.where(along < 0, -1.0, 1.0)[:, None]  # it pushes the second body
+        normal = np.abs(along)
+        friction = np.abs(impulse[:, 0] * direction[:, 1] - impulse[:, 1] * direction[:, 0])
+        return bodies, first, direction, normal, friction, touches, points, impulse, depth
+
+    def _read_pairs(self, integer: bytes) -> Pairs:
+        """Return which pairs pymunk has written down."""
+        integers = np.frombuffer(integer, dtype=np.uintp).reshape(-1, 4)
+        live = np.flatnonzero(integers[:, 3])  # pymunk remembers pairs for a while after they part
+        bodies = self._order[self._ids.searchsorted(integers[live, :2])]
+        order = np.lexsort((bodies[:, 1], bodies[:, 0]))
+        rows, bodies = live[order], bodies[order]
+        alone = bool((bodies[1:] != bodies[:-1]).any(axis=1).all())
+        first, touches = integers[rows, 2] > 0, integers[rows, 3].astype(np.intp)
+        return Pairs(integer, rows, bodies, first, touches, alone)

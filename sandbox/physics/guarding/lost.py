@@ -1,0 +1,119 @@
+"""Stops a run in which a body is nowhere any more, or has more energy than a number holds."""
+
+from collections.abc import Callable, Sequence
+from math import isfinite
+from typing import NoReturn
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Stepping
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.errors import SimulationError, way_out
+from sandbox.physics.state.motion import kinetic_energy
+from sandbox.physics.state.snapshot import Snapshot
+
+MARGIN = 4
+"""How many times the rate is advised where nothing else is known."""
+
+Cause = Callable[[int], tuple[str, float | None]]
+"""Tells what was too strong for a body, by its row, and the rate that it needs [Hz]."""
+
+
+class Lost:
+    """Watches bodies that nothing pulls but uniform gravity, and that nothing holds or touches.
+
+    Attributes
+    ----------
+    good
+        The last state in which all was well.
+    doubts, trusts
+        Of no meaning here: what it stops is lost, and cannot go on.
+    """
+
+    def __init__(self, scene: Scene, stepping: Stepping, start: Snapshot) -> None:
+        self._names, self._stepping = list(scene.bodies), stepping
+        self.good = self._last = start
+        self.doubts = self.trusts = False
+        kinetic = kinetic_energy(scene.mass, scene.moment, start)
+        stored = float(scene.gravity.potential_energy(start).sum()) if scene.gravity else 0.0
+        if not isfinite(float(kinetic.sum()) + stored):
+            refuse_beyond(self._names, int(np.argmax(kinetic)), start, stepping.rate)
+
+    def look(
+        self,
+        now: Snapshot,
+        contacts: Contacts,  # noqa: ARG002 (there are none)
+        before: Array,  # noqa: ARG002 (of which nothing depends)
+        *,
+        disturbed: bool,  # noqa: ARG002
+        cut: bool = False,  # noqa: ARG002
+    ) -> None:
+        """Look at what was observed; see `Watchdog.look`."""
+        self.good = self._last
+        if not is_sound(now):
+            refuse_lost(self._names, now, self._stepping.rate, self._cause, _unknown)
+        self._last = now
+
+    def _cause(self, _row: int) -> tuple[str, float | None]:
+        if self._stepping.as_it_comes:
+            return f": the scheme '{self._stepping.scheme}' gives some in every step", None
+        return "", MARGIN * self._stepping.rate
+
+
+def is_sound(now: Snapshot) -> bool:
+    """Whether places and velocities, and their squares, are finite numbers."""
+    motion = now.position, now.velocity, now.angle, now.angular_velocity
+    return isfinite(sum(np.vdot(part, part) for part in motion))  # no square is, if one is not
+
+
+def refuse_lost(
+    names: Sequence[str], now: Snapshot, rate: float, gone_by: Cause, beyond_by: Cause
+) -> None:
+    """Stop if a body is nowhere any more, or its energy beyond the largest number.
+
+    Parameters
+    ----------
+    names
+        Of the bodies.
+    now
+        A state that is not sound.
+    rate
+        Steps a second [Hz].
+    gone_by, beyond_by
+        Tell the cause of the one and of the other.
+
+    Raises
+    ------
+    SimulationError
+        If so.
+    """
+    rows = np.column_stack((now.position, now.velocity, now.angle, now.angular_velocity))
+    gone, lost = (~np.isfinite(part).all(axis=1) for part in (rows, rows * rows))
+    if gone.any():
+        row = int(gone.argmax())
+        reason = f"the body '{names[row]}' is no longer anywhere finite"
+        cause, needed = gone_by(row)
+        stop(names[row], now, f"{reason}{cause}", needed, rate)
+    if lost.any():
+        refuse_beyond(names, int(lost.argmax()), now, rate, beyond_by)
+
+
+def _unknown(_row: int) -> tuple[str, float | None]:
+    return "", None
+
+
+def refuse_beyond(
+    names: Sequence[str], row: int, now: Snapshot, rate: float, cause_of: Cause = _unknown
+) -> NoReturn:
+    """Stop, for a body's energy is beyond the largest number; see `refuse_lost`."""
+    cause, needed = cause_of(row)
+    why = "is so fast, so far away or so heavy that its energy is no finite number"
+    stop(names[row], now, f"'{names[row]}' {why}{cause}", needed, rate)
+
+
+def stop(name: str, now: Snapshot, reason: str, needed: float | None, rate: float) -> NoReturn:
+    """Stop for a reason, and tell at which rate it should hold, if that is known [Hz]."""
+    hint = "" if needed is None else way_out(needed, rate)
+    raise SimulationError(name, float(now.t), reason, needed, hint=hint)

@@ -1,0 +1,153 @@
+"""The joints of a scene, as a step needs them and as they are measured."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Integers
+from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.state.motion import Motion
+
+if TYPE_CHECKING:
+    from sandbox.physics.forces.spring import SpringForce
+    from sandbox.physics.joints.composites import Solids, Touches
+    from sandbox.physics.joints.exact.shake import ExactJoints
+    from sandbox.physics.joints.exact.wire import WireEquation
+    from sandbox.physics.joints.native import OwnJoint
+    from sandbox.physics.joints.pulley import PulleyString
+    from sandbox.physics.state.anchor import Anchor
+
+NO_PAIRS: Integers = np.empty((0, 2), dtype=np.intp)
+
+
+@dataclass(slots=True, kw_only=True)
+class Joints:
+    """All joints of a scene; j of them, in the level's order. None, unless said otherwise.
+
+    Attributes
+    ----------
+    paths
+        The points that each runs through, by name; of a wire, points of its curve.
+    lines
+        The names of rods, ropes and strings, which swing across when they are taut.
+    wires
+        What keeps bodies on wires, by name.
+    springs
+        Those that are force laws, by name.
+    strings
+        Those that are solved by themselves, by name.
+    own
+        Those that pymunk solves, by name.
+    together
+        All other exact ones; None if there are none.
+    radii
+        Of the circles on which strings are wound, by name [m].
+    twists
+        Whether any holds bodies against turning.
+    solids
+        Who is welded or stuck to whom; None if nobody can be.
+    touches
+        Tells which of the pairs that stick have met; None if none do.
+    weld
+        Welds two bodies, by name, where they are.
+    """
+
+    paths: "dict[str, tuple[Anchor, ...]]" = field(default_factory=dict)
+    lines: list[str] = field(default_factory=list)
+    wires: "dict[str, WireEquation]" = field(default_factory=dict)
+    springs: "dict[str, SpringForce]" = field(default_factory=dict)
+    strings: "dict[str, PulleyString]" = field(default_factory=dict)
+    own: "dict[str, OwnJoint]" = field(default_factory=dict)
+    together: "ExactJoints | None" = None
+    radii: dict[str, float] = field(default_factory=dict)
+    twists: bool = False
+    solids: "Solids | None" = None
+    touches: "Touches | None" = None
+    weld: Callable[[str, str], None] | None = None
+
+    @property
+    def joined(self) -> Integers:
+        """(k, 2), who is part of one solid with whom, as numbers."""
+        return self.solids.pairs if self.solids else NO_PAIRS
+
+    def _stick(self, _kick: Kick) -> None:
+        """Weld those that have just met where they are."""
+        assert self.touches and self.solids and self.weld  # noqa: PT018 (all come together)
+        self.touches.end_step()
+        for a, b in self.touches.latest:
+            if self.solids.join(a, b):
+                self.weld(a, b)
+
+    def length(self, name: str, motion: Motion) -> Array:
+        """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
+        from sandbox.physics.state.anchor import length
+
+        distance = length(self.paths[name], motion)
+        radius = self.radii.get(name)
+        return distance if radius is None else np.sqrt(distance**2 - radius**2)
+
+    def solvers(self, *, alone: bool) -> list[Work]:
+        """Return what must run after pymunk's solver.
+
+        Parameters
+        ----------
+        alone
+            Whether the exact joints are solved without contacts, and therefore here.
+        """
+        work: list[Work] = [string.solve for string in self.strings.values()]
+        if self.touches:
+            work.append(self._stick)
+        if alone and (together := self.together):
+            work.append(lambda kick: together.solve(kick.until))
+        return work
+
+    def time(self, kick: float, drift: float) -> None:
+        """Set how long the next kicks last, and the drift that follows each [s]."""
+        for own in self.own.values():
+            own.time(kick, drift)
+        if self.together:
+            self.together.time(kick, drift)
+
+    def refit(self, t: float) -> None:
+        """Take the present lengths as those that hold from a time on [s]."""
+        for string in self.strings.values():
+            string.refit()
+        for own in self.own.values():
+            own.refit()
+        for wire in self.wires.values():
+            wire.forget()
+        if self.together:
+            self.together.refit(t)
+
+    def parting(self) -> tuple[str, float]:
+        """Return which of those solved together is furthest off, and by how much [m, rad]."""
+        return self.together.parting() if self.together else ("", 0.0)
+
+    def tension(self, motion: Motion) -> Array:
+        """Return the force with which each joint pulled in the last kick, or pulls now [N]."""
+        return np.array([self._tension(name, motion) for name in self.paths])
+
+    def _tension(self, name: str, motion: Motion) -> float:
+        if name in self.strings:
+            return self.strings[name].tension
+        if name in self.own:
+            return self.own[name].tension
+        if name in self.springs:
+            return float(self.springs[name].tension(motion))
+        assert self.together
+        force = self.together.force(name)
+        return abs(force) if name in self.wires else force
+
+    def torque(self) -> Array:
+        """Return the torque of each joint on its second body in the last kick [N m]."""
+        torque = np.zeros(len(self.paths))
+        if self.twists:
+            for i, name in enumerate(self.paths):
+                if name in self.own:
+                    torque[i] = self.own[name].torque
+                elif self.together:
+                    torque[i] = self.together.torque(name)
+        return torque

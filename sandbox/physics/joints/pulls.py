@@ -1,0 +1,56 @@
+"""What exact joints did in a kick, for whoever keeps books of it."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.pulley import PulleyString
+
+
+class Pulls(NamedTuple):
+    """What exact joints did in a kick; m equations, n bodies.
+
+    Attributes
+    ----------
+    gradient
+        (m, n, 3), how what they keep changes with the bodies' places and angles.
+    tension
+        (m,), the force against that [N].
+    pulls_only
+        (m,), whether they may be shorter, as ropes.
+    changes
+        (m,), whether what they keep changes with time.
+    """
+
+    gradient: Array
+    tension: Array
+    pulls_only: Booleans
+    changes: Booleans
+
+
+def pulls_of(joints: Joints, count: int) -> Pulls:
+    """Return what the exact joints did in the last kick, to so many bodies."""
+    parts = [
+        _of_string(string, [joints.paths[name][end].body for end in (0, -1)], count)
+        for name, string in joints.strings.items()
+    ]
+    if together := joints.together:
+        parts.append(
+            Pulls(together.gradients(), together.tension, together.pulls_only, together.changes)
+        )
+    if not parts:
+        none = np.zeros(0, dtype=bool)
+        return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none)
+    return Pulls(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
+    gradient = np.zeros((1, count, 3))
+    for row, direction in zip(rows, string.gradient(), strict=True):
+        if row is not None:
+            gradient[0, row, :2] += direction
+    return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))

@@ -1,0 +1,40 @@
+"""What the parts of a scene are handed while it is made."""
+
+from math import inf
+from typing import TYPE_CHECKING, NamedTuple
+
+import pymunk
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.engine.batch import Batch
+from sandbox.physics.joints.joints import Joints
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.static_friction import Sticking
+
+
+class Pairs(NamedTuple):
+    """What `Scene` says of pairs of bodies, and the coefficients of impacts in a sequence."""
+
+    callbacks: int = 0
+    sticking: "Mapping[frozenset[int], Sticking]" = {}  # noqa: RUF012 (nobody writes to it)
+    restitution: Array | None = None
+    reach: float = inf
+    hollows: "Hollows | None" = None
+
+
+class Made(NamedTuple):
+    """What there is of a scene before contacts have a solver; see `Scene`."""
+
+    level: Level
+    values: Values
+    stepping: Stepping
+    bodies: dict[str, pymunk.Body]
+    batch: Batch
+    joints: Joints
+    inertia: Array
+    agility: Array

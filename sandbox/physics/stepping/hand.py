@@ -1,0 +1,56 @@
+"""What a hand does to a world: it takes hold of bodies, and puts them elsewhere."""
+
+from collections.abc import Mapping
+from math import isfinite
+
+import numpy as np
+
+from sandbox.model.shapes import XY
+from sandbox.physics.engine.grab import Hand
+from sandbox.physics.scene.stability_limits import check_springs
+from sandbox.physics.scene.substeps import once
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.stage import Setup, Stages
+
+
+def require_leapfrog(setup: Setup, now: Snapshot) -> None:
+    """Go on with leapfrog where there were substeps: no hand pulls backwards in time.
+
+    Raises
+    ------
+    SimulationError
+        If springs are too stiff for it.
+    """
+    scene, kicks = setup.scene, setup.kicks
+    check_springs(scene.joints.springs, scene.agility, now.angle, setup.stepping.rate)
+    kicks.compose([once(kicks.clock.dt)])
+
+
+def grab(setup: Setup, body: str, point: XY) -> None:
+    """Take hold of a dynamic body at a point of the plane [m]."""
+    scene, forces = setup.scene, setup.forces
+    if forces.hand is None:
+        forces.hand = Hand(scene.space, list(scene.bodies.values()))
+    forces.hand.grab(list(scene.bodies).index(body), point)
+
+
+def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapshot) -> None:
+    """Put bodies elsewhere [m], with the velocities that they have now.
+
+    Raises
+    ------
+    SimulationError
+        If that is where pymunk finds no pairs any more.
+    """
+    scene, t = setup.scene, setup.kicks.clock.after(0)
+    for name, position in positions.items():
+        if isfinite(scene.reach) and not max(map(abs, position)) < scene.reach:
+            from sandbox.physics.stepping.stages.bounds import beyond
+
+            raise beyond(name, scene, t)
+    for name, position in positions.items():
+        scene.bodies[name].position = position
+        scene.space.reindex_shapes_for_body(scene.bodies[name])
+    for refit in stages.refit:
+        refit(t)
+    scene.batch.set_velocity(np.column_stack((now.velocity, now.angular_velocity)))

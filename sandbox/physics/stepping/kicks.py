@@ -1,0 +1,188 @@
+"""The drifts and kicks of a scene: pymunk's own step, and Python's part in it.
+
+pymunk's step drifts the positions with the velocities of the step before, then kicks the
+velocities. Whatever acts in a kick is told which kick it is: see `Kick`.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
+from typing import TYPE_CHECKING
+
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.handles import stepper
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.scene.substeps import Substep, once
+from sandbox.physics.state.kick import Clock, Kick, Work
+from sandbox.physics.stepping.applied_forces import Forces
+from sandbox.physics.stepping.held_kicks import HeldKicks
+
+if TYPE_CHECKING:
+    from sandbox.physics.engine.hook import Hook
+
+
+class Kicks:
+    """Takes the drifts and kicks of a scene; n bodies.
+
+    Parameters
+    ----------
+    scene, forces
+        What moves, and what acts on it.
+    dt
+        The time step [s].
+    touching
+        Whether bodies touch each other at all.
+
+    Attributes
+    ----------
+    clock
+        Counts the steps; who takes one counts it first.
+    forces
+        What acts on the scene.
+    take
+        Takes the last drift of a step, and its kick.
+    parts
+        The drifts and kicks of which a step is made; see `compose`.
+    trail
+        After each of these but the last, places and velocities: (n, 6) each; None unless kept.
+    """
+
+    def __init__(self, scene: Scene, forces: Forces, dt: float, *, touching: bool) -> None:
+        self.clock, self.forces, self._scene = Clock(dt), forces, scene
+        self.trail: list[Array] | None = None
+        self._space, self._joints = scene.space, scene.joints
+        self._drift_and_kick = stepper(self._space)
+        self._hook: Hook | None = None
+        self._held = HeldKicks(
+            scene, self.finish, touching=touching, placed=scene.direct is not None
+        )
+        self.compose([once(dt)])
+
+    def compose(self, parts: Sequence[Substep]) -> None:
+        """Take steps from now on that are made of these drifts and kicks."""
+        self.parts, self._last = parts, parts[-1]
+        self.take = self._calling(self._hook) if self._hook else self._quietly()
+        if self._joints.together:
+            self._joints.together.parts = len(parts)
+
+    def call(self, in_kick: Sequence[Work], after_kick: Sequence[Work]) -> None:
+        """Call Python in every kick from now on: before pymunk kicks, and after its solver."""
+        bodies = self._scene.bodies.values()
+        dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
+        if dynamic is not None and (in_kick or after_kick):
+            from sandbox.physics.engine.hook import Hook
+
+            self._hook = Hook(self._space, dynamic, in_kick, after_kick)
+            self.take = self._calling(self._hook)
+
+    def _quietly(self) -> Callable[[], None]:
+        """Return pymunk's own step, in which Python is never called."""
+        return partial(self._drift_and_kick, self._last.drift)
+
+    def _calling(self, hook: "Hook") -> Callable[[], None]:
+        """Return what takes the last drift of a step and its kick, in which Python is called.
+
+        It raises what has failed in it.
+        """
+        last, drift_and_kick = self._last, self._drift_and_kick
+        kick = Kick(self.clock, 0, last.kick, last.following, scale=last.scale)
+
+        def take() -> None:
+            hook.kick = kick
+            drift_and_kick(last.drift)
+            hook.finish()
+
+        return take
+
+    def lead(self) -> None:
+        """Take all drifts and kicks of a step but the last."""
+        if self.trail is not None:
+            self.trail = []
+        for part in self.parts[:-1]:
+            self._turn_to(part)
+            self._drift_and_kick(part.drift)
+            if self._hook:
+                self._hook.finish()
+            if self.trail is not None:
+                self.trail.append(self._scene.batch.state())
+        self._turn_to(self._last)
+
+    def _turn_to(self, part: Substep) -> None:
+        """Let the next kick be that of a part of a step."""
+        self._joints.time(part.kick, part.following)
+        if gravity := self._scene.gravity:
+            x, y = gravity.acceleration
+            self._space.gravity = x * part.scale, y * part.scale
+        if self._hook:
+            ahead, scale = part.ahead, part.scale
+            self._hook.kick = Kick(self.clock, ahead, part.kick, part.following, scale=scale)
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Hold all bodies where they are, between two steps; see `settle`."""
+        with self._held.held():
+            yield
+
+    @contextmanager
+    def tried(self) -> Iterator[None]:
+        """Hold all bodies to try kicks, of which nothing is left after."""
+        with self.forces.tried(), self._held.held():
+            yield
+        self._joints.time(self.clock.dt, self.clock.dt)
+
+    def settle(self, ahead: float, start: Array, length: float, drift: float) -> Array:
+        """Kick bodies that are held until nothing changes, and return their velocities: (n, 3).
+
+        Parameters
+        ----------
+        ahead
+            When: so many steps after the last.
+        start
+            (n, 3), the velocities before the kick [m/s, rad/s].
+        length, drift
+            How long it is, and the drift that would follow [s].
+        """
+        ends, at_step = drift / self.clock.dt, ahead == 0
+        kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)
+        self._joints.time(length, drift)
+        if self._hook:
+            self._hook.kick = kick
+        return self._held.kick(kick, self.forces.smooth)
+
+    def begin(self, length: float, start: Array) -> Array:
+        """Take the first kick, of half the last of a step's, and return the velocities after it."""
+        if gravity := self._scene.gravity:
+            self._space.gravity = gravity.acceleration
+        return self.settle(0, start, length, self._last.following)
+
+    def keep_trail(self) -> None:
+        """Keep the trail of every step from now on."""
+        if self.trail is None:  # others may keep books, too
+            self.trail = []
+
+    def finish(self) -> None:
+        """Do what belongs after a kick of pymunk's, and raise what went wrong in it."""
+        if self._hook:
+            self._hook.finish()
+
+    @property
+    def composed(self) -> bool:
+        """Whether a step is made of several drifts and kicks."""
+        return len(self.parts) > 1
+
+    @property
+    def calls(self) -> int:
+        """How often pymunk's steps call Python in a step."""
+        return (self._hook.count if self._hook else 0) * len(self.parts)
+
+    def time_calls(self) -> None:
+        """Take the time of these calls from now on."""
+        if self._hook:
+            self._hook.timed()
+
+    @property
+    def seconds(self) -> float:
+        """What they have taken since they are timed [s]."""
+        return self._hook.seconds if self._hook else 0.0

@@ -1,0 +1,1 @@
+"""What only some levels call for in a step, one stage a file; `declared.py` lists them."""

@@ -1,0 +1,21 @@
+"""Contacts and exact joints solved together, instead of pymunk's kick; see `contacts/direct`."""
+
+from sandbox.physics.state.kick import Kick
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage."""
+    direct, forces, dt = setup.scene.direct, setup.forces, setup.kicks.clock.dt
+    assert direct
+
+    def begin(kick: Kick) -> None:
+        direct.begin(forces.held(dt), start=kick.at_step)
+
+    def solve(kick: Kick) -> None:
+        direct.solve(kick.until)
+
+    def refit(_t: float) -> None:
+        direct.forget()
+
+    return Stage(in_kick=begin, after_kick=solve, refit=refit, contacts=lambda: direct.contacts)

@@ -1,0 +1,30 @@
+"""Fourth order: a step of several drifts and kicks, some of which go back in time."""
+
+from sandbox.model.expressions import Array
+from sandbox.physics.scene.compositions import fourth_order, substeps
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage: all drifts and kicks of a step but the last, which any step has."""
+    parts = Leading(setup)
+    return Stage(before_drift=parts.take, begun=parts.begun)
+
+
+class Leading:
+    """Takes all drifts and kicks of a step but the last, as long as there are several."""
+
+    def __init__(self, setup: Setup) -> None:
+        self._kicks, self._batch = setup.kicks, setup.scene.batch
+        held = setup.scene.joints.together is not None
+        self._kicks.compose(substeps(fourth_order(held=held), self._kicks.clock.dt))
+        self._begun = self._batch.velocity()
+
+    def take(self) -> None:
+        """Take them, and note how fast bodies are then."""
+        self._kicks.lead()
+        self._begun = self._batch.velocity()
+
+    def begun(self) -> Array:
+        """Return the velocities that the last kick began with: (n, 3) [m/s, rad/s]."""
+        return self._begun

@@ -1,0 +1,28 @@
+"""Joints that are not pymunk's: what holds exactly is solved after pymunk's kick."""
+
+from collections.abc import Sequence
+from functools import partial
+
+from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage; contacts that are solved directly take the exact joints with them."""
+    scene = setup.scene
+    joints, touching = scene.joints, setup.level.effects.contact is not None
+    before = [string.warm_start for string in joints.strings.values()] if touching else []
+    after = joints.solvers(alone=scene.direct is None)
+    return Stage(in_kick=_all(before), after_kick=_all(after), refit=joints.refit)
+
+
+def _all(work: Sequence[Work]) -> Work | None:
+    """Return one call of all; None if there are none."""
+    if len(work) < 2:
+        return work[0] if work else None
+    return partial(_each, work)
+
+
+def _each(work: Sequence[Work], kick: Kick) -> None:
+    for item in work:
+        item(kick)

@@ -1,0 +1,20 @@
+"""Impacts one after the other, between drift and kick; see `contacts/sequential_impacts.py`."""
+
+from sandbox.physics.energy.step_record import StepRecord
+from sandbox.physics.state.kick import Kick
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage."""
+    sequence, forces = setup.scene.sequence, setup.forces
+    assert sequence
+
+    def collide(kick: Kick) -> None:
+        sequence.collide(forces.smooth, start=kick.at_step)
+        forces.shift(sequence.last.jump)
+
+    def record(step: StepRecord) -> StepRecord:
+        return step._replace(jump=sequence.last.jump)
+
+    return Stage(in_kick=collide, record=record)
