@@ -24,9 +24,9 @@ PATIENCE = 50
 UNSETTLED = 1000
 """How many times the rounding velocities must still change for that."""
 
-FOOT = 16 * PLACES
-"""How well the foot of a body on a curve is known: it is found from several places. What is left of
-it in a kick differs from one processor to another, 1e-13 to 1e-12 m/s at 500 Hz."""
+FOOT = 16
+"""How much worse than a place the foot of a body on a curve is known: it is found from several.
+What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz."""
 
 LULL = 10
 """For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
@@ -96,7 +96,8 @@ class HeldKicks:
             from sandbox.physics.joints.exact.constraints import PLACES
 
             near = max(
-                near, FOOT * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / kick.drift
+                near,
+                FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / kick.drift,
             )
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         changes: list[float] = []

@@ -80,7 +80,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
         _add_bars(card, each, scale, COLORS)
     card.y += 4
     card.heading("Since the start")
-    _add_table(card, given(session), "" if world.composed else "half a step ahead")
+    _add_table(card, given(session), "" if world.kicks.composed else "half a step ahead")
     return card.drawn()
 
 
