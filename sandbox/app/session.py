@@ -100,6 +100,8 @@ class Session:
         What a hand has done to the run so far.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
+    locked
+        Whether no time passes: somebody is to say first what will come of the run.
 
     Parameters
     ----------
@@ -129,6 +131,7 @@ class Session:
         self.changes = NONE
         self.playing = False
         self.speed = 1.0
+        self.locked = False
         self.earlier: tuple[Earlier, ...] = ()
         self._begin(*self._built(self.level, (), level.defaults if values is None else values))
 
@@ -266,6 +269,11 @@ class Session:
         """Whether no time passes before it is known which setting the level asks for."""
         return self.setting is None and self.world.level.stepping.accuracy is not None
 
+    @property
+    def _stands(self) -> bool:
+        """Whether no time may pass, for whatever reason."""
+        return self.waiting or self.locked
+
     def settle(self, setting: Setting) -> None:
         """Begin with the setting that its level asks for, now that it is known."""
         keep(self.level, self.values, setting)
@@ -300,7 +308,7 @@ class Session:
         SandboxError
             If the run cannot be built again.
         """
-        if self.waiting or (self.failure is not None and step >= self.world.steps):
+        if self._stands or (self.failure is not None and step >= self.world.steps):
             return
         self.release()
         self.sought = min(max(step, 0), self.end)
@@ -359,7 +367,7 @@ class Session:
         if self.sought is not None:
             self._seek(ON_THE_WAY)
             return
-        if not self.playing or self.waiting:
+        if not self.playing or self._stands:
             return
         self._owed += seconds * self.speed * self.world.stepping.rate
         due = int(self._owed)
@@ -377,7 +385,7 @@ class Session:
         return due
 
     def _advance(self) -> None:
-        if self.failure is not None or self.waiting:
+        if self.failure is not None or self._stands:
             return
         self._do_again()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns

@@ -2,7 +2,17 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages import accuracy, challenge, effects, graph, level, momentum, race, share
+from sandbox.app.pages import (
+    accuracy,
+    challenge,
+    effects,
+    graph,
+    level,
+    momentum,
+    predict,
+    race,
+    share,
+)
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -10,6 +20,7 @@ from sandbox.model.level import Level
 PAGES: tuple[Page, ...] = (
     level.PAGE,
     challenge.PAGE,
+    predict.PAGE,
     graph.PAGE,
     momentum.PAGE,
     effects.PAGE,

@@ -19,6 +19,7 @@ from sandbox.app.panels.levels import Entry, LevelList
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
+from sandbox.app.widgets.field import Field
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
@@ -119,7 +120,7 @@ class Panels:
 
     def let_go(self) -> None:
         """Leave the field that is typed in as it was; if none is, look for no level any more."""
-        if self.list is not None and not self._setting:
+        if self.list is not None and (self._seeking or not self.typing):
             self.list.clear()
         if self.side is not None:
             self.side.parameters.revert()
@@ -141,14 +142,13 @@ class Panels:
 
     @property
     def typing(self) -> bool:
-        """Whether a number is being typed, or what level to look for."""
-        seeking = self.list is not None and self.list.field.is_focused
-        return seeking or self._setting
+        """Whether something is being typed into a field, wherever that stands."""
+        return any(isinstance(each, Field) for each in self.manager.focused_set or ())
 
     @property
-    def _setting(self) -> bool:
-        """Whether a parameter is being typed."""
-        return self.side is not None and self.side.parameters.focused
+    def _seeking(self) -> bool:
+        """Whether it is being typed what level to look for."""
+        return self.list is not None and self.list.field.is_focused
 
     @property
     def sought(self) -> str:

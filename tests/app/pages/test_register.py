@@ -35,7 +35,7 @@ def card(pen: Pen, width: int, session: Session) -> pygame.Surface:
     return pen.write(f"{len(session.level.bodies)} bodies in {width} px")
 
 
-def fake(name: str, key: str = "q", caption: str = "", **parts: object) -> Page:
+def fake(name: str, key: str = "y", caption: str = "", **parts: object) -> Page:
     return Page(name, caption or name.capitalize(), key, f"the page {name}", card, **parts)  # type: ignore[arg-type]
 
 
@@ -139,12 +139,12 @@ def test_a_page_that_is_a_card_needs_no_panel(
 @pytest.mark.parametrize(
     ("make", "part"),
     [
-        (lambda: Page("momentum", "", "q", "the momenta", card), "a caption"),
+        (lambda: Page("momentum", "", "y", "the momenta", card), "a caption"),
         (lambda: Page("momentum", "Momentum", "", "the momenta", card), "a key"),
-        (lambda: Page("momentum", "Momentum", "q", "", card), "a text"),
-        (lambda: Page("momentum", "Momentum", "q", "the momenta"), "a card or a panel"),
+        (lambda: Page("momentum", "Momentum", "y", "", card), "a text"),
+        (lambda: Page("momentum", "Momentum", "y", "the momenta"), "a card or a panel"),
         (
-            lambda: Page("momentum", "Momentum", "q", "x", panel=_panel, beside=lambda _: ()),
+            lambda: Page("momentum", "Momentum", "y", "x", panel=_panel, beside=lambda _: ()),
             "a card",
         ),
     ],

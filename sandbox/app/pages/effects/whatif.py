@@ -53,12 +53,23 @@ def change(session: Session, changes: Changes) -> None:
     if not (changes.off or changes.on):
         session.play_as(original)
         return
+    play_over(session, *changed(original, changes))
+
+
+def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
+    """Return a level and the changed one, in one scheme, and the changes with how they are told.
+
+    Raises
+    ------
+    EffectError
+        If the level makes no sense so.
+    """
     wanted = original.stepping.scheme
     level, told = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
     left = wanted if wanted == "fourth-order" and unsmooth(level) else None
     scheme = "leapfrog" if left else wanted
     changes = replace(changes, effects=told, left=left)
-    play_over(session, stepped(original, scheme), stepped(level, scheme), changes)
+    return stepped(original, scheme), stepped(level, scheme), changes
 
 
 def reset(session: Session) -> str:

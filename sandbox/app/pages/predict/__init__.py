@@ -1,0 +1,14 @@
+"""The page of predictions: somebody says what will come of a run before it goes on."""
+
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.predict.panel import PredictPage
+from sandbox.app.pages.predict.predicting import Predicting
+
+PAGE = Page(
+    name="predict",
+    caption="Predict",
+    key="q",
+    text="predict a number, run, and see what explains a difference",
+    panel=PredictPage,
+    worker=Predicting,
+)

@@ -1,0 +1,150 @@
+"""What is told of a prediction: the question, how it came out, and what would explain that."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.checks import TOUCHED
+from sandbox.app.pages.predict.judging import LIMITS, Outcome
+from sandbox.app.pages.predict.neglected import Trial, Trying
+from sandbox.app.pages.predict.questions import FACTORS, title, when
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.model.level import Check
+
+NOTHING = "This level states no closed form that could be predicted."
+CHANGED = "The effects are changed: no formula describes this run. Reset them on the tab Effects."
+NEVER = "It never came to that in this run."
+NOTICED = 1e-4
+"""A change by a smaller share is none that anybody would look for."""
+
+
+def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:
+    """Draw what the page is for, or why nothing can be predicted here."""
+    card = Card(pen, width)
+    card.heading("Predict, run, explain")
+    if possible:
+        card.text("Choose what to predict. The run waits for your number.", 13, theme.DIM)
+    else:
+        card.text(CHANGED if session.changes else NOTHING, 14, theme.DIM)
+    return card.drawn()
+
+
+def asked(pen: Pen, width: int, question: Check, unit: str, *, open_: bool) -> pygame.Surface:
+    """Draw a question; while it is open, with how it may be answered."""
+    card = Card(pen, width)
+    card.heading("Your prediction")
+    card.text(title(question), 15, bold=True)
+    name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
+    card.text(name, 13, theme.DIM)
+    if open_:
+        card.y += GAP
+        units = " or ".join([unit, *FACTORS.get(unit, {})])
+        card.text(f"A number or a formula, such as 2*9.81; in {units or 'no unit'}:", 12, theme.DIM)
+    return card.drawn()
+
+
+def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
+    """Draw why what was typed is no answer, or how to give one."""
+    card = Card(pen, width)
+    if refusal:
+        card.text(refusal, 13, theme.FAILED)
+    else:
+        card.text("Enter: then it runs.", 12, theme.DIM)
+    return card.drawn()
+
+
+def result(
+    pen: Pen, width: int, session: Session, outcome: Outcome | None, trials: Sequence[Trial],
+    trying: Trying | None,
+) -> pygame.Surface:  # fmt: skip
+    """Draw what came of a prediction, and which neglected effects would change that."""
+    card = Card(pen, width)
+    if session.world.disturbed:
+        card.text(TOUCHED, 14, theme.NOTICE)
+        card.text("Restart (R) to see what comes of your prediction.", 13, theme.DIM)
+    elif outcome is None:
+        over = session.failure is not None or session.world.steps >= session.end
+        card.text(NEVER if over else "It runs …", 14, theme.NOTICE if over else theme.DIM)
+    else:
+        _verdict(card, outcome)
+        _compared(card, outcome)
+        _explained(card, outcome, trials, trying)
+    return card.drawn()
+
+
+def _verdict(card: Card, outcome: Outcome) -> None:
+    limit = outcome.limit
+    good, far = theme.PASSED, theme.FAILED
+    color = far if limit is None else good if limit <= LIMITS[1] else theme.NOTICE
+    card.text(outcome.verdict, 20, color, bold=True)
+    card.y += GAP
+
+
+def _compared(card: Card, outcome: Outcome) -> None:
+    """Write the three values, and how far two of them are from the simulated one."""
+    card.columns([("", theme.DIM), ("value", theme.DIM), ("differs by", theme.DIM)], 12)
+    rows = [
+        ("prediction", outcome.predicted, _apart(outcome, outcome.predicted)),
+        ("formula", outcome.formula, _apart(outcome, outcome.formula)),
+        ("simulation", outcome.simulated, ""),
+    ]
+    for name, value, apart in rows:
+        told = wording.quantity(value, outcome.unit)
+        card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
+
+
+def _apart(outcome: Outcome, value: float) -> str:
+    """Write how far a value is from the simulated one."""
+    apart = outcome.apart(value)
+    if abs(apart) < 1e-9:
+        return "equal"
+    far = wording.share(apart) if outcome.scale else wording.quantity(apart, outcome.unit, 3)
+    return f"+{far}" if apart > 0 else far
+
+
+def _explained(
+    card: Card, outcome: Outcome, trials: Sequence[Trial], trying: Trying | None
+) -> None:
+    card.y += 8
+    card.heading("What the level neglects")
+    if trying is not None:
+        told = f"trying {trying.effect} …" if trying.effect else "trying effects …"
+        card.text(told, 13, theme.DIM)
+    changing = [trial for trial in trials if _change(outcome, trial) > NOTICED]
+    for trial in sorted(changing, key=lambda trial: -_change(outcome, trial)):
+        _trial(card, outcome, trial)
+    same = [trial.told for trial in trials if trial not in changing]
+    if same:
+        card.y += GAP
+        card.text(f"No difference: {'; '.join(same)}.", 12, theme.DIM)
+    if not trials and trying is None:
+        card.text("No other effect can be tried here.", 13, theme.DIM)
+
+
+def _change(outcome: Outcome, trial: Trial) -> float:
+    """Return by how much an effect changes what was asked for, relative if it can be."""
+    if trial.before is None or trial.after is None:
+        return 0.0 if trial.before is trial.after else float("inf")
+    return abs(trial.after - trial.before) / (outcome.scale or 1.0)
+
+
+def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
+    card.y += GAP
+    card.text(trial.told, 14, bold=True)
+    if trial.before is None or trial.after is None:
+        card.text("then it never comes to that", 13, indent=INDENT)
+        return
+    value = outcome.simulated + trial.after - trial.before
+    change = _apart(outcome, value)
+    card.columns(
+        [("would make it", theme.DIM), (wording.quantity(value, outcome.unit), theme.TEXT),
+         (change, theme.TEXT)], 13,
+    )  # fmt: skip
+    off = outcome.apart(outcome.predicted)
+    explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
+    if 0.05 <= explained < 2:  # beyond, the prediction is nearer to the run without it
+        told = f"accounts for {100 * explained:.0f} % of your difference"
+        card.text(told, 12, theme.NOTICE, indent=INDENT)

@@ -1,0 +1,73 @@
+"""A prediction held against the formula and the run."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+
+from sandbox.model.level import Check
+from sandbox.physics.measuring.grading import ZERO, Result, grade_check, least_scale
+from sandbox.physics.measuring.recording import Trace
+
+LIMITS: Sequence[float] = (0.01, 0.05, 0.2)
+"""How far a prediction may be off to be called within 1 %, 5 %, 20 %."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What came of a prediction.
+
+    Attributes
+    ----------
+    predicted, formula, simulated
+        Three values of one quantity.
+    unit
+        Theirs.
+    scale
+        What differences are relative to; None if they are absolute, because all is zero.
+    """
+
+    predicted: float
+    formula: float
+    simulated: float
+    unit: str
+    scale: float | None
+
+    def apart(self, value: float) -> float:
+        """Return how far a value lies from the simulated one, relative if it can be."""
+        return (value - self.simulated) / (self.scale or 1.0)
+
+    @property
+    def limit(self) -> float | None:
+        """The closest of `LIMITS` that holds for the prediction; None if none does."""
+        off = abs(self.apart(self.predicted))
+        return next((limit for limit in LIMITS if off <= limit * (1 + 1e-9)), None)
+
+    @property
+    def verdict(self) -> str:
+        """How good the prediction was, in a few words."""
+        return "off" if self.limit is None else f"within {100 * self.limit:g} %"
+
+
+def judged(check: Check, trace: Trace, predicted: float) -> Outcome | None:
+    """Hold a prediction against a run; None while what was asked for has not come."""
+    result = grade_check(check, trace)
+    if result.measured is None or result.expected is None:
+        return None
+    scale = _scale(result, trace)
+    return Outcome(predicted, result.expected, result.measured, result.unit, scale)
+
+
+def _scale(result: Result, trace: Trace) -> float | None:
+    """Return the size of the expected value; where that is zero, of the quantity in the run."""
+    check, expected, measured = result.check, result.expected, result.measured
+    assert expected is not None
+    assert measured is not None
+    size = abs(expected if isfinite(expected) else measured)
+    size = max(size, least_scale(check, trace.values))
+    if size > ZERO:
+        return size
+    column = np.abs(trace.columns[check.quantity])
+    largest = float(column[np.isfinite(column)].max(initial=0.0))
+    return largest if largest > check.tolerance else None  # else it is rounding

@@ -1,0 +1,53 @@
+"""What the effects that a level neglects would make of a quantity, each tried alone."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from sandbox.app.companions import Changes
+from sandbox.app.pages.effects import whatif
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Check, Level
+from sandbox.physics.measuring.grading import grade_check
+from sandbox.physics.run import simulate
+
+
+@dataclass(frozen=True, slots=True)
+class Trying:
+    """Which effect is tried now, and which share of all was tried before."""
+
+    effect: str
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """A quantity without and with an effect; None where its instant never comes."""
+
+    told: str
+    before: float | None
+    after: float | None
+
+
+def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Trial]:
+    """Try each effect that a level does not declare, and yield what that makes of a check.
+
+    Both runs have one scheme, as on the page of the effects. What is impossible here is left out.
+    """
+    alone = level.model_copy(update={"checks": (check,), "ghosts": {}, "challenge": None})
+    names = whatif.addable(level)
+    known: dict[str, float | None] = {}
+    for i, name in enumerate(names):
+        yield Trying(name, i / len(names))
+        try:
+            plain, more, changes = whatif.changed(alone, Changes(on=(name,)))
+            scheme = plain.stepping.scheme
+            if scheme not in known:
+                known[scheme] = _measured(plain, values, check)
+            yield Trial(changes.told, known[scheme], _measured(more, values, check))
+        except SandboxError:
+            continue
+
+
+def _measured(level: Level, values: Values, check: Check) -> float | None:
+    return grade_check(check, simulate(level, values)).measured

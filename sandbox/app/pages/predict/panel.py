@@ -1,0 +1,169 @@
+"""The page of predictions: what is asked, a field for the answer, and what came of it."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
+from pygame_gui.elements import UIButton, UIImage, UISelectionList
+
+from sandbox.app import theme
+from sandbox.app.pages.page import Desk
+from sandbox.app.pages.predict import card
+from sandbox.app.pages.predict.predicting import Predicting
+from sandbox.app.pages.predict.questions import questions, title, unit_of, when
+from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.level import Check
+
+Widget = UIImage | UIButton | Field | UISelectionList
+BUTTON = 130, 28  # px
+FIELD = 26  # px, its height
+UNIT = 84  # px, what is kept for the unit beside it
+ROW = 20  # px, of the list
+MOST = 6
+"""So many rows of the list are seen at once."""
+
+
+class PredictPage:
+    """A list of what can be asked; then a field; then what came of it."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._predicting = desk.worker(Predicting)
+        self._questions: tuple[Check, ...] = ()
+        self._head = sheet.image(self._drawn_head(), MARGIN // 2)
+        self.list = self._listed([])
+        self.button = sheet.button(pygame.Rect((0, 0), BUTTON), "", "put the run to its start")
+        place = pygame.Rect(MARGIN, 0, sheet.width - UNIT, FIELD)
+        self.field = Field(place, sheet.manager, container=sheet.container)
+        self.field.set_text_length_limit(60)
+        self._unit = sheet.image(sheet.pen.write(" ", 14), 0)
+        self._refusal = sheet.image(self._drawn_refusal(), 0)
+        self._result = sheet.image(self._drawn_result(), 0)
+        self.update()
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Ask what was chosen, take what was typed, or begin anew."""
+        predicting = self._predicting
+        if event.type == UI_TEXT_ENTRY_FINISHED and event.ui_element is self.field:
+            if not self._open:
+                return None
+            if predicting.answer(self._session, self.field.get_text()):
+                self._sheet.manager.set_focus_set(None)
+            return ""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.button:
+            return None
+        if predicting.question is not None:
+            predicting.put_off()
+            return ""
+        chosen = self._chosen
+        if chosen is not None:
+            predicting.ask(self._session, chosen)
+            self.update()
+            self.field.set_text("")
+            self._sheet.manager.set_focus_set(self.field.get_focus_set())
+        return ""
+
+    @property
+    def _open(self) -> bool:
+        """Whether an answer is waited for."""
+        return self._predicting.question is not None and self._predicting.predicted is None
+
+    @property
+    def _chosen(self) -> Check | None:
+        name = self.list.get_single_selection()
+        return dict(zip(self._names(), self._questions, strict=True)).get(str(name))
+
+    def _names(self) -> list[str]:
+        """Name what can be asked, each in its own words."""
+        titles = [title(question) for question in self._questions]
+        pairs = zip(titles, self._questions, strict=True)
+        return [
+            name if titles.count(name) == 1 else f"{name} {when(each.at)}" for name, each in pairs
+        ]
+
+    def update(self) -> None:
+        """Show what is asked now, and what has come of it."""
+        predicting, sheet = self._predicting, self._sheet
+        self._offer()
+        question, is_open = predicting.question, self._open
+        sheet.replace(self._head, self._drawn_head())
+        y = below(self._head) + 6
+        y = self._put(self.list, y, shown=question is None and bool(self._questions))
+        if is_open:
+            sheet.replace(self._unit, self._drawn_unit())
+            self._unit.set_relative_position((self.field.relative_rect.right + 8, y + 4))
+        _show(self._unit, shown=is_open)
+        y = self._put(self.field, y, shown=is_open)
+        if is_open:
+            sheet.replace(self._refusal, self._drawn_refusal())
+        y = self._put(self._refusal, y, shown=is_open)
+        answered = predicting.predicted is not None
+        if answered:
+            sheet.replace(self._result, self._drawn_result())
+        y = self._put(self._result, y, shown=answered)
+        self._name_button()
+        y = self._put(self.button, y, shown=question is not None or bool(self._questions))
+        sheet.end(y)
+
+    def _offer(self) -> None:
+        """List what can be asked of the level as it is now."""
+        found = questions(self._session.level, self._session.values)
+        if found == self._questions:
+            return
+        self._questions = found
+        self.list.kill()
+        self.list = self._listed(self._names())
+
+    def _listed(self, names: list[str]) -> UISelectionList:
+        """Return a list of what can be asked, with the first chosen."""
+        height = min(len(names), MOST) * ROW + 6
+        return UISelectionList(
+            pygame.Rect(MARGIN, 0, self._sheet.width, height), list(names), self._sheet.manager,
+            container=self._sheet.container, allow_double_clicks=False,
+            default_selection=names[0] if names else None,
+        )  # fmt: skip
+
+    def _name_button(self) -> None:
+        """Let the button say what it would do."""
+        asked = self._predicting.question is not None
+        text = "Put it off" if self._open else "Predict another" if asked else "Predict"
+        if self.button.text != text:
+            self.button.set_text(text)
+
+    def _put(self, widget: Widget, y: int, *, shown: bool) -> int:
+        """Put a widget at a height if it is shown; return where the next one stands."""
+        _show(widget, shown=shown)
+        if not shown:
+            return y
+        if widget.relative_rect.y != y:
+            widget.set_relative_position((widget.relative_rect.x, y))
+        return int(widget.relative_rect.bottom) + 6
+
+    def _drawn_head(self) -> pygame.Surface:
+        pen, width, question = self._sheet.pen, self._sheet.width, self._predicting.question
+        if question is None:
+            return card.intro(pen, width, self._session, possible=bool(self._questions))
+        unit = unit_of(question, self._session.level)
+        return card.asked(pen, width, question, unit, open_=self._open)
+
+    def _drawn_unit(self) -> pygame.Surface:
+        question = self._predicting.question
+        unit = unit_of(question, self._session.level) if question is not None else ""
+        return self._sheet.pen.write(unit or " ", 14, theme.TEXT)
+
+    def _drawn_refusal(self) -> pygame.Surface:
+        return card.refused(self._sheet.pen, self._sheet.width, self._predicting.refusal)
+
+    def _drawn_result(self) -> pygame.Surface:
+        predicting = self._predicting
+        return card.result(
+            self._sheet.pen, self._sheet.width, self._session, predicting.outcome,
+            predicting.trials, predicting.trying,
+        )  # fmt: skip
+
+
+def _show(widget: Widget, *, shown: bool) -> None:
+    """Show or hide a widget."""
+    if shown and not widget.visible:
+        widget.show()
+    elif not shown and widget.visible:
+        widget.hide()

@@ -1,0 +1,161 @@
+"""What was asked and predicted, and what came of it, from one window's page to the next."""
+
+from sandbox.app.background import Background
+from sandbox.app.grading import Ration
+from sandbox.app.pages.predict.judging import Outcome, judged
+from sandbox.app.pages.predict.neglected import Trial, Trying, trials
+from sandbox.app.pages.predict.questions import questions, read, unit_of
+from sandbox.app.session import Session
+from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.level import Check
+
+FIRST = "Type what you predict first: the run waits for it (Q)."
+PUT_OFF = "The prediction is put off: the run is free again."
+CHANGED = "The level has changed, and with it what is to be predicted."
+
+
+class Predicting:
+    """Keeps a run locked until somebody has said what will come of it, and tells what did.
+
+    Attributes
+    ----------
+    question
+        What was asked; None if nothing was.
+    predicted
+        The answer, in SI; None while it is waited for.
+    refusal
+        Why what was typed is no answer; empty if nothing is wrong with it.
+    outcome
+        What came of it; None while that is not known.
+    trials
+        What effects that the level neglects would make of it.
+    trying
+        Which of them is tried now; None if none is.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    def __init__(self) -> None:
+        self._work = Background()
+        self._session: Session | None = None
+        self._forget()
+
+    def _forget(self) -> None:
+        self._work.cancel()
+        if self._session is not None:
+            self._session.locked = False
+        self.question: Check | None = None
+        self.predicted: float | None = None
+        self.refusal = ""
+        self.outcome: Outcome | None = None
+        self.trials: list[Trial] = []
+        self.trying: Trying | None = None
+        self._tried = False
+        self._values: Values = {}
+        self._world: object = None  # the run that is judged
+        self.news = object()
+
+    @property
+    def running(self) -> bool:
+        """Whether effects are being tried."""
+        return self._work.running
+
+    def ask(self, session: Session, question: Check) -> None:
+        """Put the run back to its start, and lock it until the question is answered."""
+        self._forget()
+        self._session, self.question, self._values = session, question, session.values
+        session.playing = False
+        session.restart()
+        session.locked = True
+        self._world = session.world
+
+    def put_off(self) -> None:
+        """Ask nothing any more, and let the run go."""
+        self._forget()
+
+    def answer(self, session: Session, typed: str) -> bool:
+        """Take a prediction, and let the run go on; return whether it is one."""
+        self.news = object()
+        assert self.question is not None
+        try:
+            unit = unit_of(self.question, session.level)
+            self.predicted = read(typed, unit, session.values)
+        except ExpressionError as error:
+            self.refusal = str(error)
+            return False
+        self.refusal, session.locked = "", False
+        if session.world.disturbed:
+            session.restart()
+        self._judge_from_now_on(session, self.question, self.predicted)
+        session.playing = session.failure is None
+        return True
+
+    def _judge_from_now_on(self, session: Session, question: Check, predicted: float) -> None:
+        self._world, self.outcome = session.world, None
+        self._ration: Ration[Outcome | None] = Ration(
+            lambda: judged(question, session.trace, predicted), None
+        )
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
+        """Keep the run locked or judge it; return what is to be told."""
+        if session is not self._session:
+            self._forget()
+            self._session = session
+        if self.question is None:
+            return None
+        if session.world is not self._world and self._outdated(session):
+            self._forget()
+            return CHANGED
+        if self.predicted is None:
+            return self._keep(session, watched=watched)
+        if session.world is not self._world:
+            self._judge_from_now_on(session, self.question, self.predicted)
+        self._judge(session)
+        if self.outcome is not None and watched and not self._tried:
+            self._try(session)
+        self._look()
+        return None
+
+    def _outdated(self, session: Session) -> bool:
+        asked = questions(session.level, session.values)
+        return session.values != self._values or self.question not in asked
+
+    def _keep(self, session: Session, *, watched: bool) -> str | None:
+        """Keep the run locked as long as the page is shown."""
+        self._world = session.world
+        if not watched:
+            self._forget()
+            return PUT_OFF
+        if session.playing:
+            session.playing = False
+            return FIRST
+        return None
+
+    def _judge(self, session: Session) -> None:
+        before = self.outcome
+        self.outcome = self._ration(session.world.steps + 1, hurried=session.playing)
+        if self.outcome != before:
+            self.news = object()
+
+    def _try(self, session: Session) -> None:
+        self._tried = True
+        level = session.level.model_copy(update={"stepping": session.world.stepping})
+        self._work.start(trials, level, session.values, self.question)
+        self.trying, self.news = Trying("", 0.0), object()
+
+    def _look(self) -> None:
+        """Take in what was found since."""
+        was_running = self._work.running
+        for finding in self._work.found():
+            self.news = object()
+            if isinstance(finding, Trying):
+                self.trying = finding
+            else:
+                self.trials.append(finding)
+        if was_running and not self._work.running:
+            self.trying, self.news = None, object()
+
+    def cancel(self) -> None:
+        """End the work."""
+        self._work.cancel()
+        self.trying = None

@@ -1,0 +1,130 @@
+"""What can be asked of a level before it runs, and what is typed in answer."""
+
+import re
+from collections.abc import Mapping
+from math import pi
+
+from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+)
+from sandbox.model.quantities import quantity
+from sandbox.physics.measuring.grading import applies
+
+FACTORS: Mapping[str, Mapping[str, float]] = {
+    "rad": {"deg": pi / 180, "°": pi / 180},
+    "rad/s": {"deg/s": pi / 180, "°/s": pi / 180},
+    "m": {"mm": 1e-3, "cm": 1e-2, "km": 1e3},
+    "s": {"ms": 1e-3, "min": 60.0},
+    "m/s": {"cm/s": 1e-2, "km/h": 1 / 3.6},
+    "J": {"mJ": 1e-3, "kJ": 1e3},
+    "N": {"mN": 1e-3, "kN": 1e3},
+}
+"""What else a number may be typed in, for each SI unit, and what one of it is in that."""
+
+
+def questions(level: Level, values: Values) -> tuple[Check, ...]:
+    """Return what is asked: the checks that apply and have an instant; if none has, at the end."""
+    applying = [check for check in level.checks if applies(check, values)]
+    timed = [check for check in applying if check.at is not None]
+    if not timed:
+        end = {"at": Expression(level.duration(values))}
+        timed = [check.model_copy(update=end) for check in applying if check.quantity != "t"]
+    return tuple({(check.quantity, check.at): check for check in reversed(timed)}.values())[::-1]
+
+
+def title(check: Check) -> str:
+    """Name what is asked for."""
+    return check.label or check.quantity
+
+
+def when(at: Instant | None) -> str:
+    """Say when a quantity is asked for."""
+    match at:
+        case ApexEvent(body=body):
+            return f"when {body} stops rising"
+        case LandingEvent(body=body):
+            return f"when {body} lands"
+        case ContactEvent(bodies=(a, b)):
+            return f"just after {a} and {b} meet"
+        case CrossingEvent(quantity=name, value=value):
+            return f"when {name} first comes to {value.source}"
+        case Expression():
+            return f"at t = {at.source} s"
+    return ""
+
+
+def unit_of(check: Check, level: Level) -> str:
+    """Return the SI unit of what is asked for; empty if it has none."""
+    return quantity(check.quantity, level).unit
+
+
+def read(typed: str, unit: str, values: Values) -> float:
+    """Return the number that was typed, in an SI unit.
+
+    Parameters
+    ----------
+    typed
+        Arithmetic over the parameters, and behind it the unit or one of its `FACTORS`, if any.
+    unit
+        What a number without a unit is in.
+    values
+        The level's parameters.
+
+    Raises
+    ------
+    ExpressionError
+        If it is anything else.
+    """
+    if not typed.strip():
+        raise ExpressionError("type a number first")
+    try:
+        return _value(typed, values)
+    except ExpressionError as error:
+        refusal = error
+    units = {_plain(name): factor for name, factor in FACTORS.get(unit, {}).items()}
+    units[_plain(unit)] = 1.0
+    for place in range(1, len(typed)):
+        factor = units.get(_plain(typed[place:]))
+        if factor is not None and _is_arithmetic(typed[:place]):
+            return _value(typed[:place], values) * factor
+    raise _explained(refusal, typed, unit)
+
+
+def _value(typed: str, values: Values) -> float:
+    expression = Expression(typed.strip())
+    for name in sorted(expression.names - values.keys()):
+        known = f"the parameters are {', '.join(values)}" if values else "there are no parameters"
+        raise ExpressionError(f"'{name}' is not known here; {known}")
+    return expression(values)
+
+
+def _is_arithmetic(typed: str) -> bool:
+    try:
+        Expression(typed.strip())
+    except ExpressionError:
+        return False
+    return True
+
+
+def _plain(unit: str) -> str:
+    """Return a unit in one of the ways in which it may be typed."""
+    factors = re.sub(r"\s*/\s*", "/", unit.strip().replace("**", "").replace("^", ""))
+    return re.sub(r"\s*[*·\s]\s*", "·", factors.replace("²", "2"))
+
+
+def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionError:
+    """Name the unit where a number stands before another one."""
+    found = re.fullmatch(r"(.*[\d).])\s*([A-Za-z°µ][^()+-]*)", typed.strip())
+    if found is None or not _is_arithmetic(found[1]):
+        return refusal
+    if not unit:
+        return ExpressionError(f"'{found[2]}': a number without a unit is asked for")
+    allowed = " or ".join([unit, *FACTORS.get(unit, {})])
+    return ExpressionError(f"'{found[2]}' is not a unit of this quantity: {allowed}")

@@ -1,0 +1,395 @@
+"""A run waits for a prediction, and afterwards prediction, formula and run are held together."""
+
+from collections.abc import Sequence
+from math import pi
+from pathlib import Path
+from time import sleep
+from typing import Any
+
+import pygame
+import pytest
+
+from sandbox.app.cards.card import Card
+from sandbox.app.pages.predict import card, neglected
+from sandbox.app.pages.predict.judging import Outcome, judged
+from sandbox.app.pages.predict.panel import PredictPage
+from sandbox.app.pages.predict.predicting import Predicting
+from sandbox.app.pages.predict.questions import questions, read, when
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.expressions import ExpressionError
+from sandbox.physics.run import simulate
+from tests.app import scenes
+from tests.app.person import Person
+
+AT_ONE = {"quantity": "ball.speed", "formula": "g*t", "tolerance": 1e-9, "at": 1.0}
+
+
+def page(person: Person) -> PredictPage:
+    assert person.window.panels.side is not None
+    found = person.window.panels.side.page
+    assert isinstance(found, PredictPage)
+    return found
+
+
+def predicting(person: Person) -> Predicting:
+    return person.window.workers.of(Predicting)
+
+
+def until_tried(person: Person) -> None:
+    """Look on until the run is over and no effect is tried any more."""
+    for _ in range(3000):
+        person.wait()
+        if not person.session.playing and not predicting(person).running:
+            return
+        if not person.session.playing:
+            sleep(0.01)
+    raise AssertionError("the work does not end")
+
+
+def answer(person: Person, typed: str) -> None:
+    person.type(typed)
+    person.press(pygame.K_RETURN)
+
+
+@pytest.fixture
+def asked(person: Person, tmp_path: Path) -> Person:
+    """Somebody who is asked for the speed of a ball half way through its fall."""
+    person.open(tmp_path, scenes.falling())
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    person.press(pygame.K_q, "q")
+    person.click(page(person).button.rect)
+    return person
+
+
+@pytest.fixture
+def written(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Everything that is written on cards from now on."""
+    texts: list[str] = []
+    text, columns = Card.text, Card.columns
+
+    def paragraph(card: Card, told: str, *rest: Any, **more: Any) -> None:  # noqa: ANN401
+        texts.append(told)
+        text(card, told, *rest, **more)
+
+    def row(card: Card, cells: Sequence[tuple[str, Color]], size: int) -> None:
+        texts.extend(told for told, _ in cells)
+        columns(card, cells, size)
+
+    monkeypatch.setattr(Card, "text", paragraph)
+    monkeypatch.setattr(Card, "columns", row)
+    return texts
+
+
+def test_a_run_stands_at_its_start_until_something_is_predicted(asked: Person) -> None:
+    assert asked.session.world.steps == 0
+    assert asked.window.panels.typing
+
+    asked.press(pygame.K_ESCAPE)
+    asked.press(pygame.K_SPACE, " ")
+    asked.wait(0.2)
+    assert asked.session.world.steps == 0
+    assert not asked.session.playing
+    asked.press(pygame.K_RIGHT)
+    assert asked.session.world.steps == 0
+    asked.session.go_to(30)
+    asked.wait(0.2)
+    assert asked.session.world.steps == 0
+
+    asked.press(pygame.K_r, "r")
+
+    assert asked.session.locked
+
+
+def test_a_number_lets_it_run_and_is_held_against_formula_and_run(asked: Person) -> None:
+    answer(asked, "5.2")
+    assert asked.session.playing
+
+    until_tried(asked)
+
+    outcome = predicting(asked).outcome
+    assert outcome is not None
+    assert outcome.predicted == 5.2
+    assert outcome.formula == pytest.approx(5)
+    assert outcome.simulated == pytest.approx(5, rel=1e-9)
+    assert outcome.apart(5.2) == pytest.approx(0.04)
+    assert outcome.verdict == "within 5 %"
+    assert asked.session.at_end
+
+
+def test_which_neglected_effect_would_explain_a_difference_is_told(
+    asked: Person, written: list[str]
+) -> None:
+    answer(asked, "4.5")
+
+    until_tried(asked)
+
+    dragged = simulate(scenes.level(effects=DRAGGED)).columns["ball.speed"][30]
+    found = {trial.told: trial for trial in predicting(asked).trials}
+    assert found["with drag (linear 0.1)"].after == pytest.approx(dragged, rel=1e-6)
+    assert found["with drag (linear 0.1)"].before == pytest.approx(5)
+    explained = (5 - dragged) / 0.5
+    assert f"accounts for {100 * explained:.0f} % of your difference" in written
+    assert not predicting(asked).running
+    assert predicting(asked).trying is None
+
+
+DRAGGED = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
+
+
+def test_neither_formula_nor_value_is_told_before_the_prediction(
+    person: Person, tmp_path: Path, written: list[str]
+) -> None:
+    person.open(tmp_path, scenes.falling())
+    person.press(pygame.K_SPACE, " ")
+    while person.session.playing:
+        person.wait()
+    person.press(pygame.K_q, "q")
+    written.clear()
+
+    person.click(page(person).button.rect)
+    person.wait(0.2)
+    told = " ".join([*written, *page(person)._names()])
+    assert "half way" in told
+    assert "g*t" not in told
+    assert "5.0000 m/s" not in told
+    answer(person, "1")
+    until_tried(person)
+
+    assert "5.0000 m/s" in written
+
+
+@pytest.mark.parametrize("typed", ["", "nonsense", "5 kg", "2,5", "1/0", "g*", "5 5", "[1]"])
+def test_nonsense_is_refused_and_the_run_goes_on_waiting(asked: Person, typed: str) -> None:
+    answer(asked, typed)
+    asked.wait(0.1)
+
+    assert predicting(asked).refusal
+    assert asked.session.locked
+    assert asked.session.world.steps == 0
+    assert asked.window.panels.typing
+
+
+def test_after_nonsense_a_number_is_taken(asked: Person) -> None:
+    answer(asked, "abc")
+    for _ in "abc":
+        asked.press(pygame.K_BACKSPACE)
+    answer(asked, "g/2 m/s")
+    until_tried(asked)
+
+    outcome = predicting(asked).outcome
+    assert outcome is not None
+    assert outcome.verdict == "within 1 %"
+
+
+@pytest.mark.parametrize(
+    ("typed", "unit", "value"),
+    [
+        ("2*9.81", "m/s", 19.62),
+        ("3.2 m/s", "m/s", 3.2),
+        ("-3.2m/s", "m/s", -3.2),
+        ("36 km/h", "m/s", 10),
+        ("45 deg", "rad", pi / 4),
+        ("45°", "rad", pi / 4),
+        ("45*deg", "rad", pi / 4),
+        ("pi/4", "rad", pi / 4),
+        ("30 deg/s", "rad/s", pi / 6),
+        ("9.81 m/s^2", "m/s²", 9.81),
+        ("9.81 m/s**2", "m/s²", 9.81),
+        ("2 kg*m/s", "kg·m/s", 2),
+        ("2 kg m / s", "kg·m/s", 2),
+        ("sqrt(2*m) m", "m", 2),
+        ("2*m", "m", 4),
+        ("150 cm", "m", 1.5),
+        ("1e3 mm", "m", 1),
+        ("5", "", 5),
+    ],
+)
+def test_a_number_may_have_its_unit_or_another_of_its_kind(
+    typed: str, unit: str, value: float
+) -> None:
+    assert read(typed, unit, {"m": 2}) == pytest.approx(value, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("typed", "unit", "said"),
+    [
+        ("5 kg", "m/s", "'kg' is not a unit of this quantity: m/s or cm/s or km/h"),
+        ("5 kg", "", "a number without a unit"),
+        ("v0", "m/s", "'v0' is not known here; the parameters are m"),
+        ("2,5", "m", "a decimal point is written ., not a comma"),
+        ("  ", "m", "type a number first"),
+        ("1/0", "m", "divides by zero"),
+        ("5 m m", "m", "is not"),
+    ],
+)
+def test_what_is_no_answer_is_told_why(typed: str, unit: str, said: str) -> None:
+    with pytest.raises(ExpressionError) as refused:
+        read(typed, unit, {"m": 2})
+
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("predicted", "verdict"),
+    [(10, "within 1 %"), (9.901, "within 1 %"), (10.4, "within 5 %"), (8.1, "within 20 %"),
+     (12.1, "off"), (-10, "off")],
+)  # fmt: skip
+def test_a_verdict_says_how_close_a_prediction_was(predicted: float, verdict: str) -> None:
+    level = scenes.level(checks=[AT_ONE])
+    (question,) = questions(level, level.defaults)
+
+    outcome = judged(question, simulate(level), predicted)
+
+    assert outcome is not None
+    assert outcome.verdict == verdict
+
+
+def test_where_zero_is_expected_the_size_of_the_quantity_in_the_run_counts() -> None:
+    ground = {"quantity": "ball.position.y", "formula": "5 - g*t**2/2", "tolerance": 1e-9, "at": 1}
+    level = scenes.level(checks=[ground])
+    (question,) = questions(level, level.defaults)
+
+    outcome = judged(question, simulate(level), 0.2)
+
+    assert outcome is not None
+    assert outcome.scale == pytest.approx(5)
+    assert outcome.verdict == "within 5 %"
+
+
+def test_where_all_is_zero_the_difference_is_absolute() -> None:
+    still = {"quantity": "ball.position.x", "formula": "0", "tolerance": 1e-9, "at": 1}
+    level = scenes.level(checks=[still])
+    (question,) = questions(level, level.defaults)
+
+    outcome = judged(question, simulate(level), 0.5)
+
+    assert outcome is not None
+    assert outcome.scale is None
+    assert outcome.verdict == "off"
+
+
+def test_without_an_instant_the_end_of_the_run_is_asked_for() -> None:
+    level = scenes.level(checks=[{key: AT_ONE[key] for key in AT_ONE if key != "at"}])
+    (question,) = questions(level, level.defaults)
+
+    outcome = judged(question, simulate(level), 10)
+
+    assert when(question.at) == "at t = 1.0 s"
+    assert outcome is not None
+    assert outcome.simulated == pytest.approx(10)
+
+
+def test_checks_that_do_not_apply_are_not_asked() -> None:
+    level = scenes.level(checks=[{**AT_ONE, "valid_if": "g < 5"}])
+
+    assert questions(level, level.defaults) == ()
+    assert len(questions(level, {**level.defaults, "g": 2})) == 1
+
+
+def test_a_level_without_checks_says_that_there_is_nothing_to_predict(
+    person: Person, tmp_path: Path, written: list[str]
+) -> None:
+    person.open(tmp_path, scenes.falling(checks=[]))
+    person.press(pygame.K_q, "q")
+
+    assert not page(person).button.visible
+    assert not page(person).list.visible
+    assert card.NOTHING in written
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    assert person.session.world.steps > 0
+
+
+def test_who_leaves_the_page_has_a_free_run_again(asked: Person) -> None:
+    asked.press(pygame.K_ESCAPE)
+    asked.press(pygame.K_o, "o")
+    asked.press(pygame.K_SPACE, " ")
+    asked.wait(0.2)
+
+    assert not asked.session.locked
+    assert asked.session.world.steps > 0
+    assert predicting(asked).question is None
+
+
+def test_the_button_puts_a_prediction_off(asked: Person) -> None:
+    asked.click(page(asked).button.rect)
+
+    assert not asked.session.locked
+    assert page(asked).list.visible
+    assert not page(asked).field.visible
+
+
+def test_another_can_be_predicted_afterwards(asked: Person) -> None:
+    answer(asked, "5")
+    until_tried(asked)
+    asked.click(page(asked).button.rect)
+    asked.click(page(asked).button.rect)
+
+    assert asked.session.locked
+    assert asked.session.world.steps == 0
+    assert predicting(asked).predicted is None
+
+
+def test_a_change_of_a_parameter_ends_a_prediction(asked: Person) -> None:
+    answer(asked, "5")
+    asked.session.restart({"g": 2})
+    asked.wait()
+
+    assert predicting(asked).question is None
+    assert not asked.session.locked
+
+
+def test_a_prediction_holds_for_the_same_run_again(asked: Person) -> None:
+    answer(asked, "5")
+    until_tried(asked)
+    before = predicting(asked).outcome
+    asked.press(pygame.K_r, "r")
+    assert predicting(asked).outcome is None
+    asked.press(pygame.K_SPACE, " ")
+    until_tried(asked)
+
+    assert predicting(asked).outcome == before
+
+
+def test_a_prediction_ends_with_its_level(asked: Person, tmp_path: Path) -> None:
+    asked.open(tmp_path, scenes.falling(title="Another"))
+
+    assert predicting(asked).question is None
+    assert not asked.session.locked
+
+
+def test_a_run_that_a_hand_has_touched_is_begun_anew(asked: Person) -> None:
+    asked.session.grab("ball", (0, 5))
+    asked.session.drag((1, 6))
+    asked.session.release()
+    assert asked.session.world.disturbed
+
+    answer(asked, "5")
+    until_tried(asked)
+
+    outcome = predicting(asked).outcome
+    assert outcome is not None
+    assert outcome.simulated == pytest.approx(5)
+
+
+def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:
+    level = scenes.level(checks=[AT_ONE])
+    (question,) = questions(level, level.defaults)
+
+    found = list(neglected.trials(level, level.defaults, question))
+
+    told = [each.told for each in found if isinstance(each, neglected.Trial)]
+    assert any("drag" in text for text in told)
+    assert not any("friction" in text for text in told)  # which needs contact
+
+
+def test_an_effect_that_delays_an_instant_for_ever_is_told(pen: Pen, written: list[str]) -> None:
+    outcome = Outcome(5.0, 5.0, 5.0, "m", 5.0)
+    trial = neglected.Trial("with drag", 5.0, None)
+
+    card.result(pen, 280, Session(scenes.level()), outcome, [trial], None)
+
+    assert "then it never comes to that" in written
