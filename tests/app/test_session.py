@@ -87,7 +87,7 @@ def test_a_run_pauses_by_itself_when_it_is_complete_and_goes_on_when_asked() -> 
     assert session.at_end
     assert session.t == pytest.approx(1.0)
     session.toggle()
-    session.update(0.1)
+    session.update(0.1, budget=10.0)
 
     assert session.playing
     assert session.world.steps == 66

@@ -42,7 +42,7 @@ def test_what_cannot_be_kept_for_want_of_a_home_is_found_all_the_same(
 
 
 def test_an_end_that_is_asked_for_leaves_no_file(write: Write, tmp_path: Path) -> None:
-    path = write(duration=1e5, effects={"attraction": [{"mu": "g"}]}, checks=[])
+    path = write(duration=1e5, checks=[])
     out = tmp_path / "out.csv"
 
     done = shell(f"timeout --signal=TERM 3 env SANDBOX simulate {path} --output {out}", tmp_path)
