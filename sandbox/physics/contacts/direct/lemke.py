@@ -61,13 +61,18 @@ def _pivot(table: Array, row: int, column: int) -> None:
 
 
 def _ratio(table: Array, basis: Integers, entering: int, artificial: int) -> int | None:
-    """Return the row that the entering variable drives to zero first; None if it drives none."""
+    """Return the row that the entering variable drives to zero first; None if it drives none.
+
+    Nor does it where numbers have grown beyond what a float can hold.
+    """
     column, value = table[:, entering], np.maximum(table[:, -1], 0.0)
     some = np.flatnonzero(column > NOTHING * np.abs(column).max(initial=0.0))
     if not len(some):
         return None
     ratio = value[some] / column[some]
     least = ratio.min()
+    if not np.isfinite(least):
+        return None
     tied = some[ratio <= least + TIE * max(ratio.max(), 1e-300)]
     if (basis[tied] == artificial).any():
         return int(tied[basis[tied] == artificial][0])
