@@ -1,7 +1,6 @@
 """Lemke's method: a solution where there is one, and none where numbers cannot be held."""
 
 import numpy as np
-import pytest
 
 from sandbox.physics.contacts.direct.lemke import lemke
 
@@ -18,11 +17,10 @@ def test_a_solution_keeps_all_conditions() -> None:
         assert abs(float(w @ z)) <= 1e-9
 
 
-@pytest.mark.parametrize("value", [np.nan, np.inf, 1e308])
-def test_numbers_that_cannot_be_held_have_none(value: float) -> None:
-    """One of them in the table made all others none at its first pivot."""
-    matrix = np.array([[1.0, value, 0.0], [value, 1.0, -1.0], [0.0, -1.0, 1.0]])
+def test_numbers_that_cannot_be_held_have_none() -> None:
+    """An overflow at a pivot left no row to choose from."""
+    matrix = np.array([[-0.5, 5e99, -8e299], [-0.5, -1e299, 1.4e300], [-0.2, 5e299, -2e299]])
     with np.errstate(all="ignore"):
-        found = lemke(matrix, np.array([-1.0, value, -2.0]))
+        found = lemke(matrix, np.array([1.0, 0.07, -1.1e307]))
 
     assert found is None or np.isfinite(found).all()
