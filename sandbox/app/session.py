@@ -159,6 +159,11 @@ class Session:
         self._script: Sequence[Action] = ()  # what is to be done again
         self.sought: int | None = None
 
+    def _begin_with(self, values: Values) -> None:
+        """Start anew with these parameters, and with the same runs beside it."""
+        variants = [companion.variant for companion in self.companions]
+        self._begin(*self._built(self.level, variants, values))
+
     @property
     def values(self) -> Values:
         """The parameters of the present run."""
@@ -192,9 +197,8 @@ class Session:
             told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values[n])
             run = Earlier(told, self.trail, self.history, self.world)
             self.earlier = (*self.earlier, run)[-len(theme.LANES) :]
-        variants = [companion.variant for companion in self.companions]
         try:
-            self._begin(*self._built(self.level, variants, values))
+            self._begin_with(values)
         except SandboxError as error:
             self._stop(error)
 
@@ -324,9 +328,8 @@ class Session:
     def _begin_again(self, sought: int) -> None:
         """Start anew with the same parameters, to do again what was done before a step."""
         script = [action for action in self.actions if action.step < sought]
-        variants = [companion.variant for companion in self.companions]
         playing = self.playing
-        self._begin(*self._built(self.level, variants, self.values))
+        self._begin_with(self.values)
         self._script, self.sought, self.playing = script, sought, playing
 
     def _seek(self, budget: float) -> None:

@@ -140,7 +140,7 @@ def report(trace: Trace) -> int:
         typer.echo("the level states no checks")
         return 0
     duration = trace.level.duration(trace.values)
-    complete = bool(trace.t[-1] >= duration * (1 - 1e-12))
+    complete = trace.complete
     results = grade(trace.until(duration))
     for line in verdicts.lines(results, complete=complete):
         typer.echo(line)

@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.challenge import Goal
 from sandbox.model.expressions import Expression, ExpressionError, Values
-from sandbox.physics.measuring.grading import ROUNDING, samples
+from sandbox.physics.measuring.grading import samples
 from sandbox.physics.measuring.recording import Trace
 
 Standing = Literal["met", "missed", "open"]
@@ -86,7 +86,7 @@ def attempt(trace: Trace) -> Attempt | None:
     challenge = trace.level.challenge
     if challenge is None:
         return None
-    complete = bool(trace.t[-1] >= trace.level.duration(trace.values) * (1 - ROUNDING))
+    complete = trace.complete
     found = tuple(_outcome(goal, trace, complete=complete) for goal in challenge.all_goals)
     first = len(challenge.goals)
     solved = all(outcome.standing == "met" for outcome in found[:first])

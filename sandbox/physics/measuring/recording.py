@@ -66,6 +66,11 @@ class Trace:
         """Whether nothing in it may jump."""
         return self.stepping.scheme == "fourth-order"
 
+    @property
+    def complete(self) -> bool:
+        """Whether it lasts as long as its level says, but for rounding."""
+        return bool(self.t[-1] >= self.level.duration(self.values) * (1 - 1e-12))
+
     def until(self, t: float) -> "Trace":
         """Return the part of the run up to a time [s]: to the first step not before it."""
         count = _steps(t, self.stepping.rate) + 1

@@ -8,7 +8,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app import theme
 from sandbox.app.history import History
 from sandbox.app.pages.graph import plot
-from sandbox.app.pages.graph.card import measured
+from sandbox.app.pages.graph.card import measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.graph.plot import Scale, Series
@@ -154,3 +154,14 @@ def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:
     assert page(person)._cursor == pytest.approx(person.session.t / 2, rel=0.2)
     person.move((600, 300))
     assert page(person)._cursor is None
+
+
+def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further() -> None:
+    session = opened("kinematics/projectile", 100)
+    session.restart({"angle": 60})
+    for _ in range(20):
+        session.step()
+
+    span = span_of(300, session, "t")
+
+    assert span.high == pytest.approx(100 / 60, rel=1e-9)

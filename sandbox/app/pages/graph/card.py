@@ -45,7 +45,7 @@ def graphs(
     names = list(dict.fromkeys([across, *up]))
     columns, units = measured(session.world, session.history, names)
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
-    span = span_of(width, [columns[across], *(each[across] for each in earlier)])
+    span = span_of(width, session, across)
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _told(card, session, columns, these, up, units, across, cursor)
@@ -60,9 +60,11 @@ def graphs(
     return card.drawn()
 
 
-def span_of(width: int, values: Sequence[Array]) -> Scale:
-    """Return the scale across graphs of a width [px]."""
-    return plot.across(width, values)
+def span_of(width: int, session: Session, across: str) -> Scale:
+    """Return the scale across graphs of a width [px]: it has room for earlier runs, too."""
+    runs = [(session.world, session.history)]
+    runs += [(run.world, run.history) for run in session.earlier]
+    return plot.across(width, [measured(*run, [across])[0][across] for run in runs])
 
 
 def measured(

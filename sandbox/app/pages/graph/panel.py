@@ -5,7 +5,7 @@ from pygame_gui import UI_SELECTION_LIST_DROPPED_SELECTION, UI_SELECTION_LIST_NE
 from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import heading
-from sandbox.app.pages.graph.card import graphs, measured, span_of
+from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
@@ -69,8 +69,7 @@ class GraphPage:
         before, self._cursor = self._cursor, None
         if place.collidepoint(pixel) and self._choice.up(self._session):
             across = self._choice.across(self._session)
-            columns, _ = measured(self._session.world, self._session.history, [across])
-            span = span_of(self._sheet.width, [columns[across]])
+            span = span_of(self._sheet.width, self._session, across)
             value = span.value(pixel[0] - place.x)
             self._cursor = min(max(value, span.low), span.high)
         if self._cursor != before:
