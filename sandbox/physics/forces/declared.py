@@ -8,6 +8,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
+from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.expressions import Array, Values
@@ -17,7 +18,7 @@ from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
 
-__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share"]
+__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "one_by_one"]
 
 _ROOM = __name__.rpartition(".")[0]
 
@@ -46,6 +47,16 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
             _require(effect, law)
             (turns if effect.turns else forces).append(law)
     return tuple(forces), tuple(turns)
+
+
+def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
+    """Yield each law with what a level says of it: of a list, those of each entry by themselves."""
+    for effect in effects.told:
+        if effect.is_law and not effect.turns:
+            make, said = _part(effect, "laws"), getattr(effects, effect.name)
+            for entry in said if isinstance(said, tuple) else (said,):
+                for law in make((entry,) if isinstance(said, tuple) else entry, given):
+                    yield entry, law
 
 
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
