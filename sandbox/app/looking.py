@@ -86,7 +86,8 @@ def color(acting: Acting) -> Color:
 def text(acting: Acting, found: FreeBody) -> str:
     """Return what is written beside a force: of several of a name, who gives each."""
     alone = sum(other.name == acting.name for other in felt(found)) == 1
-    return f"{acting.name if alone else acting.by or acting.name} {newtons(acting.size)} N"
+    name = acting.name if alone or not acting.by else f"from {acting.by}"
+    return f"{name} {newtons(acting.size)} N"
 
 
 def felt(found: FreeBody) -> Sequence[Acting]:
