@@ -8,7 +8,6 @@ from importlib import import_module
 from importlib.util import find_spec
 from typing import Any
 
-from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.expressions import Array, Values
@@ -18,7 +17,7 @@ from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
 
-__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "one_by_one"]
+__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "part_of"]
 
 _ROOM = __name__.rpartition(".")[0]
 
@@ -43,20 +42,10 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     for effect in effects.told:
         if not effect.is_law:
             continue
-        for law in _part(effect, "laws")(getattr(effects, effect.name), given):
+        for law in part_of(effect, "laws")(getattr(effects, effect.name), given):
             _require(effect, law)
             (turns if effect.turns else forces).append(law)
     return tuple(forces), tuple(turns)
-
-
-def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
-    """Yield each law with what a level says of it: of a list, those of each entry by themselves."""
-    for effect in effects.told:
-        if effect.is_law and not effect.turns:
-            make, said = _part(effect, "laws"), getattr(effects, effect.name)
-            for entry in said if isinstance(said, tuple) else (said,):
-                for law in make((entry,) if isinstance(said, tuple) else entry, given):
-                    yield entry, law
 
 
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
@@ -64,7 +53,7 @@ def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Arr
     found: list[Flow] = []
     for effect in effects.told:
         if effect.changes_mass:
-            found += _part(effect, "flows")(getattr(effects, effect.name), values, names)
+            found += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
     return MassFlows(found, mass) if found else steady
 
 
@@ -81,7 +70,7 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
             yield _told(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
 
 
-def _part(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
+def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     """Return what an effect's own module makes something with."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):

@@ -30,8 +30,8 @@ from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.forces.declared import one_by_one
 from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.one_by_one import one_by_one
 from sandbox.physics.joints.pulls import pulls_on
 from sandbox.physics.measuring.free_body import HAND, IMPACT, Acting, FreeBody
 from sandbox.physics.measuring.pressing import Press, presses, settled

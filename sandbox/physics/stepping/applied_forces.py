@@ -26,10 +26,8 @@ class Forces:
         What the laws saw in the last kick; None if there are none, or before it.
     hand
         What takes hold of bodies; None unless one has.
-    turning
-        (n,), how fast the last kick turned velocities [rad/s]; None if nothing does.
-    turned
-        (n, 2), the mean acceleration of that [m/s²]; None if nothing does.
+    turning, turned
+        (n,) [rad/s] and (n, 2) [m/s²], how the last kick turned velocities; None if nothing does.
 
     Parameters
     ----------

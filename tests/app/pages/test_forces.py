@@ -234,7 +234,7 @@ def test_the_centre_of_mass_is_marked_between_the_bodies(person: Person) -> None
 def test_an_arrow_of_acceleration_points_where_the_body_speeds_up(person: Person) -> None:
     person.window.open_level("newton/atwood")
     person.press(pygame.K_RIGHT)
-    person.press(pygame.K_y, "y")
+    person.press(pygame.K_SEMICOLON, ";")
     person.wait()
     stage = person.window.panels.layout.stage
 

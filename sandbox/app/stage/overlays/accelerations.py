@@ -43,7 +43,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 OVERLAY = Overlay(
     name="accelerations",
-    key="y",
+    key=";",
     text="arrows of accelerations",
     draw=_draw,
     on=lambda _level: False,
