@@ -98,12 +98,11 @@ def solve(
 
 def _sizes(matrix: Array, alike: Integers | None) -> Array:
     """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
-    own = np.maximum(matrix.diagonal(), 0.0)
+    own = matrix.diagonal()
     if alike is not None:
+        own = np.maximum(own, 0.0)
         own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
-    root = np.sqrt(own)
-    root[root == 0] = 1.0
-    return root
+    return np.sqrt(np.where(own > 0, own, 1.0))
 
 
 class _Scaled:
@@ -124,12 +123,17 @@ class _Scaled:
         self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
         friction = problem.friction
         self._row, self._contact = row, contact = friction.row, friction.contact
-        self._least, share = friction.least * size[row], size[row, None] / size[contact]
-        self._sticks, self._slips = (of_each * share for of_each in friction.shares)
+        self._least, self._share = friction.least * size[row], size[row, None] / size[contact]
+        self._sticks = friction.shares[0] * self._share
         self._some = bool(len(row))
         self._largest = float(np.abs(rate).max(initial=0.0))
         asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
         self._asked = float(np.abs(asked).max(initial=0.0))
+
+    @property
+    def _slips(self) -> Array:
+        """How large friction that slips is by the impulse of each contact: (f, 2)."""
+        return self._problem.friction.shares[1] * self._share
 
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses, and which rows hold."""
@@ -170,14 +174,13 @@ class _Scaled:
     def mend(self, active: Active) -> tuple[Array, Active | None]:
         """Solve and mend the guess until it holds; None if that goes in circles."""
         seen = set()
-        impulse = np.zeros_like(self._rate)
         for _ in range(GUESSES):
             impulse, repeats = self._with(active)
-            rate = self._rate + self._matrix @ impulse
+            rate = self._rate + self._matrix.dot(impulse)
             better = self._judge(impulse, rate, active)
             if better is not None and repeats:
                 impulse = self._shared(impulse, active)
-                rate = self._rate + self._matrix @ impulse
+                rate = self._rate + self._matrix.dot(impulse)
                 better = self._judge(impulse, rate, active)
             if better is None:
                 return impulse, active if self._holds(rate, active) else None
@@ -189,13 +192,13 @@ class _Scaled:
 
     def _with(self, active: Active) -> tuple[Array, bool]:
         """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
-        rows = np.flatnonzero(active.on)
-        impulse = np.zeros_like(self._rate)
-        if not len(rows):
-            return impulse, False
-        if len(rows) == len(impulse):
+        count = np.count_nonzero(active.on)
+        if count == len(self._rate):
             return solved(self._matrix, -self._rate)
-        if not active.slip.any():
+        rows, impulse = np.flatnonzero(active.on), np.zeros(len(self._rate))
+        if not count:
+            return impulse, False
+        if not np.count_nonzero(active.slip):
             matrix = self._matrix[np.ix_(rows, rows)]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
@@ -244,7 +247,7 @@ class _Scaled:
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        by_one, by_other = (coefficients * np.maximum(impulse, 0.0)[self._contact]).T
+        by_one, by_other = (coefficients * np.maximum(impulse.take(self._contact), 0.0)).T
         return np.asarray(by_one + by_other + self._least)
 
     def _holds(self, rate: Array, active: Active) -> bool:
@@ -253,7 +256,7 @@ class _Scaled:
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)
         within = np.abs(rate) <= allowed + self._blur.max()
-        return bool((within | ~active.on).all())
+        return not np.count_nonzero(active.on & ~within)
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return which rows rather hold at such rates; None if those do."""
@@ -262,15 +265,16 @@ class _Scaled:
         pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
         on = active.on ^ (self._problem.pushes & pulls_or_meets)
         if not self._some:
-            return Active(on, active.slip) if (on != active.on).any() else None
+            return Active(on, active.slip) if np.count_nonzero(on != active.on) else None
         friction, row, slip = self._problem.friction, self._row, active.slip.copy()
-        by_one, by_other = (on[self._contact] & friction.there).T
+        by_one, by_other = (on.take(self._contact) & friction.there).T
         presses = by_one | by_other | friction.always
-        own = impulse[row]
-        beyond = active.on[row] & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
-        if slip.any():
+        own = impulse.take(row)
+        bounds = self._bounds(impulse, self._sticks)
+        beyond = active.on.take(row) & (np.abs(own) > bounds + close)
+        if np.count_nonzero(slip):
             slip[slip * rate[row] > still[row]] = 0
-        if beyond.any():
+        if np.count_nonzero(beyond):
             slip[beyond] = np.sign(own[beyond])
         slip *= presses
         on[row] = presses & (slip == 0)
