@@ -125,10 +125,12 @@ class Features:
         Which.
     points
         A and B above, (2, k + f), along their bodies' axes [m].
+    side
+        (k,), the body whose side it is; the first where there is none.
     normal
-        (k,), n above, along the axes of the body whose side it is; 0 of round things.
+        (k,), n above, along the axes of that body.
     owns
-        Whether it is the first body's, or the second's, (2, k + f): 0 or 1.
+        Whether the side is the first body's, or the second's, (2, k + f): 0 or 1.
     sign
         (k,), s above, and 0 where there is a side; None if there is one everywhere.
     rolls
@@ -143,6 +145,7 @@ class Features:
 
     touching: Touching
     points: Plane
+    side: Integers
     normal: Plane
     owns: Array
     sign: Array | None
@@ -161,8 +164,7 @@ class Features:
         arms = self.points * turned
         first, second = plane.take(self.touching.bodies) + arms[:, :count]
         d = second - first
-        spins = (self.owns * turned)[:, :count]
-        along = self.normal * (spins[0] + spins[1])
+        along = self.normal * place.turned.take(self.side)
         across, beside = 1j * along, along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
         if self.sign is not None:
@@ -241,13 +243,14 @@ def features(
     sign = None
     if corner is not None:
         sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
-    spins = owns * turned
+    side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     return Features(
         touching=touching,
         points=((at - where) * turned.conj()).take(touching.rows, axis=1),
-        normal=n * (spins[0] + spins[1]).conj(),
+        side=side,
+        normal=n * place.turned.take(side).conj(),
         owns=owns.take(touching.rows, axis=1).astype(float),
         sign=sign,
         rolls=rolls,

@@ -36,10 +36,10 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     gradient = kick.here.gradient[kick.layout.gaps]
     if not looks:
         return np.zeros(len(gradient), dtype=bool)
-    closing, *others = np.stack((came, acts, change)) @ gradient.T
+    closing, *others = np.array((came, acts, change)).dot(gradient.T)
     gives = np.maximum(*np.abs(others))
     far: Booleans = closing < -gives
-    if not far.any():  # what is at rest needs no closer look
+    if not np.count_nonzero(far):  # what is at rest needs no closer look
         return far
     swift = np.abs(came) + np.abs(acts)
     around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none

@@ -108,7 +108,7 @@ class Kick:
         """Return the contacts with such impulses, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)
-        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float)
+        normal = np.bincount(touching.pair, impulse[layout.gaps], number)
         friction = np.zeros(number)
         friction[touching.rubs] = impulse[layout.slips]
         push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
@@ -132,7 +132,7 @@ def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
     (a, b), rubs = layout.touching.sliding, layout.touching.rubs
-    if not running.any():
+    if not np.count_nonzero(running):
         return np.zeros(len(rubs))
     runs = running[b] - running[a]
     direction = contacts.direction[layout.touching.pair[rubs]]

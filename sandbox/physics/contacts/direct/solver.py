@@ -85,8 +85,6 @@ class Direct:
 
     Attributes
     ----------
-    contacts
-        Those of the last kick.
     last
         What impacts did in it.
     stages
@@ -117,9 +115,18 @@ class Direct:
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
         self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
-        self.contacts: Contacts = NO_CONTACTS
+        self._contacts: Contacts = NO_CONTACTS
+        self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
+
+    @property
+    def contacts(self) -> Contacts:
+        """Those of the last kick; their impulses are found when somebody asks for them."""
+        if self._pushed:
+            kick, total = self._pushed
+            self._contacts, self._pushed = kick.told(total), None
+        return self._contacts
 
     def begin(self, pull: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
@@ -147,11 +154,12 @@ class Direct:
         JointFailure, NoForces
             If there are none.
         """
-        self.contacts = self._belief.sound(self._batch.contacts(), self._moved)
+        self._contacts = self._belief.sound(self._batch.contacts(), self._moved)
+        self._pushed = None
         self.last, self.stages = self._calm, ()
         self._shift = self._calm.jump
         self._follow(until)
-        if len(self.contacts.bodies) or self._joints.added.any():
+        if len(self._contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
@@ -185,7 +193,7 @@ class Direct:
 
     def _follow(self, until: float) -> None:
         """Take up what joints keep after the drift, and what they kept before it."""
-        if until == self._until and not self._joints.added.any():
+        if until == self._until and not np.count_nonzero(self._joints.added):
             return
         lengths, last = self._joints.lengths(until), self._lengths[1]
         self._until = until
@@ -196,13 +204,13 @@ class Direct:
         begun, pull, change = self._spread(self._begun, self._pull, self._change)
         kick = self._look(begun * self._dt)
         at_step, lead = begun + pull * self._lead, self._lead
-        total = np.zeros(len(kick.reply))
+        total: Array | float = 0.0
         strikes = impacts.struck(kick, at_step, pull * self._dt, change, looks=self._strikes)
-        if strikes.any() or self._joints.added.any():
-            came, total = impacts.come(kick, at_step, strikes)
+        if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
+            came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
-            self.stages = self._stage(kick, lead, came, total), self._stage(kick, 0, begun, pushes)
-            total = total + pushes
+            self.stages = self._stage(kick, lead, came, before), self._stage(kick, 0, begun, pushes)
+            total = before + pushes
             self._tell(kick, begun, pushes)
         else:
             lead = 0.0
@@ -229,23 +237,23 @@ class Direct:
         state[:, :3] += self._shift
         self._batch.set_state(state)
         there = Coordinates(place.values + way)
-        found = self._belief.since(self.contacts, state, self._shift, self._surfaces.slop)
-        if found is self.contacts:
+        found = self._belief.since(self._contacts, state, self._shift, self._surfaces.slop)
+        if found is self._contacts:
             return kick.moved(there)
-        self.contacts = found
+        self._contacts = found
         return self._kick_at(there)
 
     def _kick_at(self, place: Coordinates) -> Kick:
         """Return the rows of all that touches or is joined, where the bodies are."""
         joints = self._joints
-        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        self._contacts = self._corners.steady(self._contacts, place, joints.origin)
         layout, running = self._lay_out(), self._surfaces.running
-        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        kick = Kick.at(place, joints, self._contacts, layout, running, self._lengths)
         self._corners.note(kick)
         return kick
 
     def _lay_out(self) -> Layout:
-        contacts, joints = self.contacts, self._joints
+        contacts, joints = self._contacts, self._joints
         key = contacts.bodies, contacts.touches, len(joints.added)
         if self._laid is None or not _same(self._laid[0], key):
             self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
@@ -287,7 +295,7 @@ class Direct:
 
     def _kinetic(self, motion: Array) -> float:
         """Return the kinetic energy of velocities [J]."""
-        return float(self._inertia @ motion**2) / 2
+        return float(self._inertia.dot(motion * motion)) / 2
 
     def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
         """Return what a part of the kick did."""
@@ -310,13 +318,16 @@ class Direct:
         joints = kick.layout.joints
         struck = bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
-        self.contacts = kick.told(total)
+        self._pushed = kick, total
 
 
 def _same(one: Key, other: Key) -> bool:
     """Return whether a layout serves again; arrays that are the same need no look."""
-    pairs = zip(one[:2], other[:2], strict=True)
-    return one[2] == other[2] and all(a is b or np.array_equal(a, b) for a, b in pairs)
+    return one[2] == other[2] and _alike(one[0], other[0]) and _alike(one[1], other[1])
+
+
+def _alike(one: Integers, other: Integers) -> bool:
+    return one is other or np.array_equal(one, other)
 
 
 def _calm(count: int) -> Impacts:

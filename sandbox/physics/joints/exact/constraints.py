@@ -33,6 +33,7 @@ class Coordinates:
     """
 
     values: Array
+    _plane: Plane | None = field(default=None, init=False, repr=False, compare=False)
     _turned: Plane | None = field(default=None, init=False, repr=False, compare=False)
 
     @classmethod
@@ -42,8 +43,10 @@ class Coordinates:
 
     @property
     def plane(self) -> Plane:
-        """In the plane: (N,)."""
-        return planes(self.values)
+        """In the plane, of the values themselves: (N,)."""
+        if self._plane is None:
+            self._plane = planes(self.values)
+        return self._plane
 
     @property
     def angle(self) -> Array:
