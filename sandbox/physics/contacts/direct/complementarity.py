@@ -7,7 +7,7 @@ mass (the Delassus operator). Three kinds of rows ask for
     contacts    x >= 0,  r >= 0,  x r = 0                        (and ropes, which only pull)
     friction    |x| <= b, with r = 0 where it is less than b, and against the slip where it is b
 
-with b = mu (x of its contact) + a constant. Once it is known which rows are active this is a linear
+with b = mu (x of its contact). Once it is known which rows are active this is a linear
 system, solved exactly; which they are is guessed from the step before and mended until every
 condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact
 problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
@@ -123,7 +123,7 @@ class _Scaled:
         self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
         friction = problem.friction
         self._row, self._contact = row, contact = friction.row, friction.contact
-        self._least, self._share = friction.least * size[row], size[row, None] / size[contact]
+        self._share = size.take(row)[:, None] / size.take(contact)
         self._sticks = friction.shares[0] * self._share
         self._some = bool(len(row))
         self._largest = float(np.abs(rate).max(initial=0.0))
@@ -202,11 +202,9 @@ class _Scaled:
             matrix = self._matrix[np.ix_(rows, rows)]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
-        gives, constant = self._gives(active.slip), self._constant(active.slip)
-        matrix = self._matrix[rows]
-        wanted = -self._rate[rows] - matrix @ constant
-        found, repeats = solved(matrix @ gives[:, rows], wanted)
-        return gives[:, rows] @ found + constant, repeats
+        gives = self._gives(active.slip)[:, rows]
+        found, repeats = solved(self._matrix[rows] @ gives, -self._rate[rows])
+        return gives @ found, repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
         """Return the least of all impulses that do the same, and that contacts can give: (m,).
@@ -222,15 +220,8 @@ class _Scaled:
         unit, bounds = np.eye(len(impulse)), self._shares(self._sticks)[held]
         along = unit[self._row[held]]
         limits = np.concatenate((unit[pushes], bounds - along, bounds + along))
-        least = np.concatenate((np.zeros(len(pushes)), -self._least[held], -self._least[held]))
-        way = least_distance(limits @ ways, least - limits @ impulse)
+        way = least_distance(limits @ ways, -(limits @ impulse))
         return impulse if way is None else impulse + ways @ way
-
-    def _constant(self, slip: Integers) -> Array:
-        """Return the impulses of what slips that do not depend on others: (m,)."""
-        constant = np.zeros_like(self._rate)
-        constant[self._row] = slip * self._least
-        return constant
 
     def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
@@ -248,7 +239,7 @@ class _Scaled:
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
         by_one, by_other = (coefficients * np.maximum(impulse.take(self._contact), 0.0)).T
-        return np.asarray(by_one + by_other + self._least)
+        return np.asarray(by_one + by_other)
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
@@ -268,7 +259,7 @@ class _Scaled:
             return Active(on, active.slip) if np.count_nonzero(on != active.on) else None
         friction, row, slip = self._problem.friction, self._row, active.slip.copy()
         by_one, by_other = (on.take(self._contact) & friction.there).T
-        presses = by_one | by_other | friction.always
+        presses = by_one | by_other
         own = impulse.take(row)
         bounds = self._bounds(impulse, self._sticks)
         beyond = active.on.take(row) & (np.abs(own) > bounds + close)
@@ -319,7 +310,7 @@ class _Scaled:
         whole[count:signed, signed:] = np.concatenate((np.eye(rubs), np.eye(rubs)))
         whole[signed:, :count] = bounds[:, pushes]
         whole[signed:, count:signed] = -np.concatenate((np.eye(rubs), np.eye(rubs)), axis=1)
-        found = lemke(whole, np.concatenate((way.T @ one, self._least)))
+        found = lemke(whole, np.concatenate((way.T @ one, np.zeros(rubs))))
         if found is None:
             return None
         impulse = np.zeros_like(self._rate)
