@@ -257,18 +257,18 @@ class _Scaled:
         on = active.on ^ (self._problem.pushes & pulls_or_meets)
         if not self._some:
             return Active(on, active.slip) if np.count_nonzero(on != active.on) else None
-        friction, row, slip = self._problem.friction, self._row, active.slip.copy()
+        friction, row, slip = self._problem.friction, self._row, active.slip
         by_one, by_other = (on.take(self._contact) & friction.there).T
         presses = by_one | by_other
         own = impulse.take(row)
         bounds = self._bounds(impulse, self._sticks)
         beyond = active.on.take(row) & (np.abs(own) > bounds + close)
-        if np.count_nonzero(slip):
-            slip[slip * rate[row] > still[row]] = 0
-        if np.count_nonzero(beyond):
+        on[row] = presses
+        if np.count_nonzero(slip) or np.count_nonzero(beyond):
+            slip = np.where(slip * rate[row] > still[row], 0, slip)
             slip[beyond] = np.sign(own[beyond])
-        slip *= presses
-        on[row] = presses & (slip == 0)
+            slip *= presses
+            on[row] &= slip == 0
         better = Active(on, slip)
         return None if better.key == active.key else better
 
