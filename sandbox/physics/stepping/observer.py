@@ -203,4 +203,3 @@ class Observer:
             tension=self._scene.joints.tension(motion),
             torque=self._scene.joints.torque(),
         )
-

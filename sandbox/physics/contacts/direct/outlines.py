@@ -121,9 +121,7 @@ class Outlines(NamedTuple):
         off = np.abs(self.normals - direction[..., None])
         return np.asarray((off < PARALLEL).any(axis=-1))
 
-    def round(
-        self, where: Plane, turned: Plane, n: Plane, middle: Plane
-    ) -> tuple[Booleans, Plane]:
+    def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
         """Return whether they are round where they touch, and where their centres are: (2, k).
 
         Parameters
