@@ -57,7 +57,7 @@ class Sequence:
         Reads and writes the bodies.
     restitution
         (n, n), the pairs' coefficients.
-    agility
+    inverse_mass
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     joints
         Those that hold together what collides, if there are any. An impulse passes through what
@@ -70,19 +70,19 @@ class Sequence:
         self,
         batch: Batch,
         restitution: Array,
-        agility: Array,
+        inverse_mass: Array,
         joints: ExactJoints | None,
         dt: float,
     ) -> None:
         self._batch, self._joints, self._dt = batch, joints, dt
-        self._restitution, self._agility = restitution, agility
-        self._moving: Booleans = agility[:, 0] > 0
-        self._turning: Booleans = agility[:, 2] > 0
+        self._restitution, self._inverse_mass = restitution, inverse_mass
+        self._moving: Booleans = inverse_mass[:, 0] > 0
+        self._turning: Booleans = inverse_mass[:, 2] > 0
         # the last kick: places, velocities, accelerations
-        self._place = self._begun = self._pull = np.zeros_like(agility)
+        self._place = self._begun = self._pull = np.zeros_like(inverse_mass)
         self._lasted = dt
         self._before: partial[Array] | None = None  # what held in the kick before that
-        none = np.zeros(len(agility), dtype=bool)
+        none = np.zeros(len(inverse_mass), dtype=bool)
         self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
 
@@ -132,7 +132,7 @@ class Sequence:
         """Return the accelerations by contacts, and by joints, which turn with the bodies."""
         held = _held(begins, self._begun, self._lasted, self._pull)
         if self._joints and len(self._joints.tension):
-            held += Grip(self._joints, self._agility, self._place).change(place)
+            held += Grip(self._joints, self._inverse_mass, self._place).change(place)
         return held
 
     def _exchange(
@@ -157,7 +157,7 @@ class Sequence:
             points, parting, allowed = points.only(near), parting[near], allowed[near]
         gradient = points.over(len(place))
         holds = self._joints.stiff() if self._joints else None
-        answer = answers(gradient, self._agility, holds)
+        answer = answers(gradient, self._inverse_mass, holds)
         matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
         a, b = points.bodies.T
         asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))

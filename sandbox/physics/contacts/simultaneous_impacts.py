@@ -53,16 +53,16 @@ WEDGED = (
 TINY = 1e-300
 
 
-def answers(gradient: Array, agility: Array, holds: Array | None) -> Array:
+def answers(gradient: Array, inverse_mass: Array, holds: Array | None) -> Array:
     """Return how bodies answer a unit impulse along each gradient: (k, n, 3).
 
     Joints included: `holds`, (m, n, 3), are the gradients of those that push as well as pull.
     """
-    answer = gradient * agility
+    answer = gradient * inverse_mass
     if holds is None:
         return answer
-    holds = holds.reshape(-1, agility.size)
-    held = holds * agility.reshape(-1)
+    holds = holds.reshape(-1, inverse_mass.size)
+    held = holds * inverse_mass.reshape(-1)
     flat = answer.reshape(len(answer), -1)
     return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(answer.shape)
 

@@ -151,7 +151,11 @@ class Collision:
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
         self._running = surfaces(scene.bodies.values())
-        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._mass, self._inertia, self._inverse_mass = (
+            scene.mass,
+            scene.inertia,
+            scene.inverse_mass,
+        )
         self._joints = scene.joints.together
 
     def restitution(self, hit: Hit) -> float:
@@ -212,7 +216,7 @@ class Collision:
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
         gradient = _gradient(hits, place, rubs=rubs)
         stiff = self._joints.stiff(place) if self._joints else None
-        answer = answers(gradient, self._agility, stiff)
+        answer = answers(gradient, self._inverse_mass, stiff)
         matrix = np.einsum("knc,lnc->kl", answer, gradient)
         runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
         runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface

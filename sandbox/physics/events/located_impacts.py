@@ -92,7 +92,11 @@ class Located:
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
-        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._mass, self._inertia, self._inverse_mass = (
+            scene.mass,
+            scene.inertia,
+            scene.inverse_mass,
+        )
         self._joints, self._all_joints = scene.joints.together, scene.joints
         linked = self._joints is not None
         self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
@@ -150,7 +154,7 @@ class Located:
         pull = self._pull(smooth, total)
         if struck is None:
             self._without_impacts(pull, smooth, place, (begun, drifts))
-        grip = Grip(self._joints, self._agility, place) if self._joints else None
+        grip = Grip(self._joints, self._inverse_mass, place) if self._joints else None
         path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
         self._pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
@@ -197,7 +201,7 @@ class Located:
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the corners of boxes around the shapes, from their bodies' places: (s, 2) each."""
-        turns = (self._agility[:, 2] > 0) | (state[:, 5] != 0)
+        turns = (self._inverse_mass[:, 2] > 0) | (state[:, 5] != 0)
         low, high = np.empty((len(self._outlines), 2)), np.empty((len(self._outlines), 2))
         for index, outline in enumerate(self._outlines):
             corners = [rect(1, state[outline.body, 2]) * corner for corner in outline.corners]

@@ -115,7 +115,7 @@ def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
     from sandbox.physics.contacts.sequential_impacts import Sequence
 
     together, dt = made.joints.together, 1 / made.stepping.rate
-    return Sequence(made.batch, restitution, made.agility, together, dt)
+    return Sequence(made.batch, restitution, made.inverse_mass, together, dt)
 
 
 def touches_of(space: pymunk.Space, level: Level) -> Touches | None:

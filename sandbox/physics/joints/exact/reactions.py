@@ -22,14 +22,14 @@ class Grip:
     ----------
     joints
         Those of the scene.
-    agility
+    inverse_mass
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     place
         (n, 3), where the bodies are at the kick [m, rad].
     """
 
-    def __init__(self, joints: ExactJoints, agility: Array, place: Array) -> None:
-        self._joints, self._agility = joints, agility
+    def __init__(self, joints: ExactJoints, inverse_mass: Array, place: Array) -> None:
+        self._joints, self._inverse_mass = joints, inverse_mass
         self._tension = joints.tension
         self._place = place
 
@@ -68,4 +68,4 @@ class Grip:
 
     def _pull(self, place: Array) -> Array:
         """Return the accelerations by the joints somewhere: (n, 3)."""
-        return self._joints.pulls(self._tension, self._joints.at(place)) * self._agility
+        return self._joints.pulls(self._tension, self._joints.at(place)) * self._inverse_mass
