@@ -146,7 +146,7 @@ class Sequence:
     ) -> None:
         """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
         points = _points(contacts, place, self._turning)
-        parts = np.einsum("kbc,kbc->kb", points.gradient, velocity[points.bodies])
+        parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting, allowed = parts.sum(axis=1), _allowed(points, parts, gives)
         struck = parting < -allowed
         if not struck.any():
@@ -155,10 +155,10 @@ class Sequence:
             touched = reached(points.bodies, struck, self._moving)
             near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
             points, parting, allowed = points.only(near), parting[near], allowed[near]
-        gradient = points.over(len(place))
+        jacobian = points.over(len(place))
         holds = self._joints.stiff() if self._joints else None
-        answer = answers(gradient, self._inverse_mass, holds)
-        matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
+        answer = answers(jacobian, self._inverse_mass, holds)
+        matrix = answer.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
         asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))
         if asked != self._asked:  # bodies that are held are kicked again and again
@@ -183,27 +183,27 @@ class _Points(NamedTuple):
     ----------
     bodies
         (k, 2).
-    gradient
+    jacobian
         (k, 2, 3), how fast the two bodies' velocities take them apart.
     partner
         (k,), the other point of the same two sides; −1 if there is none.
     """
 
     bodies: Integers
-    gradient: Array
+    jacobian: Array
     partner: Integers
 
     def only(self, near: Booleans) -> "_Points":
         """Return some of the points; partners go together."""
         renumbered = np.append(np.cumsum(near) - 1, -1)
-        return _Points(self.bodies[near], self.gradient[near], renumbered[self.partner[near]])
+        return _Points(self.bodies[near], self.jacobian[near], renumbered[self.partner[near]])
 
     def over(self, count: int) -> Array:
-        """Return the gradients over all bodies: (k, n, 3)."""
+        """Return the Jacobian over all bodies: (k, n, 3)."""
         whole = np.zeros((len(self.bodies), count, 3))
         rows = np.arange(len(self.bodies))
         for side in range(2):
-            whole[rows, self.bodies[:, side]] = self.gradient[:, side]
+            whole[rows, self.bodies[:, side]] = self.jacobian[:, side]
         return whole
 
 
@@ -217,11 +217,11 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     partner[two], partner[count:] = count + np.arange(len(two)), two
     bodies, direction = contacts.bodies[pair], contacts.direction[pair]
     arm = contacts.points[pair, which][:, None] - place[bodies]
-    gradient = np.empty((len(pair), 2, 3))
-    gradient[:, :, :2] = direction[:, None]
-    gradient[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
-    gradient[:, 0] *= -1
-    return _Points(bodies, gradient, partner)
+    jacobian = np.empty((len(pair), 2, 3))
+    jacobian[:, :, :2] = direction[:, None]
+    jacobian[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
+    jacobian[:, 0] *= -1
+    return _Points(bodies, jacobian, partner)
 
 
 def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
@@ -240,8 +240,8 @@ def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
     gives
         (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
     """
-    sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
-    adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
+    sizes = [np.linalg.norm(a, axis=2) for a in (points.jacobian, gives[2, points.bodies])]
+    adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
     alone, held = np.abs(adds)
     held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
     rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST

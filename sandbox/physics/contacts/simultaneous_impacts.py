@@ -53,12 +53,12 @@ WEDGED = (
 TINY = 1e-300
 
 
-def answers(gradient: Array, inverse_mass: Array, holds: Array | None) -> Array:
-    """Return how bodies answer a unit impulse along each gradient: (k, n, 3).
+def answers(jacobian: Array, inverse_mass: Array, holds: Array | None) -> Array:
+    """Return how bodies answer a unit impulse along each row of the Jacobian: (k, n, 3).
 
-    Joints included: `holds`, (m, n, 3), are the gradients of those that push as well as pull.
+    Joints included: `holds`, (m, n, 3), are the Jacobian of those that push as well as pull.
     """
-    answer = gradient * inverse_mass
+    answer = jacobian * inverse_mass
     if holds is None:
         return answer
     holds = holds.reshape(-1, inverse_mass.size)

@@ -374,8 +374,8 @@ class Ledger:
     def _joints(self, kick: Kick, pulls: Pulls) -> Array:
         """Book the impulses of the exact joints, and return them: (n, 3)."""
         told = kick.inertia[:, 0] == 0
-        drives = pulls.changes | (pulls.gradient[:, told] != 0).any(axis=(1, 2))
-        impulses = -pulls.tension[:, None, None] * pulls.gradient
+        drives = pulls.changes | (pulls.jacobian[:, told] != 0).any(axis=(1, 2))
+        impulses = -pulls.tension[:, None, None] * pulls.jacobian
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._works:

@@ -119,7 +119,7 @@ class _Points(NamedTuple):
 
     Attributes
     ----------
-    gradient
+    jacobian
         (k, n, 3), how fast velocities take them apart, and along.
     answer
         (k, n, 3), how velocities jump by a unit impulse at each.
@@ -129,7 +129,7 @@ class _Points(NamedTuple):
         (k,), how fast they slip by belts that run.
     """
 
-    gradient: Array
+    jacobian: Array
     answer: Array
     matrix: Array
     runs: Array
@@ -181,10 +181,10 @@ class Collision:
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         place, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        gradient, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
+        jacobian, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
         count = len(of)
-        rates = np.einsum("knc,nc->k", gradient, velocity) + runs
-        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(time))
+        rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
+        pulls = np.einsum("knc,nc->k", jacobian[:count], path.pull_at(time))
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
         rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
@@ -204,7 +204,7 @@ class Collision:
         for index, hit in enumerate(hits):
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
             push, held = impulse[rows], holds[rows] * lasts
-            given = np.einsum("k,knc->nc", push + held, gradient[rows])
+            given = np.einsum("k,knc->nc", push + held, jacobian[rows])
             moves = self._inertia * np.einsum("k,knc->nc", push, answer[rows])
             told = -float(np.sum((given * velocity)[self._mass == 0]))
             driven = -float(push @ runs[rows])
@@ -214,13 +214,13 @@ class Collision:
         return Bounce(struck, jump, onwards, tuple(impacts))
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
-        gradient = _gradient(hits, place, rubs=rubs)
+        jacobian = _jacobian(hits, place, rubs=rubs)
         stiff = self._joints.stiff(place) if self._joints else None
-        answer = answers(gradient, self._inverse_mass, stiff)
-        matrix = np.einsum("knc,lnc->kl", answer, gradient)
-        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
+        answer = answers(jacobian, self._inverse_mass, stiff)
+        matrix = np.einsum("knc,lnc->kl", answer, jacobian)
+        runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
         runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
-        return _Points(gradient, answer, matrix, runs)
+        return _Points(jacobian, answer, matrix, runs)
 
 
 def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
@@ -230,18 +230,18 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     return [hit for hit in kept if hit.points]
 
 
-def _gradient(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
     """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
     at = [(hit.bodies, point, hit.normal) for hit in hits for point in hit.points]
     if rubs:
         at += [(bodies, point, 1j * normal) for bodies, point, normal in at]
-    gradient = np.zeros((len(at), *place.shape))
+    jacobian = np.zeros((len(at), *place.shape))
     for row, (bodies, point, way) in enumerate(at):
         for body, sign in zip(bodies, (-1, 1), strict=True):
             arm = point - complex(*place[body, :2].tolist())
             turning = arm.real * way.imag - arm.imag * way.real
-            gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
-    return gradient
+            jacobian[row, body] = sign * way.real, sign * way.imag, sign * turning
+    return jacobian
 
 
 def _impact(

@@ -75,7 +75,7 @@ class PulleyString:
         self._free_length = sum(hypot(*arm) for arm in self._arms())
         self.tension = 0.0
 
-    def gradient(self) -> tuple[XY, XY]:
+    def jacobian(self) -> tuple[XY, XY]:
         """Return how its length changes with the places of its ends."""
         (ax, ay), (bx, by) = self._arms()
         far_a, far_b = hypot(ax, ay) or 1.0, hypot(bx, by) or 1.0
@@ -92,7 +92,7 @@ class PulleyString:
         if not self.tension:
             return
         self._warm = self.tension
-        for body, (x, y) in zip(self._ends, self.gradient(), strict=True):
+        for body, (x, y) in zip(self._ends, self.jacobian(), strict=True):
             body.apply_force_at_world_point((-x * self._warm, -y * self._warm), body.position)
 
     def solve(self, kick: Kick) -> None:

@@ -16,7 +16,7 @@ class Pulls(NamedTuple):
 
     Attributes
     ----------
-    gradient
+    jacobian
         (m, n, 3), how what they keep changes with the bodies' places and angles.
     tension
         (m,), the force against that [N].
@@ -26,7 +26,7 @@ class Pulls(NamedTuple):
         (m,), whether what they keep changes with time.
     """
 
-    gradient: Array
+    jacobian: Array
     tension: Array
     pulls_only: Booleans
     changes: Booleans
@@ -40,7 +40,7 @@ def pulls_of(joints: Joints, count: int) -> Pulls:
     ]
     if together := joints.together:
         parts.append(
-            Pulls(together.gradients(), together.tension, together.pulls_only, together.changes)
+            Pulls(together.jacobian(), together.tension, together.pulls_only, together.changes)
         )
     if not parts:
         none = np.zeros(0, dtype=bool)
@@ -49,8 +49,8 @@ def pulls_of(joints: Joints, count: int) -> Pulls:
 
 
 def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
-    gradient = np.zeros((1, count, 3))
-    for row, direction in zip(rows, string.gradient(), strict=True):
+    jacobian = np.zeros((1, count, 3))
+    for row, direction in zip(rows, string.jacobian(), strict=True):
         if row is not None:
-            gradient[0, row, :2] += direction
-    return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
+            jacobian[0, row, :2] += direction
+    return Pulls(jacobian, np.array([string.tension]), np.array([True]), np.array([False]))

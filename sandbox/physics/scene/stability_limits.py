@@ -179,12 +179,12 @@ def _replies(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> A
 
     Each counts in both directions of the plane, for it may come to point in any.
     """
-    gradient = np.zeros((len(springs), 2, len(inverse_mass), 3))
-    for row, spring in zip(gradient, springs, strict=True):
+    jacobian = np.zeros((len(springs), 2, len(inverse_mass), 3))
+    for row, spring in zip(jacobian, springs, strict=True):
         for end, sign in zip(spring.ends, (-1.0, 1.0), strict=True):
             if end.body is not None:
                 arm = end.point * np.exp(1j * angle[end.body])
                 row[0, end.body] += sign * np.array([1.0, 0.0, -arm.imag])
                 row[1, end.body] += sign * np.array([0.0, 1.0, arm.real])
-    flat = gradient.reshape(2 * len(springs), -1)
+    flat = jacobian.reshape(2 * len(springs), -1)
     return np.asarray(flat * inverse_mass.ravel() @ flat.T)

@@ -321,8 +321,8 @@ def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None
     random = np.random.default_rng(5)
     for _ in range(100):
         k = int(random.integers(1, 6))
-        gradient = random.normal(size=(k, k + 2))
-        answers, parting = gradient @ gradient.T, random.normal(size=k)
+        jacobian = random.normal(size=(k, k + 2))
+        answers, parting = jacobian @ jacobian.T, random.normal(size=k)
         found = pushes(answers, parting)
         assert found.min() >= 0
         assert (parting + answers @ found).min() >= -1e-9
@@ -334,10 +334,10 @@ def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
     random = np.random.default_rng(5)
     with np.errstate(all="ignore"):
         for _ in range(200):
-            gradient = random.normal(size=(4, 6)) * 1e-16
+            jacobian = random.normal(size=(4, 6)) * 1e-16
             parting = random.normal(size=4) * 1e152
             parting[1] = -1e308
-            assert not (pushes(gradient @ gradient.T, parting) < 0).any()
+            assert not (pushes(jacobian @ jacobian.T, parting) < 0).any()
 
 
 @pytest.mark.parametrize("endless", [np.inf, -np.inf, np.nan])

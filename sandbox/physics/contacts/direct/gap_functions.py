@@ -50,7 +50,7 @@ class Touching(NamedTuple):
     held
         (2, k + f), the bodies of these.
     into
-        Where in the gradients of gaps and friction the bodies stand: x and y of the first ones, of
+        Where in the Jacobian of gaps and friction the bodies stand: x and y of the first ones, of
         the second ones, and then the angles.
     figures
         The outlines of all bodies.
@@ -154,10 +154,10 @@ class Features:
     curved: tuple[Curved, ...] = ()
     corners: Booleans | None = None
 
-    def look(self, place: Coordinates, total: Array, gradient: Array) -> None:
-        """Write down the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N).
+    def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+        """Write down the gaps and the ways slipped, and their Jacobian: (k + f) and (k + f, 3 N).
 
-        What of the gradients is not written is 0.
+        What of the Jacobian is not written is 0.
         """
         held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
         turned, plane = place.turned.take(held), place.plane
@@ -180,7 +180,7 @@ class Features:
         spin += self.owns * np.concatenate((off, -gap.take(rubs)))
         spin[:, count:] += self.rolls
         slopes = np.concatenate((way.view(float).ravel(), spin.ravel()))
-        gradient.reshape(-1)[self.touching.into] = slopes
+        jacobian.reshape(-1)[self.touching.into] = slopes
 
     def _of_round(
         self, d: Plane, sign: Array, along: Plane, gap: Array, off: Array
@@ -310,7 +310,7 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
 
 
 def _into(bodies: Integers, count: int) -> Integers:
-    """Return where in the gradients of s rows bodies, (2, s), stand; there are so many."""
+    """Return where in the Jacobian of s rows bodies, (2, s), stand; there are so many."""
     start = np.arange(bodies.shape[1]) * (3 * count)
     x = start + 2 * bodies
     plane = np.stack((x, x + 1), axis=2).ravel()

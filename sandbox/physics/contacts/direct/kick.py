@@ -66,14 +66,14 @@ class Kick:
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
-        reply, runs = here.gradient * joints.inverse, _runs(contacts, layout, running)
+        reply, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
         return cls(joints, contacts, layout, found, place, here, reply, runs, *lengths)
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere."""
         found = self.features.moved(place)
         here = rows_at(place, self.joints, found)
-        reply = here.gradient * self.joints.inverse
+        reply = here.jacobian * self.joints.inverse
         return replace(self, features=found, place=place, here=here, reply=reply)
 
     def rows(self, way: Array) -> Rows:
@@ -83,10 +83,10 @@ class Kick:
     def flat_rows(self, way: Array) -> Rows:
         """Return the same, with contacts as if they changed linearly with the way."""
         here, there, touch = self.here, self.rows(way), self.layout.touch
-        total, gradient = there.total.copy(), there.gradient.copy()
-        total[touch] = here.total[touch] + here.gradient[touch] @ way
-        gradient[touch] = here.gradient[touch]
-        return Rows(total, gradient)
+        total, jacobian = there.total.copy(), there.jacobian.copy()
+        total[touch] = here.total[touch] + here.jacobian[touch] @ way
+        jacobian[touch] = here.jacobian[touch]
+        return Rows(total, jacobian)
 
     def targets(self) -> Array:
         """Return what the rows shall be after the drift: (r,)."""
@@ -121,13 +121,13 @@ def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     """Return all rows somewhere: joints as what is left of what they keep."""
     first = len(joints.pulls_only)
     count = first + len(found.touching.rows)
-    total, gradient = np.empty(count), np.zeros((count, len(place.values)))
-    found.look(place, total[first:], gradient[first:])
+    total, jacobian = np.empty(count), np.zeros((count, len(place.values)))
+    found.look(place, total[first:], jacobian[first:])
     if first:
         held = joints.look(place)
         np.negative(held.total, out=total[:first])
-        np.negative(held.gradient, out=gradient[:first])
-    return Rows(total, gradient)
+        np.negative(held.jacobian, out=jacobian[:first])
+    return Rows(total, jacobian)
 
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:

@@ -59,7 +59,7 @@ def newton(
         rate = wrong / drift
         far = np.count_nonzero(active.on & (missed > QUADRATIC)) > 0
         lets = inf if far and iteration < SOON else TAUT / drift
-        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
+        impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
         if not far and active.key == before.key:
             return impulse, motion + impulse.dot(kick.reply), active
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
@@ -68,7 +68,7 @@ def newton(
 def solve_rows(
     kick: Kick,
     layout: Layout,
-    gradient: Array,
+    jacobian: Array,
     rate: Array,
     active: Active,
     impulse: Array | None = None,
@@ -82,7 +82,7 @@ def solve_rows(
         What is known.
     layout
         What the rows ask for.
-    gradient
+    jacobian
         (r, 3 N), J of the rows.
     rate
         (r,), their rates with the impulses, if there are any [m/s, rad/s].
@@ -102,7 +102,7 @@ def solve_rows(
         whole = len(rows) == len(rate)
         part = slice(None) if whole else rows
         guess = active if whole else Active(active.on[rows], active.slip[slips])
-        matrix, free = gradient[part].dot(kick.reply[part].T), rate[part]
+        matrix, free = jacobian[part].dot(kick.reply[part].T), rate[part]
         if impulse is not None:
             free = free - matrix.dot(impulse[part])
         try:

@@ -284,7 +284,7 @@ class Direct:
         found = newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
         joints = kick.layout.joints
         if joints.stop and not self._driven():
-            work = (found[0] * (kick.here.gradient @ (motion + found[1])))[joints]
+            work = (found[0] * (kick.here.jacobian @ (motion + found[1])))[joints]
             self._joints.refuse_gain(motion, found[1], work)
         return found
 

@@ -113,7 +113,7 @@ class WarmStart:
         which way friction acts where it slips, (f,); 0 elsewhere.
         """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
-        rates = kick.here.gradient @ motion
+        rates = kick.here.jacobian @ motion
         rates[layout.slips] += kick.runs
         on, speed = rates[layout.gaps] < 0, rates[layout.slips]
         force, along = np.zeros(len(on)), np.zeros(len(speed))

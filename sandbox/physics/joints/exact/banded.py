@@ -25,7 +25,7 @@ Places = NDArray[np.intp]
 
 
 class Look(NamedTuple):
-    """What equations add up to (m,), and the entries of their gradients."""
+    """What equations add up to (m,), and the entries of their Jacobian."""
 
     total: Array
     slopes: Array
@@ -73,7 +73,7 @@ class Banded:
         return self._count >= FEWEST and self.width <= NARROW * self._count
 
     def look(self, place: Coordinates) -> Look:
-        """Return what the equations add up to somewhere, and their gradients there."""
+        """Return what the equations add up to somewhere, and their Jacobian there."""
         return Look(*self._reaches.measure(place))
 
     def along(self, look: Look, motion: Array) -> Array:
@@ -82,12 +82,12 @@ class Banded:
         return np.bincount(self._row, moved, self._count).astype(float, copy=False)
 
     def reply(self, look: Look, impulse: Array) -> Array:
-        """Return what impulses (m,) along the gradients change of the motion: (3 N,)."""
+        """Return what impulses (m,) along the Jacobian change of the motion: (3 N,)."""
         push = impulse[self._row] * look.slopes * self._weight
         return np.bincount(self._column, push, len(self._inverse)).astype(float, copy=False)
 
     def solved(self, there: Look, here: Look, excess: Array) -> Array:
-        """Return the impulses along the gradients here that change what is there by so much: (m,).
+        """Return the impulses along the Jacobian here that change what is there by so much: (m,).
 
         Raises
         ------

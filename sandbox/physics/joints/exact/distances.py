@@ -83,7 +83,7 @@ class Reaches:
         self._apart = len(np.unique(self._into)) == len(self._into)
 
     def _places(self, width: int, count: int) -> NDArray[np.intp]:
-        """Return where in the gradients the ends belong: x and y of each, then the angles."""
+        """Return where in the Jacobian the ends belong: x and y of each, then the angles."""
         start = np.tile(self._row, 2) * width
         plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
@@ -95,20 +95,20 @@ class Reaches:
         return row, column
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there.
+        """Return what the rows add up to somewhere, and their Jacobian there.
 
         Places may have leading dimensions, as those of many runs.
         """
         many = place.values.shape[:-1]
-        gradient = np.zeros((*many, *self._shape))
+        jacobian = np.zeros((*many, *self._shape))
         if not self._half:
-            return Rows(np.zeros((*many, self._shape[0])), gradient)
+            return Rows(np.zeros((*many, self._shape[0])), jacobian)
         total, slopes = self.measure(place)
-        self._spread(slopes, gradient.reshape(*many, -1))
-        return Rows(total, gradient)
+        self._spread(slopes, jacobian.reshape(*many, -1))
+        return Rows(total, jacobian)
 
     def measure(self, place: Coordinates) -> tuple[Array, Array]:
-        """Return what the rows add up to somewhere, and the entries of their gradients there."""
+        """Return what the rows add up to somewhere, and the entries of their Jacobian there."""
         ends = place.plane[..., self._body]
         if self._turns:
             arm = self._point * place.turned[..., self._body]
@@ -138,13 +138,13 @@ class Reaches:
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
 
-    def _spread(self, slopes: Array, gradient: Array) -> None:
-        """Add what changes with the ends to the gradients, laid out in a row."""
+    def _spread(self, slopes: Array, jacobian: Array) -> None:
+        """Add what changes with the ends to the Jacobian, laid out in a row."""
         if self._apart:
-            gradient[..., self._into] = slopes
+            jacobian[..., self._into] = slopes
         else:
             where: Any = (..., self._into)
-            np.add.at(gradient, where, slopes)
+            np.add.at(jacobian, where, slopes)
 
     def _added_up(self, length: Array) -> Array:
         """Return what the pieces of each row add up to."""

@@ -68,7 +68,7 @@ class ManyJoints:
         here = Coordinates(self._values(place))
         planes(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
-        reply = self._reaches.look(here).gradient * self._inverse[:, None]
+        reply = self._reaches.look(here).jacobian * self._inverse[:, None]
         impulse, lost = self._newton(here.values, motion, reply)
         moved = motion - _times(impulse, reply)
         rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2
@@ -85,7 +85,7 @@ class ManyJoints:
             moved = motion - _times(impulse, reply)
             there = self._reaches.look(Coordinates(place + h * moved))
             excess = there.total - self._length
-            better = impulse + _solved(there.gradient @ across, excess) / h
+            better = impulse + _solved(there.jacobian @ across, excess) / h
             impulse = better if seeking.all() else np.where(seeking[:, None], better, impulse)
             seeking &= ~(_times(excess, excess[:, :, None])[:, 0] <= QUADRATIC**2)
             if not seeking.any():

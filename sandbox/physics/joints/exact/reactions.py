@@ -60,7 +60,7 @@ class Grip:
             If joints cannot be kept.
         """
         tension = self._joints.hold(place, velocity, pull - self._begun)
-        reached = self._joints.gradients(place)[:, struck].any(axis=(1, 2))
+        reached = self._joints.jacobian(place)[:, struck].any(axis=(1, 2))
         self._tension = np.where(reached, tension, self._tension)
         change = np.where(struck[:, None], self.change(place), 0.0)
         self._begun = self._begun + change

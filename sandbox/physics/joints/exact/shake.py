@@ -1,7 +1,7 @@
 """Exact joints, solved together at position level.
 
 Every joint contributes equations C(q) = 0 over the bodies' coordinates q = (x, y, θ). The impulses
-λ along their gradients at the step are chosen so that they hold *after the next drift*,
+λ along the rows of their Jacobian at the step are chosen so that they hold *after the next drift*,
 
     C(q + h (v − M⁻¹ J(q)ᵀ λ)) = 0,
 
@@ -216,7 +216,7 @@ class ExactJoints:
         """
         if self._fresh and self._joints:
             here = self._glance(self.place())
-            self._check_independent(here, here.gradient * self.inverse, self._length)
+            self._check_independent(here, here.jacobian * self.inverse, self._length)
 
     def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
         """Take up the forces of a kick that was solved elsewhere, and what held in it: (m,).
@@ -275,19 +275,19 @@ class ExactJoints:
 
     def pulls(self, tension: Array, place: Coordinates) -> Array:
         """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
-        return -(tension @ self.look(place).gradient)[self._order]
+        return -(tension @ self.look(place).jacobian)[self._order]
 
     def stiff(self, place: Array | None = None) -> Array:
-        """Return the gradients of what can push as well as pull, as below: (m, n, 3)."""
-        return self.gradients(place)[~self._pulls_only]
+        """Return the Jacobian of what can push as well as pull, as below: (m, n, 3)."""
+        return self.jacobian(place)[~self._pulls_only]
 
-    def gradients(self, place: Array | None = None) -> Array:
+    def jacobian(self, place: Array | None = None) -> Array:
         """Return how the rows change with the places and angles of the bodies: (m, n, 3).
 
         Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
         """
         here = self._glance(self.place() if place is None else self.at(place))
-        return here.gradient[:, self._order]
+        return here.jacobian[:, self._order]
 
     @property
     def pulls_only(self) -> Booleans:
@@ -322,15 +322,15 @@ class ExactJoints:
         place, _ = self.coordinates()
         if self._band:
             return self._move_band(self._band, place, _coordinates(mean), _coordinates(smooth))
-        gradient = self._glance(place).gradient
-        reply = gradient * self.inverse
-        slope, free = gradient @ reply.T, _coordinates(mean).values
-        moves = free - _solved(slope, gradient @ free) @ reply
+        jacobian = self._glance(place).jacobian
+        reply = jacobian * self.inverse
+        slope, free = jacobian @ reply.T, _coordinates(mean).values
+        moves = free - _solved(slope, jacobian @ free) @ reply
         way = MOMENT * abs(self.drift) * moves
         ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
-        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self.drift))
+        turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(self.drift))
         driven = _coordinates(smooth).values
-        self.tension = _solved(slope, gradient @ driven + turning)
+        self.tension = _solved(slope, jacobian @ driven + turning)
         return moves[self._order], (driven - self.tension @ reply)[self._order]
 
     def _move_band(
@@ -371,7 +371,7 @@ class ExactJoints:
             impulse, _, _ = self._newton(
                 begin,
                 _coordinates(velocity + pull * half),
-                self.look(begin).gradient * self.inverse,
+                self.look(begin).jacobian * self.inverse,
                 self._length,
                 self.tension * half,
                 ~self._taut | self.changes,
@@ -422,13 +422,13 @@ class ExactJoints:
             return self._solve_band(self._band, until)
         place, motion = self.coordinates()
         here = self.look(place)
-        reply = here.gradient * self.inverse
+        reply = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
             self._check_independent(here, reply, length)
         impulse, moved = self._settle(place, motion, reply, length)
         free = motion.values + self._warm @ reply
-        self.refuse_gain(free, moved, -(self._warm + impulse) * (here.gradient @ (free + moved)))
+        self.refuse_gain(free, moved, -(self._warm + impulse) * (here.jacobian @ (free + moved)))
         self._batch.set_velocity(moved[self._order])
         return (self._warm + impulse) / self.kick
 
@@ -503,7 +503,7 @@ class ExactJoints:
         return Coordinates(values[0]), Coordinates(values[1])
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there."""
+        """Return what the rows add up to somewhere, and their Jacobian there."""
         return self._with_others(self._reaches.look(place), place, self._others)
 
     def _glance(self, place: Coordinates) -> Rows:
@@ -516,7 +516,7 @@ class ExactJoints:
     ) -> Rows:
         if not others:
             return rows
-        in_plane, in_angle = planes(rows.gradient), angles(rows.gradient)
+        in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
         for row, equation in others:
             rows.total[row], shares = equation.look(place)
             for body, plane, angle in shares:
@@ -530,7 +530,7 @@ class ExactJoints:
         taut = np.flatnonzero(here.total - length > -1e-9)
         if not len(taut):
             return
-        slope = (here.gradient @ reply.T)[np.ix_(taut, taut)]
+        slope = (here.jacobian @ reply.T)[np.ix_(taut, taut)]
         if not slope.diagonal().all():
             raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
         self._independence, shares = _weakest(slope)
@@ -574,7 +574,7 @@ class ExactJoints:
             moved = motion.values - impulse.dot(reply)
             there = self.look(Coordinates(place.values + h * moved))
             excess = there.total - length
-            wrong, slope = excess, there.gradient.dot(reply.T)
+            wrong, slope = excess, there.jacobian.dot(reply.T)
             if slack is not None and slack.any():
                 wrong = np.where(slack, 0.0, excess)
                 slope[slack] = 0.0
@@ -611,7 +611,7 @@ class ExactJoints:
 
     def _answers(self, here: Rows) -> Array:
         """Return how fast each row shortens by a unit impulse of each: (m, m)."""
-        return np.asarray(here.gradient * self.inverse @ here.gradient.T)
+        return np.asarray(here.jacobian * self.inverse @ here.jacobian.T)
 
     def _finer(self, place: Coordinates) -> float:
         """Return how many times as many steps joints under this tension need, at least 2.
@@ -627,7 +627,7 @@ class ExactJoints:
             step = np.zeros_like(root)
             step[at] = NUDGE
             sides = (self._glance(Coordinates(place.values + way)) for way in (step, -step))
-            ahead, behind = (tension @ side.gradient for side in sides)
+            ahead, behind = (tension @ side.jacobian for side in sides)
             stiffness[at] = (ahead - behind) / (2 * NUDGE)
         swing = root[:, None] * (stiffness + stiffness.T) / 2 * root
         if not np.isfinite(swing).all():

@@ -15,9 +15,9 @@ SEEDS = st.integers(0, 10_000)
 
 def contacts(count: int, bodies: int, draw: np.random.Generator) -> tuple[Array, Array]:
     """Return the matrix and rates of contacts between bodies of masses that differ by 1000."""
-    gradient = draw.normal(size=(2 * count, 3 * bodies))
+    jacobian = draw.normal(size=(2 * count, 3 * bodies))
     inverse = 10 ** draw.uniform(-3, 0, size=3 * bodies)
-    return gradient * inverse @ gradient.T, gradient @ draw.normal(size=3 * bodies)
+    return jacobian * inverse @ jacobian.T, jacobian @ draw.normal(size=3 * bodies)
 
 
 @given(seed=SEEDS, count=st.integers(1, 12), bodies=st.integers(1, 6))
