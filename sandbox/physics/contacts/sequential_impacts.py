@@ -17,7 +17,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.post_impact import reached
-from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, answers
+from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -157,15 +157,15 @@ class Sequence:
             points, parting, allowed = points.only(near), parting[near], allowed[near]
         jacobian = points.over(len(place))
         holds = self._joints.stiff() if self._joints else None
-        answer = answers(jacobian, self._inverse_mass, holds)
-        matrix = answer.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
+        response = responses(jacobian, self._inverse_mass, holds)
+        delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
-        asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))
+        asked = b"".join(x.tobytes() for x in (points.bodies, delassus, parting, allowed))
         if asked != self._asked:  # bodies that are held are kicked again and again
-            pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
+            pile = Pile(delassus, parting, allowed, self._restitution[a, b], points.partner)
             self._asked, self._pushes = asked, pile.settle(points.bodies)
         pushes = self._pushes
-        jump += np.tensordot(pushes, answer, 1)
+        jump += np.tensordot(pushes, response, 1)
         np.add.at(impulse, a, pushes)
         np.add.at(impulse, b, pushes)
 

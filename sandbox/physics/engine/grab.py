@@ -65,8 +65,8 @@ class Hand:
         gap = self._grip.anchor_a - self._grip.b.position - (x, y)
         back = (1 - self._grip.error_bias**dt) / dt
         wanted = np.array([gap.x * back - vx + spin * y, gap.y * back - vy - spin * x])
-        answers = inverse * np.eye(2) + turns * np.array([[y * y, -x * y], [-x * y, x * x]])
-        impulse = np.linalg.solve(answers, wanted)
+        delassus = inverse * np.eye(2) + turns * np.array([[y * y, -x * y], [-x * y, x * x]])
+        impulse = np.linalg.solve(delassus, wanted)
         impulse *= min(1.0, self._grip.max_force * dt / max(float(np.hypot(*impulse)), TINY))
         turned = x * impulse[1] - y * impulse[0]
         pulls[row] = impulse[0] * inverse, impulse[1] * inverse, turned * turns

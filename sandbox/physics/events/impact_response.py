@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.simultaneous_impacts import answers, pushes
+from sandbox.physics.contacts.simultaneous_impacts import pushes, responses
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.time_of_impact import Hit, Path
 from sandbox.physics.geometry.distance import surfaces
@@ -121,17 +121,17 @@ class _Points(NamedTuple):
     ----------
     jacobian
         (k, n, 3), how fast velocities take them apart, and along.
-    answer
+    response
         (k, n, 3), how velocities jump by a unit impulse at each.
-    matrix
+    delassus
         (k, k), how fast each parts, or slips, by a unit impulse at each.
     runs
         (k,), how fast they slip by belts that run.
     """
 
     jacobian: Array
-    answer: Array
-    matrix: Array
+    response: Array
+    delassus: Array
     runs: Array
 
 
@@ -181,7 +181,7 @@ class Collision:
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         place, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        jacobian, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
+        jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
         pulls = np.einsum("knc,nc->k", jacobian[:count], path.pull_at(time))
@@ -189,15 +189,15 @@ class Collision:
         rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
         leaves[rests] = 0.0
-        impulse = _impulses(matrix, rates, leaves, mu)
-        works = impulse * (rates + matrix @ impulse / 2)
+        impulse = _impulses(delassus, rates, leaves, mu)
+        works = impulse * (rates + delassus @ impulse / 2)
         coming = rates[:count] < 0
         if not coming.all() and works[:count].sum() > 0:
             return self.bounce(path, _only(hits, coming), dead=dead)
         holds = np.zeros_like(rates)
         rests &= (np.bincount(of, impulse[:count]) > 0)[of]
         if rests.any():
-            block = matrix[:count, :count][np.ix_(rests, rests)]
+            block = delassus[:count, :count][np.ix_(rests, rests)]
             holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
         lasts = (self._dt - time) - self._dt / 2
         impacts = []
@@ -205,22 +205,22 @@ class Collision:
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
             push, held = impulse[rows], holds[rows] * lasts
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
-            moves = self._inertia * np.einsum("k,knc->nc", push, answer[rows])
+            moves = self._inertia * np.einsum("k,knc->nc", push, response[rows])
             told = -float(np.sum((given * velocity)[self._mass == 0]))
             driven = -float(push @ runs[rows])
             impacts.append(_impact(hit, push, works[rows], told, driven, momentum(moves, place)))
-        struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
-        jump, onwards = (np.tensordot(sizes, answer, 1) for sizes in (impulse, holds))
+        struck: Booleans = np.asarray(response.any(axis=(0, 2)))
+        jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
         jacobian = _jacobian(hits, place, rubs=rubs)
         stiff = self._joints.stiff(place) if self._joints else None
-        answer = answers(jacobian, self._inverse_mass, stiff)
-        matrix = np.einsum("knc,lnc->kl", answer, jacobian)
+        response = responses(jacobian, self._inverse_mass, stiff)
+        delassus = np.einsum("knc,lnc->kl", response, jacobian)
         runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
         runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
-        return _Points(jacobian, answer, matrix, runs)
+        return _Points(jacobian, response, delassus, runs)
 
 
 def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
@@ -255,7 +255,7 @@ def _impact(
     return Impact(*known, whole, told, driven, rubbed, pressed, given)
 
 
-def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
+def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
 
     Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
@@ -265,7 +265,7 @@ def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
 
     Parameters
     ----------
-    matrix
+    delassus
         (k, k), how fast each point parts, or slips, by a unit impulse at each.
     rates
         (k,), how fast they do so.
@@ -277,12 +277,12 @@ def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     impulse, count = np.zeros(len(rates)), len(leaves)
     for _ in range(SWEEPS if len(rates) > count else 1):
         before = impulse.copy()
-        lacks = leaves - rates[:count] - matrix[:count, count:] @ impulse[count:]
-        impulse[:count] = pushes(matrix[:count, :count], -lacks)
+        lacks = leaves - rates[:count] - delassus[:count, count:] @ impulse[count:]
+        impulse[:count] = pushes(delassus[:count, :count], -lacks)
         for row in range(count, len(rates)):
-            slip = rates[row] + matrix[row] @ impulse
+            slip = rates[row] + delassus[row] @ impulse
             most = mu[row - count] * impulse[row - count]
-            impulse[row] = min(max(impulse[row] - slip / matrix[row, row], -most), most)
+            impulse[row] = min(max(impulse[row] - slip / delassus[row, row], -most), most)
         if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
             break
     return impulse

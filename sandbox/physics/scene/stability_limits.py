@@ -148,12 +148,12 @@ def limit(
     """
     if not springs:
         return 0.0, ""
-    reply = _replies(list(springs.values()), inverse_mass, angle)
+    delassus = _delassus(list(springs.values()), inverse_mass, angle)
     stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # what is more than a number holds is infinite
-        needed = just_stable(*(_largest(reply, weight) for weight in (stiffness, damping)))
-        own = reply.diagonal()
+        needed = just_stable(*(_largest(delassus, weight) for weight in (stiffness, damping)))
+        own = delassus.diagonal()
         alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
     return needed, list(springs)[int(np.argmax(alone)) // 2]
 
@@ -167,14 +167,14 @@ def just_stable(stiffness: float, damping: float) -> float:
     return float(damping + np.sqrt(damping**2 + stiffness)) / 2
 
 
-def _largest(reply: Array, weight: Array) -> float:
+def _largest(delassus: Array, weight: Array) -> float:
     """Return the largest eigenvalue of M⁻¹ K, by that of √k J M⁻¹ Jᵀ √k."""
     root = np.sqrt(weight)
-    matrix = root[:, None] * reply * root
+    matrix = root[:, None] * delassus * root
     return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
 
 
-def _replies(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> Array:
+def _delassus(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> Array:
     """Return how the ends of springs part by unit forces along others: J M⁻¹ Jᵀ, (2 s, 2 s).
 
     Each counts in both directions of the plane, for it may come to point in any.

@@ -188,7 +188,7 @@ class Observer:
         if len(contacts.bodies):
             both, count = contacts.bodies.T.ravel(), len(self._untouched)
             normal, friction = (
-                np.bincount(both, np.concatenate((force, force)), count)
+                np.bincount(both, np.concatenate((force, force)), count).astype(float, copy=False)
                 for force in (contacts.normal / kick, contacts.friction / kick)
             )
             if self._strikes:

@@ -322,11 +322,11 @@ def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None
     for _ in range(100):
         k = int(random.integers(1, 6))
         jacobian = random.normal(size=(k, k + 2))
-        answers, parting = jacobian @ jacobian.T, random.normal(size=k)
-        found = pushes(answers, parting)
+        delassus, parting = jacobian @ jacobian.T, random.normal(size=k)
+        found = pushes(delassus, parting)
         assert found.min() >= 0
-        assert (parting + answers @ found).min() >= -1e-9
-        assert abs(found @ (parting + answers @ found)) <= 1e-9
+        assert (parting + delassus @ found).min() >= -1e-9
+        assert abs(found @ (parting + delassus @ found)) <= 1e-9
 
 
 def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
@@ -343,9 +343,9 @@ def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
 @pytest.mark.parametrize("endless", [np.inf, -np.inf, np.nan])
 def test_what_answers_without_end_has_no_impulses(endless: float) -> None:
     """A decomposition of a matrix that holds an infinity never ends."""
-    answers = np.array([[2.0, 1.0, endless], [1.0, 2.0, 1.0], [endless, 1.0, 2.0]])
+    delassus = np.array([[2.0, 1.0, endless], [1.0, 2.0, 1.0], [endless, 1.0, 2.0]])
 
-    assert np.isnan(pushes(answers, -np.ones(3))).all()
+    assert np.isnan(pushes(delassus, -np.ones(3))).all()
     assert np.isnan(pushes(np.eye(2), np.array([endless, -1]))).all()
 
 

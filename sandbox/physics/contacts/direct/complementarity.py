@@ -63,7 +63,7 @@ class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
 
 def solve(
     problem: Problem,
-    matrix: Array,
+    delassus: Array,
     rate: Array,
     guess: Active,
     blur: float = 0.0,
@@ -73,7 +73,7 @@ def solve(
 
     Parameters
     ----------
-    matrix
+    delassus
         (m, m), A above [1/kg or 1/(kg m²)].
     rate
         (m,), w above: the rates without impulses [m/s or rad/s].
@@ -90,15 +90,16 @@ def solve(
     Unsolvable
         If no impulses are found.
     """
-    size = _sizes(matrix, problem.alike)
-    scaled = _Scaled(problem, matrix / (size[:, None] * size), rate / size, size, blur / size, lets)
+    size = _sizes(delassus, problem.alike)
+    own = delassus / (size[:, None] * size)
+    scaled = _Scaled(problem, own, rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
 
 
-def _sizes(matrix: Array, alike: Integers | None) -> Array:
+def _sizes(delassus: Array, alike: Integers | None) -> Array:
     """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
-    own = matrix.diagonal()
+    own = delassus.diagonal()
     if alike is not None:
         own = np.maximum(own, 0.0)
         own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
@@ -111,7 +112,7 @@ class _Scaled:
     def __init__(
         self,
         problem: Problem,
-        matrix: Array,
+        delassus: Array,
         rate: Array,
         size: Array,
         blur: Array,
@@ -120,7 +121,7 @@ class _Scaled:
     ) -> None:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
-        self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
+        self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
         friction = problem.friction
         self._row, self._contact = row, contact = friction.row, friction.contact
         self._share = size.take(row)[:, None] / size.take(contact)
@@ -149,7 +150,7 @@ class _Scaled:
     def _softer(self, give: float) -> "_Scaled":
         """Return the same with rows that give way."""
         problem, size, blur = self._problem, self._size, self._blur
-        return _Scaled(problem, self._matrix, self._rate, size, blur, self._lets, give)
+        return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, give)
 
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
@@ -176,11 +177,11 @@ class _Scaled:
         seen = set()
         for _ in range(GUESSES):
             impulse, repeats = self._with(active)
-            rate = self._rate + self._matrix.dot(impulse)
+            rate = self._rate + self._delassus.dot(impulse)
             better = self._judge(impulse, rate, active)
             if better is not None and repeats:
                 impulse = self._shared(impulse, active)
-                rate = self._rate + self._matrix.dot(impulse)
+                rate = self._rate + self._delassus.dot(impulse)
                 better = self._judge(impulse, rate, active)
             if better is None:
                 return impulse, active if self._holds(rate, active) else None
@@ -194,16 +195,16 @@ class _Scaled:
         """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
         count = np.count_nonzero(active.on)
         if count == len(self._rate):
-            return solved(self._matrix, -self._rate)
+            return solved(self._delassus, -self._rate)
         rows, impulse = np.flatnonzero(active.on), np.zeros(len(self._rate))
         if not count:
             return impulse, False
         if not np.count_nonzero(active.slip):
-            matrix = self._matrix[np.ix_(rows, rows)]
+            matrix = self._delassus[np.ix_(rows, rows)]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
         gives = self._gives(active.slip)[:, rows]
-        found, repeats = solved(self._matrix[rows] @ gives, -self._rate[rows])
+        found, repeats = solved(self._delassus[rows] @ gives, -self._rate[rows])
         return gives @ found, repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
@@ -213,7 +214,7 @@ class _Scaled:
         """
         rows = np.flatnonzero(active.on)
         gives = self._gives(active.slip)[:, rows]
-        free = null(self._matrix[rows] @ gives)
+        free = null(self._delassus[rows] @ gives)
         ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)
         held = np.flatnonzero(active.on[self._row])
@@ -290,7 +291,7 @@ class _Scaled:
         Friction is a push one way less a push the other way; a last condition bounds their sum.
         """
         free, pushes = np.flatnonzero(self._problem.free), np.flatnonzero(self._problem.pushes)
-        matrix: Array = self._matrix
+        matrix: Array = self._delassus
         rate: Array = self._rate
         through: Array = np.zeros((len(free), len(rate) + 1))
         if len(free):
@@ -324,7 +325,7 @@ class _Scaled:
         Of contacts that is min(x, r), and of friction by how much x changes if r is taken from it
         and its bound is kept: both are 0 where the conditions hold, and nowhere else.
         """
-        rate = self._rate + self._matrix @ impulse
+        rate = self._rate + self._delassus @ impulse
         missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))
         missed[~(self._problem.free | self._problem.pushes)] = 0.0
         own, slip = impulse[self._row], rate[self._row]

@@ -179,8 +179,8 @@ class Features:
         spin = (way * arms.conj()).imag
         spin += self.owns * np.concatenate((off, -gap.take(rubs)))
         spin[:, count:] += self.rolls
-        slopes = np.concatenate((way.view(float).ravel(), spin.ravel()))
-        jacobian.reshape(-1)[self.touching.into] = slopes
+        partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
+        jacobian.reshape(-1)[self.touching.into] = partials
 
     def _of_round(
         self, d: Plane, sign: Array, along: Plane, gap: Array, off: Array

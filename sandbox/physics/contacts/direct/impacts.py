@@ -58,11 +58,11 @@ def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
     strikes
         (k,), which gaps close.
     """
-    out = np.zeros(len(kick.reply), dtype=bool)
+    out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
     out[kick.layout.gaps] = strikes
-    impulse = _impulses(kick, motion, np.zeros(len(kick.reply)), out)
-    return motion + impulse @ kick.reply, impulse
+    impulse = _impulses(kick, motion, np.zeros(len(kick.response)), out)
+    return motion + impulse @ kick.response, impulse
 
 
 def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
@@ -80,15 +80,15 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     """
     layout, jacobian = kick.layout, kick.here.jacobian
     rates = jacobian @ came
-    leaves = np.zeros(len(kick.reply))
+    leaves = np.zeros(len(kick.response))
     leaves[layout.gaps] = layout.restitution * np.minimum(rates[layout.gaps], 0.0) * strikes
-    none = np.zeros(len(kick.reply), dtype=bool)
+    none = np.zeros(len(kick.response), dtype=bool)
     touch, runs = layout.touch, rates.copy()
     runs[layout.slips] += kick.runs
 
     def rebound(share: float) -> tuple[Array, float]:
         impulse = _impulses(kick, came, share * leaves, none)
-        after = runs + jacobian @ (impulse @ kick.reply)
+        after = runs + jacobian @ (impulse @ kick.response)
         return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
 
     impulse, work = rebound(1.0)
@@ -99,7 +99,7 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
             _, work = rebound(share)
             low, high = (share, high) if work <= 0 else (low, share)
         impulse, _ = rebound(low)
-    return came + impulse @ kick.reply, impulse
+    return came + impulse @ kick.response, impulse
 
 
 def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:

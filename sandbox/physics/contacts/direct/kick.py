@@ -26,7 +26,7 @@ class Kick:
         Where everything is.
     here
         The rows where everything is.
-    reply
+    response
         (r, 3 N), the velocities that a unit impulse of each gives: J M⁻¹.
     runs
         (f,), how fast surfaces slip by themselves, as belts do [m/s].
@@ -40,7 +40,7 @@ class Kick:
     features: Features
     place: Coordinates
     here: Rows
-    reply: Array
+    response: Array
     runs: Array
     before: Array
     after: Array
@@ -66,15 +66,15 @@ class Kick:
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
-        reply, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
-        return cls(joints, contacts, layout, found, place, here, reply, runs, *lengths)
+        response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
+        return cls(joints, contacts, layout, found, place, here, response, runs, *lengths)
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere."""
         found = self.features.moved(place)
         here = rows_at(place, self.joints, found)
-        reply = here.jacobian * self.joints.inverse
-        return replace(self, features=found, place=place, here=here, reply=reply)
+        response = here.jacobian * self.joints.inverse
+        return replace(self, features=found, place=place, here=here, response=response)
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
@@ -108,7 +108,7 @@ class Kick:
         """Return the contacts with such impulses, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)
-        normal = np.bincount(touching.pair, impulse[layout.gaps], number)
+        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float, copy=False)
         friction = np.zeros(number)
         friction[touching.rubs] = impulse[layout.slips]
         push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]

@@ -53,7 +53,7 @@ def newton(
         If there are none.
     """
     for iteration in range(MAX_ITERATIONS):
-        there = rows(drift * (motion + impulse.dot(kick.reply)))
+        there = rows(drift * (motion + impulse.dot(kick.response)))
         wrong, before = there.total - wanted, active
         missed = np.abs(wrong)
         rate = wrong / drift
@@ -61,7 +61,7 @@ def newton(
         lets = inf if far and iteration < SOON else TAUT / drift
         impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
         if not far and active.key == before.key:
-            return impulse, motion + impulse.dot(kick.reply), active
+            return impulse, motion + impulse.dot(kick.response), active
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
 
@@ -102,11 +102,11 @@ def solve_rows(
         whole = len(rows) == len(rate)
         part = slice(None) if whole else rows
         guess = active if whole else Active(active.on[rows], active.slip[slips])
-        matrix, free = jacobian[part].dot(kick.reply[part].T), rate[part]
+        delassus, free = jacobian[part].dot(kick.response[part].T), rate[part]
         if impulse is not None:
-            free = free - matrix.dot(impulse[part])
+            free = free - delassus.dot(impulse[part])
         try:
-            found[part], held = solve(problem, matrix, free, guess, blur, lets)
+            found[part], held = solve(problem, delassus, free, guess, blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None

@@ -304,12 +304,12 @@ class Direct:
 
     def _tell(self, kick: Kick, left: Array, pushes: Array) -> None:
         """Note what impacts did."""
-        jump = (pushes @ kick.reply)[self._order]
+        jump = (pushes @ kick.response)[self._order]
         reached = np.zeros(len(jump), dtype=bool)
         for rows, _, _ in kick.layout.islands:
             if pushes[rows].any():
-                reply = kick.reply[rows][:, self._order]
-                reached |= reply.any(axis=(0, 2))
+                response = kick.response[rows][:, self._order]
+                reached |= response.any(axis=(0, 2))
         jump = np.where(reached[:, None], jump, 0.0)
         self.last = Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
 

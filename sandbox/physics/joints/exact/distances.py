@@ -90,7 +90,7 @@ class Reaches:
 
     @property
     def entries(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """The row and the coordinate of each slope that `measure` returns; some are repeated."""
+        """The row and coordinate of each partial derivative of `measure`; some are repeated."""
         row, column = np.divmod(self._into, self._shape[1])
         return row, column
 
@@ -103,8 +103,8 @@ class Reaches:
         jacobian = np.zeros((*many, *self._shape))
         if not self._half:
             return Rows(np.zeros((*many, self._shape[0])), jacobian)
-        total, slopes = self.measure(place)
-        self._spread(slopes, jacobian.reshape(*many, -1))
+        total, partials = self.measure(place)
+        self._spread(partials, jacobian.reshape(*many, -1))
         return Rows(total, jacobian)
 
     def measure(self, place: Coordinates) -> tuple[Array, Array]:
@@ -115,12 +115,12 @@ class Reaches:
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)
-            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
+            partials = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
         else:
             reach = ends[..., self._half :] - ends[..., : self._half]
             length, unit = self._measure(reach + self._offset)
-            slopes = np.concatenate((-unit, unit), axis=-1).view(float)
-        return self._added_up(length), slopes
+            partials = np.concatenate((-unit, unit), axis=-1).view(float)
+        return self._added_up(length), partials
 
     @property
     def points(self) -> Plane:
@@ -138,13 +138,13 @@ class Reaches:
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
 
-    def _spread(self, slopes: Array, jacobian: Array) -> None:
+    def _spread(self, partials: Array, jacobian: Array) -> None:
         """Add what changes with the ends to the Jacobian, laid out in a row."""
         if self._apart:
-            jacobian[..., self._into] = slopes
+            jacobian[..., self._into] = partials
         else:
             where: Any = (..., self._into)
-            np.add.at(jacobian, where, slopes)
+            np.add.at(jacobian, where, partials)
 
     def _added_up(self, length: Array) -> Array:
         """Return what the pieces of each row add up to."""

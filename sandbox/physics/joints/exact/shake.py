@@ -129,7 +129,7 @@ class ExactJoints:
         self.tension = np.zeros_like(self._length)
         self.parts = 1
         self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
-        self._warm = self._cold  # impulses that have acted in this kick already
+        self._warm_start = self._cold  # impulses that have acted in this kick already
         self._struck = False
         self.kick = self.drift = 0.0
 
@@ -172,7 +172,7 @@ class ExactJoints:
         self._length = np.insert(self._length, where, lengths)
         self._taut = np.insert(self._taut, where, values=True)
         self._past = [np.insert(tension, where, 0.0) for tension in self._past]
-        self._warm = np.insert(self._warm, where, 0.0)
+        self._warm_start = np.insert(self._warm_start, where, 0.0)
         self.added = np.insert(np.zeros_like(self.added), where, values=True)
         self._lay_out((*old_rows, *rows), (*old_others, *others))
         self.bodies = [self._held_by(e) for part in self._equations for e in part]
@@ -270,7 +270,7 @@ class ExactJoints:
     def pull(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
-        self._warm = steady * self.kick
+        self._warm_start = steady * self.kick
         wrench += self.pulls(steady, self.place())
 
     def pulls(self, tension: Array, place: Coordinates) -> Array:
@@ -323,28 +323,28 @@ class ExactJoints:
         if self._band:
             return self._move_band(self._band, place, _coordinates(mean), _coordinates(smooth))
         jacobian = self._glance(place).jacobian
-        reply = jacobian * self.inverse
-        slope, free = jacobian @ reply.T, _coordinates(mean).values
-        moves = free - _solved(slope, jacobian @ free) @ reply
+        response = jacobian * self.inverse
+        delassus, free = jacobian @ response.T, _coordinates(mean).values
+        moves = free - _solved(delassus, jacobian @ free) @ response
         way = MOMENT * abs(self.drift) * moves
         ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
         turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(self.drift))
         driven = _coordinates(smooth).values
-        self.tension = _solved(slope, jacobian @ driven + turning)
-        return moves[self._order], (driven - self.tension @ reply)[self._order]
+        self.tension = _solved(delassus, jacobian @ driven + turning)
+        return moves[self._order], (driven - self.tension @ response)[self._order]
 
     def _move_band(
         self, band: Banded, place: Coordinates, mean: Coordinates, smooth: Coordinates
     ) -> tuple[Array, Array]:
         """Return the same where the equations are a band."""
         here, free, driven = band.look(place), mean.values, smooth.values
-        moves = free - band.reply(here, band.solved(here, here, band.along(here, free)))
+        moves = free - band.response(here, band.solved(here, here, band.along(here, free)))
         way = MOMENT * abs(self.drift) * moves
         ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
         turning = band.along(ahead, moves) - band.along(behind, moves)
-        excess = band.along(here, driven) + turning / (2 * MOMENT * abs(self.drift))
-        self.tension = band.solved(here, here, excess)
-        return moves[self._order], (driven - band.reply(here, self.tension))[self._order]
+        needed = band.along(here, driven) + turning / (2 * MOMENT * abs(self.drift))
+        self.tension = band.solved(here, here, needed)
+        return moves[self._order], (driven - band.response(here, self.tension))[self._order]
 
     def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
         """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
@@ -399,21 +399,21 @@ class ExactJoints:
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
-        self._warm = self._cold
+        self._warm_start = self._cold
         self.added = np.zeros_like(self._taut)
 
     def _solve_apart(self, until: float) -> Array:
         """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
-        warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
+        warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
             expected = parabola([tension[i] for tension in past]) if past else 0.0
-            guess = expected * self.kick - warm[i]
+            guess = expected * self.kick - warm_start[i]
             try:
                 impulse = rod.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
                 raise self.lost(i) from None
-            found.append((warm[i] + impulse) / self.kick)
+            found.append((warm_start[i] + impulse) / self.kick)
         return np.array(found)
 
     def _solve_together(self, until: float) -> Array:
@@ -422,15 +422,16 @@ class ExactJoints:
             return self._solve_band(self._band, until)
         place, motion = self.coordinates()
         here = self.look(place)
-        reply = here.jacobian * self.inverse
+        response = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
-            self._check_independent(here, reply, length)
-        impulse, moved = self._settle(place, motion, reply, length)
-        free = motion.values + self._warm @ reply
-        self.refuse_gain(free, moved, -(self._warm + impulse) * (here.jacobian @ (free + moved)))
+            self._check_independent(here, response, length)
+        impulse, moved = self._settle(place, motion, response, length)
+        free = motion.values + self._warm_start @ response
+        work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
+        self.refuse_gain(free, moved, work)
         self._batch.set_velocity(moved[self._order])
-        return (self._warm + impulse) / self.kick
+        return (self._warm_start + impulse) / self.kick
 
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""
@@ -444,16 +445,16 @@ class ExactJoints:
             raise self.lost(0) from None
         if not wrong.dot(wrong) <= QUADRATIC**2:
             raise self.lost(int(np.argmax(np.abs(wrong))))
-        free = motion.values + band.reply(here, self._warm)
-        work = -(self._warm + impulse) * band.along(here, free + moved)
+        free = motion.values + band.response(here, self._warm_start)
+        work = -(self._warm_start + impulse) * band.along(here, free + moved)
         self.refuse_gain(free, moved, work)
         self._batch.set_velocity(moved[self._order])
-        return (self._warm + impulse) / self.kick
+        return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
         """Return the impulses that are still to be expected in this kick: (m,) [N s]."""
         past = self._past[self.parts - 1 :: self.parts]
-        return (parabola(past) if past else self._cold) * self.kick - self._warm
+        return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
         """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
@@ -524,32 +525,32 @@ class ExactJoints:
                 in_angle[row, body] += angle
         return rows
 
-    def _check_independent(self, here: Rows, reply: Array, length: Array) -> None:
+    def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
         """Refuse rows that repeat each other at the start, as far as they are taut."""
         self._fresh = False
         taut = np.flatnonzero(here.total - length > -1e-9)
         if not len(taut):
             return
-        slope = (here.jacobian @ reply.T)[np.ix_(taut, taut)]
-        if not slope.diagonal().all():
-            raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
-        self._independence, shares = _weakest(slope)
+        delassus = (here.jacobian @ response.T)[np.ix_(taut, taut)]
+        if not delassus.diagonal().all():
+            raise self._overlapping(int(taut[np.argmin(delassus.diagonal())]))
+        self._independence, shares = _weakest(delassus)
         if self._independence < SINGULAR:
             raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
     def _settle(
-        self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
+        self, place: Coordinates, motion: Coordinates, response: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
         guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
-            start = guess if slack is None else np.where(slack, -self._warm, guess)
-            impulse, moved, excess = self._newton(place, motion, reply, length, start, slack)
+            start = guess if slack is None else np.where(slack, -self._warm_start, guess)
+            impulse, moved, violation = self._newton(place, motion, response, length, start, slack)
             if not self._unilateral:
                 return impulse, moved
-            pushes = self._pulls_only & self._taut & (self._warm + impulse < 0)
-            stretched = ~self._taut & (excess > TAUT)
+            pushes = self._pulls_only & self._taut & (self._warm_start + impulse < 0)
+            stretched = ~self._taut & (violation > TAUT)
             if not (pushes.any() or stretched.any()):
                 return impulse, moved
             self._taut = (self._taut & ~pushes) | stretched
@@ -559,42 +560,42 @@ class ExactJoints:
         self,
         place: Coordinates,
         motion: Coordinates,
-        reply: Array,
+        response: Array,
         length: Array,
         impulse: Array,
         slack: Booleans | None,
     ) -> tuple[Array, Array, Array]:
-        """Return the impulses, the velocities after them, and all rows' excess.
+        """Return the impulses, the velocities after them, and by how much all rows are violated.
 
         They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
         of what `@` takes.)
         """
         h = self.drift
         for _ in range(MAX_ITERATIONS):
-            moved = motion.values - impulse.dot(reply)
+            moved = motion.values - impulse.dot(response)
             there = self.look(Coordinates(place.values + h * moved))
-            excess = there.total - length
-            wrong, slope = excess, there.jacobian.dot(reply.T)
+            violation = there.total - length
+            wrong, delassus = violation, there.jacobian.dot(response.T)
             if slack is not None and slack.any():
-                wrong = np.where(slack, 0.0, excess)
-                slope[slack] = 0.0
-                slope[slack, slack] = 1.0
+                wrong = np.where(slack, 0.0, violation)
+                delassus[slack] = 0.0
+                delassus[slack, slack] = 1.0
             try:
-                impulse = impulse + _solved(slope, wrong) / h
+                impulse = impulse + _solved(delassus, wrong) / h
             except np.linalg.LinAlgError:
-                raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
+                raise self._overlapping(int(np.argmin(np.abs(delassus).sum(axis=1)))) from None
             if wrong.dot(wrong) <= QUADRATIC**2:
-                return impulse, motion.values - impulse.dot(reply), excess
+                return impulse, motion.values - impulse.dot(response), violation
         raise self.lost(int(np.argmax(np.abs(wrong))))
 
     def lost(self, row: int) -> JointFailure:
         """Say why there is no solution: the joints work against each other, or the step is long."""
         place, motion = self.coordinates()
         here, taut = self.look(place), np.flatnonzero(self._taut)
-        slope = self._answers(here)[np.ix_(taut, taut)]
+        delassus = self._delassus(here)[np.ix_(taut, taut)]
         finer = self._finer(place)
-        if slope.any() and np.isfinite(slope).all():
-            independence, shares = _weakest(slope)
+        if delassus.any() and np.isfinite(delassus).all():
+            independence, shares = _weakest(delassus)
             if independence < LOCKED * self._independence:
                 name = self._joints[taut[np.argmax(shares)]]
                 reason = (
@@ -609,7 +610,7 @@ class ExactJoints:
         """Whether lengths change, or bodies move as told."""
         return bool(self._changing) or bool(motion[self.inverse == 0].any())
 
-    def _answers(self, here: Rows) -> Array:
+    def _delassus(self, here: Rows) -> Array:
         """Return how fast each row shortens by a unit impulse of each: (m, m)."""
         return np.asarray(here.jacobian * self.inverse @ here.jacobian.T)
 
@@ -680,18 +681,18 @@ def parabola(past: list[Number]) -> Number:
     return past[0]
 
 
-def _weakest(slope: Array) -> tuple[float, Array]:
+def _weakest(delassus: Array) -> tuple[float, Array]:
     """Return the smallest singular value over the largest, and each row's share in it.
 
     Every row counts as if it alone moved its bodies by one.
     """
-    scale = np.sqrt(slope.diagonal())
-    _, sizes, directions = np.linalg.svd(slope / np.outer(scale, scale))
+    scale = np.sqrt(delassus.diagonal())
+    _, sizes, directions = np.linalg.svd(delassus / np.outer(scale, scale))
     return float(sizes[-1] / sizes[0]), np.abs(directions[-1])
 
 
-def _solved(slope: Array, excess: Array) -> Array:
+def _solved(delassus: Array, violation: Array) -> Array:
     """Solve a linear system; one equation in a tenth of the time."""
-    if len(excess) == 1:
-        return excess / slope[0]
-    return np.linalg.solve(slope, excess).astype(float, copy=False)
+    if len(violation) == 1:
+        return violation / delassus[0]
+    return np.linalg.solve(delassus, violation).astype(float, copy=False)
