@@ -384,7 +384,7 @@ def test_a_bounce_under_gravity_has_e_times_the_speed_at_the_impact(rate: int, e
         aligned(e, rate, height, {**GRAVITY, **effects})[1] for effects in (SEQUENCE, TOGETHER)
     )
 
-    assert ours == pytest.approx(e * landing, rel=1e-9)  # 1e-10: the hair
+    assert ours == pytest.approx(e * landing, rel=1e-9)  # 1e-10: the skin
     assert its - ours == pytest.approx((1 - e) * G / rate / 2, rel=1e-6, abs=1e-8)
 
 
