@@ -18,7 +18,7 @@ from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
 
-SWEEPS = 200
+ITERATIONS = 200
 """How often the impulses at the points of an impact are gone through."""
 
 STILL = 1e-15
@@ -40,8 +40,8 @@ class Impact(NamedTuple):
         Where they touched [m].
     impulse
         What the second got; the first got the opposite [N s].
-    told, driven
-        The works of a body that nothing moves, but that moves as told, and of belts [J].
+    kinematic, driven
+        The works of a kinematic body, and of belts [J].
     rubbed, pressed
         The works of friction, and of what presses the bodies apart [J].
     given
@@ -54,7 +54,7 @@ class Impact(NamedTuple):
     normal: complex
     points: tuple[complex, ...]
     impulse: complex
-    told: float
+    kinematic: float
     driven: float
     rubbed: float
     pressed: float
@@ -206,9 +206,11 @@ class Collision:
             push, held = impulse[rows], holds[rows] * lasts
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
             moves = self._inertia * np.einsum("k,knc->nc", push, response[rows])
-            told = -float(np.sum((given * velocity)[self._mass == 0]))
+            kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
             driven = -float(push @ runs[rows])
-            impacts.append(_impact(hit, push, works[rows], told, driven, momentum(moves, place)))
+            impacts.append(
+                _impact(hit, push, works[rows], kinematic, driven, momentum(moves, place))
+            )
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
         jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
@@ -245,23 +247,23 @@ def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
 
 
 def _impact(
-    hit: Hit, impulse: Array, works: Array, told: float, driven: float, given: Array
+    hit: Hit, impulse: Array, works: Array, kinematic: float, driven: float, given: Array
 ) -> Impact:
     """Return a hit with the impulses at its points, pushes before frictions, and their works."""
     count = len(hit.points)
     whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
     rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
     known = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(*known, whole, told, driven, rubbed, pressed, given)
+    return Impact(*known, whole, kinematic, driven, rubbed, pressed, given)
 
 
 def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
 
-    Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
-    times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto: Sequential
-    Impulses, GDC 2006); the pushes at once, for one after the other those of points that are close
-    come to terms late.
+    Each push makes its point part as fast as asked, or faster; friction stops it from slipping, as
+    far as mu times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto:
+    Sequential Impulses, GDC 2006); the pushes at once, for one after the other those of points that
+    are close come to terms late.
 
     Parameters
     ----------
@@ -275,7 +277,7 @@ def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
         The coefficient of friction of each.
     """
     impulse, count = np.zeros(len(rates)), len(leaves)
-    for _ in range(SWEEPS if len(rates) > count else 1):
+    for _ in range(ITERATIONS if len(rates) > count else 1):
         before = impulse.copy()
         lacks = leaves - rates[:count] - delassus[:count, count:] @ impulse[count:]
         impulse[:count] = pushes(delassus[:count, :count], -lacks)

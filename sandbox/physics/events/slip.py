@@ -124,8 +124,8 @@ class Stop(NamedTuple):
     begun
         (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
     rubbed, works
-        The work of friction beyond that of the halves of the two kicks; and of belts, and of bodies
-        that move as told [J].
+        The work of friction beyond that of the halves of the two kicks; and of belts, and of
+        kinematic bodies [J].
     way
         (n, 3), how much further the bodies went than the halves of the two kicks have them go
         [m, rad].

@@ -193,8 +193,8 @@ class Stops:
     def _again(self, begun: Array, came: Array, pull: Array, length: float) -> Array:
         """Take the last kick again while everything slips on; see `_look`."""
         after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
-        told = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
-        seen = self._lookout.see(came, begun + told * since, told)
+        acceleration = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
+        seen = self._lookout.see(came, begun + acceleration * since, acceleration)
         slips, sense = seen.slips, seen.sense
         found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
         self._onwards.recall(memory)
@@ -243,8 +243,8 @@ class Stops:
     ) -> tuple[list[Phase], Booleans]:
         """Let one slip end after the other; return the parts of the drift, and whom it changed."""
         phases: list[Phase] = []
-        told = self._scene.mass == 0
-        moved = np.zeros_like(told)
+        kinematic = self._scene.mass == 0
+        moved = np.zeros_like(kinematic)
         while len(phases) < MOST:
             adds, (_, velocity) = part.pull * self._dt, part.at(part.lasts)
             if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
@@ -255,7 +255,7 @@ class Stops:
             still = self._onwards.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
-            here = np.where((moved | island | told)[:, None], place, state[:, :3])
+            here = np.where((moved | island | kinematic)[:, None], place, state[:, :3])
             left = part.lasts - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
             found = self._onwards.solve(here, velocity, ahead, longest, slips, still)

@@ -109,7 +109,7 @@ class Forces:
             self._turn(reading, wrench, gained, kick.length)
         if self._pulling:
             wrench = wrench.copy()
-            self._pulling.pull(wrench)
+            self._pulling.warm_start(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
     def _gained(self, kick: Kick) -> Array:

@@ -104,7 +104,7 @@ class Kick:
         """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
 
-    def told(self, impulse: Array) -> Contacts:
+    def pushing(self, impulse: Array) -> Contacts:
         """Return the contacts with such impulses, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)

@@ -108,7 +108,7 @@ class Direct:
         self._order = order(len(inertia))
         self._inertia = self._spread(inertia)[0]
         self._calm = _calm(len(inertia))
-        self._begun = self._pull = self._change = self._calm.jump
+        self._begun = self._acceleration = self._change = self._calm.jump
         self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
         self._lead = 0.0
         self._until = 0.0
@@ -125,20 +125,20 @@ class Direct:
         """Those of the last kick; their impulses are found when somebody asks for them."""
         if self._pushed:
             kick, total = self._pushed
-            self._contacts, self._pushed = kick.told(total), None
+            self._contacts, self._pushed = kick.pushing(total), None
         return self._contacts
 
-    def begin(self, pull: Array, *, start: bool) -> None:
+    def begin(self, acceleration: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
 
         Parameters
         ----------
-        pull
+        acceleration
             (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
         start
             Whether this is the first kick, which begins with the velocities at its step.
         """
-        self._begun, self._pull = self._batch.velocity(), pull
+        self._begun, self._acceleration = self._batch.velocity(), acceleration
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def solve(self, until: float) -> None:
@@ -201,11 +201,13 @@ class Direct:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        begun, pull, change = self._spread(self._begun, self._pull, self._change)
+        begun, acceleration, change = self._spread(self._begun, self._acceleration, self._change)
         kick = self._look(begun * self._dt)
-        at_step, lead = begun + pull * self._lead, self._lead
+        at_step, lead = begun + acceleration * self._lead, self._lead
         total: Array | float = 0.0
-        strikes = impacts.struck(kick, at_step, pull * self._dt, change, looks=self._strikes)
+        strikes = impacts.struck(
+            kick, at_step, acceleration * self._dt, change, looks=self._strikes
+        )
         if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
             came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
@@ -215,7 +217,7 @@ class Direct:
         else:
             lead = 0.0
         rest = self._joints.kick - lead
-        impulse, moved, active = self._hold(kick, begun + pull * rest, rest)
+        impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if self.stages:
             self.stages = *self.stages, self._stage(kick, rest, moved, impulse)
         self._batch.set_velocity(moved[self._order])
@@ -289,7 +291,7 @@ class Direct:
         return found
 
     def _driven(self) -> bool:
-        """Whether surfaces that run, or bodies that move as told, may give energy."""
+        """Whether surfaces that run, or kinematic bodies, may give energy."""
         running = bool(self._surfaces.running.any())
         return running or bool(self._begun[~self._moves].any())
 
@@ -300,7 +302,7 @@ class Direct:
     def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
         """Return what a part of the kick did."""
         pulls = impulse[kick.layout.joints]
-        return Stage(lasts, ended[self._order], pulls, kick.told(impulse))
+        return Stage(lasts, ended[self._order], pulls, kick.pushing(impulse))
 
     def _tell(self, kick: Kick, left: Array, pushes: Array) -> None:
         """Note what impacts did."""

@@ -267,14 +267,14 @@ class ExactJoints:
         self._taut = ~self._pulls_only
         self._fresh = True
 
-    def pull(self, wrench: Array) -> None:
+    def warm_start(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
         self._warm_start = steady * self.kick
-        wrench += self.pulls(steady, self.place())
+        wrench += self.wrenches(steady, self.place())
 
-    def pulls(self, tension: Array, place: Coordinates) -> Array:
-        """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
+    def wrenches(self, tension: Array, place: Coordinates) -> Array:
+        """Return what forces along the rows (m,) are to the bodies somewhere: (n, 3) [N, N m]."""
         return -(tension @ self.look(place).jacobian)[self._order]
 
     def stiff(self, place: Array | None = None) -> Array:
@@ -346,7 +346,7 @@ class ExactJoints:
         self.tension = band.solved(here, here, needed)
         return moves[self._order], (driven - band.response(here, self.tension))[self._order]
 
-    def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
+    def hold(self, place: Array, velocity: Array, acceleration: Array) -> Array:
         """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
 
         Ropes stay slack or taut, and what changes with time pulls on as it did.
@@ -355,7 +355,7 @@ class ExactJoints:
         ----------
         place, velocity
             (n, 3), where the drift would start [m, rad, m/s, rad/s].
-        pull
+        acceleration
             (n, 3), the accelerations by all else [m/s², rad/s²].
 
         Raises
@@ -370,7 +370,7 @@ class ExactJoints:
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             impulse, _, _ = self._newton(
                 begin,
-                _coordinates(velocity + pull * half),
+                _coordinates(velocity + acceleration * half),
                 self.look(begin).jacobian * self.inverse,
                 self._length,
                 self.tension * half,
@@ -457,7 +457,7 @@ class ExactJoints:
         return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
-        """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
+        """Refuse a kick in which joints give energy, unless lengths change or a body is kinematic.
 
         Parameters
         ----------
@@ -607,7 +607,7 @@ class ExactJoints:
         return JointFailure(name, reason, finer)
 
     def _driven(self, motion: Array) -> bool:
-        """Whether lengths change, or bodies move as told."""
+        """Whether lengths change, or a kinematic body moves."""
         return bool(self._changing) or bool(motion[self.inverse == 0].any())
 
     def _delassus(self, here: Rows) -> Array:
