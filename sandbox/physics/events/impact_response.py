@@ -184,7 +184,7 @@ class Collision:
         jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
         count = len(of)
         rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
-        pulls = np.einsum("knc,nc->k", jacobian[:count], path.pull_at(time))
+        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration_at(time))
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
         rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
