@@ -106,7 +106,6 @@ class Direct:
         self._dt, self._strikes = dt, strikes
         self._moves: Booleans = inertia[:, 0] > 0
         self._order = order(len(inertia))
-        self._inertia = self._spread(inertia)[0]
         self._calm = _calm(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
@@ -278,7 +277,7 @@ class Direct:
         guess, active = self._known.guess(kick, motion, length)
         try:
             found = newton(kick, kick.layout, kick.rows, motion, drift, wanted, guess, active)
-            if self._kinetic(found[1]) <= GROWS * self._kinetic(motion):
+            if self._joints.kinetic(found[1]) <= GROWS * self._joints.kinetic(motion):
                 return found
         except (JointFailure, NoForces):
             pass
@@ -294,10 +293,6 @@ class Direct:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
         running = bool(self._surfaces.running.any())
         return running or bool(self._begun[~self._moves].any())
-
-    def _kinetic(self, motion: Array) -> float:
-        """Return the kinetic energy of velocities [J]."""
-        return float(self._inertia.dot(motion * motion)) / 2
 
     def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
         """Return what a part of the kick did."""

@@ -474,10 +474,10 @@ class ExactJoints:
         rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2
         if self._driven(free):
             return
-        if self._kinetic(moved) > GROWS * self._kinetic(free) + rounding:
+        if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
             raise self.lost(int(np.argmax(work)))
 
-    def _kinetic(self, motion: Array) -> float:
+    def kinetic(self, motion: Array) -> float:
         """Return twice the kinetic energy of velocities (3 N,) [J]."""
         return float((motion * motion).dot(self._inertia))
 
