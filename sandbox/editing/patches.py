@@ -18,6 +18,9 @@ from sandbox.model.level import Level
 from sandbox.model.locating import Path
 from sandbox.model.writing import WIDTH
 
+Changes = dict[Path, Json]
+"""What is to stand where in a text."""
+
 _ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
 
 

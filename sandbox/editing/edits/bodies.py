@@ -118,8 +118,13 @@ def take_out(text: str, level: Level, names: Sequence[str]) -> str:
 
 
 def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, area: float) -> Made:
-    mass = plain(float(f"{DENSITY * area:.3g}"))
-    return _add(text, level, kind, {"shape": shape, "mass": mass, "position": list(center)})
+    body = {"shape": shape, "mass": drawn_mass(area), "position": list(center)}
+    return _add(text, level, kind, body)
+
+
+def drawn_mass(area: float) -> float:
+    """Return the mass of what is drawn so large [kg], to three digits."""
+    return plain(float(f"{DENSITY * area:.3g}"))
 
 
 def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
