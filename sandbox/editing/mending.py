@@ -34,6 +34,20 @@ def first_that_loads(texts: Iterable[str], otherwise: str) -> str:
     return next(filter(loads, texts), otherwise)
 
 
+def accepted(*texts: str) -> str:
+    """Return the first of some texts that is a level without mistakes.
+
+    Raises
+    ------
+    LevelError
+        If none is; its mistakes are those of the first.
+    """
+    found = first_that_loads(texts, "")
+    if not found:
+        parse(texts[0])
+    return found
+
+
 def without_meaning(text: str) -> str:
     """Return a level without whatever names what is not there, or is declared for nothing.
 

@@ -60,7 +60,7 @@ def put_all(text: str, values: Mapping[Path, Json]) -> str:
         for path in values
         if (span := found.get(path))
     ]
-    changed = _spliced(text, pieces)
+    changed = spliced(text, pieces)
     for path in new:
         changed = _inserted(changed, path, values[path])
     return changed
@@ -145,7 +145,7 @@ def _instead(text: str, span: Span, value: Json) -> str:
     return _with_breaks(text, laid_out(value, _margin(text, span.start), span.begin - start))
 
 
-def _spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
+def spliced(text: str, pieces: Iterable[tuple[int, int, str]]) -> str:
     """Return a text with pieces of it replaced; none may lie within another."""
     changed, end = [], 0
     for begin, over, new in sorted(pieces):
@@ -162,7 +162,7 @@ def _inserted(text: str, path: Path, value: Json) -> str:
     while path[:-1] not in found or text[found[path[:-1]].begin :].startswith("null"):
         value, path = ({path[-1]: value} if isinstance(path[-1], str) else [value]), path[:-1]
     if path in found:  # null, which says that there is none
-        return _spliced(text, [(found[path].begin, found[path].end, line(value))])
+        return spliced(text, [(found[path].begin, found[path].end, line(value))])
     parent, step = found[path[:-1]], path[-1]
     if parent.kind != ("object" if isinstance(step, str) else "list"):
         raise PatchError(f"{shown(parent.path)} holds nothing of the name {step}")
@@ -181,12 +181,12 @@ def _with_member(text: str, parent: Span, key: str, value: Json) -> str:
     margin = _margin(text, last.start)
     new = key + laid_out(value, margin, len(margin) + len(key))
     if not before:
-        return _spliced(text, [(last.start, last.start, _with_breaks(text, f"{new},\n{margin}"))])
+        return spliced(text, [(last.start, last.start, _with_breaks(text, f"{new},\n{margin}"))])
     start = text.rfind("\n", 0, last.end) + 1
     alone = parent.path == () or len(parent.path) == 1 or "\n" in new
     fits = last.end - start + len(f", {new},") <= WIDTH and not alone and _shares(text, parent)
     gap = " " if fits else f"\n{margin}"
-    return _spliced(text, [(last.end, last.end, _with_breaks(text, f",{gap}{new}"))])
+    return spliced(text, [(last.end, last.end, _with_breaks(text, f",{gap}{new}"))])
 
 
 def _shares(text: str, parent: Span) -> bool:
@@ -208,7 +208,7 @@ def _in_line(text: str, parent: Span, key: str, value: Json) -> str:
         inner = margin + INDENT
         lines = [inside] * bool(inside) + [key + laid_out(value, inner, len(inner) + len(key))]
         new = f"\n{inner}" + f",\n{inner}".join(lines) + f"\n{margin}"
-    return _spliced(text, [(parent.begin + 1, parent.end - 1, _with_breaks(text, new))])
+    return spliced(text, [(parent.begin + 1, parent.end - 1, _with_breaks(text, new))])
 
 
 def _place(parent: Span, key: str) -> int:
