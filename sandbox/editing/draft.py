@@ -29,12 +29,21 @@ class Draft:
         Its file, if it has one.
     held
         What the file holds, if it has one.
+
+    Attributes
+    ----------
+    text
+        As it is now.
+    path
+        Its file, None if it has none yet.
+    saved
+        What its file holds, or what it began with.
     """
 
     def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
         self.text = text
         self.path = path
-        self._saved = text
+        self.saved = text
         self._held = held
         self._done: deque[Step] = deque(maxlen=MOST_STEPS)
         self._undone: list[Step] = []
@@ -81,7 +90,7 @@ class Draft:
     @property
     def changed(self) -> bool:
         """Whether it differs from what is saved, or from what it began with."""
-        return self.text != self._saved
+        return self.text != self.saved
 
     @property
     def undoes(self) -> str | None:
@@ -158,7 +167,7 @@ class Draft:
         mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
         held = mark + self.text.encode()
         write_atomically(target, held)
-        self.path, self._held, self._saved = target, held, self.text
+        self.path, self._held, self.saved = target, held, self.text
         self._merge = self._loaded = None
 
     def changed_outside(self) -> bool:
@@ -183,7 +192,7 @@ class Draft:
         held = content(self.path)
         text = decoded(held, str(self.path))
         self.change(text, "read the file again")
-        self._held, self._saved = held, text
+        self._held, self.saved = held, text
 
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:
