@@ -6,7 +6,7 @@ from sandbox.editing.formulas import shifted
 from sandbox.editing.layout import Json
 from sandbox.editing.patches import Changes, put_all
 from sandbox.editing.placed import Placed, placed, xy
-from sandbox.model.expressions import Values
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
     End,
     Held,
@@ -20,7 +20,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.level import Level, place
 from sandbox.model.locating import Path
-from sandbox.model.shapes import Point, evaluate
+from sandbox.model.shapes import evaluate
 
 APART = 1e-12
 """m, within which two points are one."""
@@ -99,6 +99,6 @@ def _shifted_end(path: Path, end: End, by: complex, where: Mapping[str, Placed])
     return {path: shifted_point(end, by)}
 
 
-def shifted_point(point: Point, by: complex) -> Json:
+def shifted_point(point: tuple[Expression, Expression], by: complex) -> Json:
     """Return a point that lies elsewhere, coordinate by coordinate."""
     return [shifted(coordinate, d) for coordinate, d in zip(point, xy(by), strict=True)]

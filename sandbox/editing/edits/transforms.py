@@ -14,6 +14,7 @@ from sandbox.editing.patches import Changes, put_all
 from sandbox.editing.placed import Placed, around, placed
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
+from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 from sandbox.physics.geometry.distance import dot
@@ -43,11 +44,17 @@ def move(
 def shift(
     text: str, level: Level, ways: Mapping[str, complex], values: Values | None = None
 ) -> str:
-    """Return a level in which each of some bodies lies elsewhere, by a way of its own [m]."""
+    """Return a level in which each of some bodies lies elsewhere, by a way of its own [m].
+
+    The wire that a bead is on goes with it.
+    """
     changes = Changes()
     for name, by in ways.items():
         if by:
             changes["bodies", name, "position"] = shifted_point(level.bodies[name].position, by)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Wire) and (by := ways.get(body_of(joint.bead) or "")):
+            changes["joints", name, "curve"] = shifted_point(joint.curve, by)
     return attached(put_all(text, changes), ways, _chosen(level, values))
 
 
