@@ -53,8 +53,8 @@ def shift(
         if by:
             changes["bodies", name, "position"] = shifted_point(level.bodies[name].position, by)
     for name, joint in level.joints.items():
-        if isinstance(joint, Wire) and (by := ways.get(body_of(joint.bead) or "")):
-            changes["joints", name, "curve"] = shifted_point(joint.curve, by)
+        if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
+            changes["joints", name, "curve"] = shifted_point(joint.curve, way)
     return attached(put_all(text, changes), ways, _chosen(level, values))
 
 
