@@ -39,7 +39,7 @@ def pinned(level: Level, names: Collection[str]) -> set[str]:
     return found
 
 
-def attached(text: str, moved: Collection[str], values: Values) -> str:
+def attached(text: str, before: Level, moved: Collection[str], values: Values) -> str:
     """Return a level in which pins and rails hold again, after bodies were moved.
 
     The point of the plane, or of a body that stayed, follows the one that moved. A rod whose
@@ -49,11 +49,15 @@ def attached(text: str, moved: Collection[str], values: Values) -> str:
     ----------
     text
         In which every part is well formed by itself.
+    before
+        The level as it was.
     moved
         The bodies that were moved, turned or made larger.
     values
         The parameters' values.
     """
+    if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
+        return text
     level = Level.model_validate_json(text)
     where = placed(level, values)
     changes = Changes()

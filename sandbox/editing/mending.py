@@ -1,10 +1,10 @@
 """What an edit leaves without meaning goes with it, and what it may declare is tried."""
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 
 from sandbox.editing.patches import put_all, remove
-from sandbox.editing.spans import Span, spans
+from sandbox.editing.spans import Spans
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
@@ -59,7 +59,7 @@ def without_meaning(text: str) -> str:
             parse(text)
             break
         except LevelError as error:
-            found = spans(text)
+            found = Spans(text)
             places = [_place(mistake.path, found) for mistake in error.mistakes]
         units = {unit for place in places if (unit := _unit(place))}
         bare = {bare: 1 for place in places for bare in _missing(place, text)}
@@ -67,12 +67,12 @@ def without_meaning(text: str) -> str:
             break
         text = put_all(text, bare)
         for unit in sorted(units, key=_backwards, reverse=True):
-            if unit in spans(text):  # it may have gone with another
+            if unit in Spans(text):  # it may have gone with another
                 text = remove(text, unit)
     return text
 
 
-def _place(told: str, found: Mapping[Path, Span]) -> Path:
+def _place(told: str, found: Spans) -> Path:
     """Return the path that a mistake tells."""
     path: Path = ()
     for step in told.split("."):

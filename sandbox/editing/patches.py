@@ -11,17 +11,21 @@ from collections.abc import Iterable, Mapping
 from itertools import takewhile
 
 from sandbox.editing.layout import INDENT, Json, laid_out, line
-from sandbox.editing.spans import Span, spans
+from sandbox.editing.spans import Span, Spans
 from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
-from sandbox.model.writing import WIDTH
+from sandbox.model.writing import NAMED, WIDTH
 
 Changes = dict[Path, Json]
 """What is to stand where in a text."""
 
 _ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
+
+
+_LINES = tuple((part,) for part in NAMED)
+"""The parts whose members have a line each: bodies, joints, checks."""
 
 
 class PatchError(SandboxError):
@@ -113,12 +117,12 @@ def value_at(text: str, path: Path) -> Json:
     return json.loads(text[span.begin : span.end])
 
 
-def _read(text: str) -> dict[Path, Span]:
+def _read(text: str) -> Spans:
     Document(text, "<text>").read()  # refuses what is no JSON
-    return spans(text)
+    return Spans(text)
 
 
-def _at(found: Mapping[Path, Span], path: Path) -> Span:
+def _at(found: Spans, path: Path) -> Span:
     if not path or path not in found:
         raise PatchError(f"nothing stands at {shown(path)}")
     return found[path]
@@ -137,10 +141,15 @@ def _goes_empty(parent: Span) -> bool:
 
 
 def _instead(text: str, span: Span, value: Json) -> str:
-    """Return a value as it stands in the place of another; the same, as it was typed."""
+    """Return a value as it stands in the place of another: on one line if that was.
+
+    The same value stays as it was typed.
+    """
     typed = text[span.begin : span.end]
     if json.loads(typed) == json.loads(line(value)):
         return typed
+    if "\n" not in typed:
+        return line(value)
     start = text.rfind("\n", 0, span.start) + 1
     return _with_breaks(text, laid_out(value, _margin(text, span.start), span.begin - start))
 
@@ -201,7 +210,7 @@ def _in_line(text: str, parent: Span, key: str, value: Json) -> str:
     inside = text[parent.begin + 1 : parent.members[-1].end] if parent.members else ""
     short = f"{inside}, " * bool(inside) + key + line(value)
     start = text.rfind("\n", 0, parent.start) + 1
-    named = len(parent.path) == 1 and not inside  # a body, a joint, a check has a line of its own
+    named = parent.path in _LINES and not inside
     if parent.begin - start + len(f"{{{short}}},") <= WIDTH and not named:
         new = short
     else:

@@ -83,7 +83,9 @@ class Placed:
         match self.body.shape:
             case Disc() | Hoop():
                 return ((self.center,),)
-            case Box() | Polygon():
+            case Box():
+                return (self.corners,)
+            case Polygon():
                 parts = convex_parts([xy(point) for point in self.local])
                 return tuple(tuple(self.outside(complex(*p)) for p in part) for part in parts)
         return tuple(pairwise(self.corners))

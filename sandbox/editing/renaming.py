@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from sandbox.editing.formulas import renamed
 from sandbox.editing.mending import accepted
 from sandbox.editing.patches import spliced
-from sandbox.editing.spans import spans
+from sandbox.editing.spans import Spans
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import RESERVED
@@ -87,7 +87,7 @@ def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]
 
 def _replaced(text: str, told: Mapping[Path, str], name: str) -> str:
     """Return a text with other words at some paths; where no word stands, it is the key."""
-    found, pieces = spans(text), []
+    found, pieces = Spans(text), []
     for path in filter(found.__contains__, told):
         span = found[path]
         is_word = text.startswith('"', span.begin)

@@ -19,8 +19,8 @@ from sandbox.physics.geometry.distance import Gap, gap
 FINEST = 8
 """How many pixels the lines of the grid are apart at the least."""
 
-EXACT = 1e-15
-"""m, a gap that is none."""
+EXACT, CLOSE = 1e-15, 1e-12
+"""m, a gap that is none, and one that is none but for rounding."""
 
 ACROSS = 0.05
 """The sine of the angle between two sides in whose corner a body may lie, at the least."""
@@ -134,11 +134,16 @@ def snap_body(
         return Snapped(xy(_on_grid(start + by, step) - start), "grid")
     first = near[0]
     across = (pair for pair in near[1:] if abs(_cross(pair.normal, first.normal)) > ACROSS)
-    pairs = [first, *islice(across, 1)]
-    exact = _exact(pairs, by)
-    if step and len(pairs) == 1:
+    for second in islice(across, 1):
+        exact = _exact([first, second], by)
+        if exact is not None and abs(exact - by) <= 2 * reach:
+            return Snapped(xy(exact), "contact", (first.other.body, second.other.body))
+    exact = _exact([first], by)
+    if exact is None:
+        return Snapped(way)
+    if step:
         exact = _along_grid(first, exact, start, step, moving, others)
-    return Snapped(xy(exact), "contact", tuple(dict.fromkeys(p.other.body for p in pairs)))
+    return Snapped(xy(exact), "contact", (first.other.body,))
 
 
 class _Piece(NamedTuple):
@@ -194,19 +199,21 @@ def _near(
     return sorted(found, key=lambda pair: abs(pair.distance))
 
 
-def _exact(pairs: Sequence[_Pair], by: complex) -> complex:
-    """Return a way that closes the gaps of one pair or two, by Newton's method."""
+def _exact(pairs: Sequence[_Pair], by: complex) -> complex | None:
+    """Return a way that closes the gaps of one pair or two; None if Newton's method finds none."""
     for _ in range(ROUNDS):
         gaps = [pair.gap(by) for pair in pairs]
         if max(abs(found.distance) for found in gaps) <= EXACT:
-            break
+            return by
+        one, other = gaps[0], gaps[-1]
+        turn = _cross(one.normal, other.normal)
         if len(gaps) == 1:
-            by += gaps[0].normal * gaps[0].distance
-        else:
-            one, other = gaps
-            turn = _cross(one.normal, other.normal)
+            by += one.normal * one.distance
+        elif abs(turn) > ACROSS:
             by += 1j * (one.normal * other.distance - other.normal * one.distance) / turn
-    return by
+        else:
+            return None
+    return by if max(abs(pair.gap(by).distance) for pair in pairs) <= CLOSE else None
 
 
 def _along_grid(
@@ -225,7 +232,7 @@ def _along_grid(
     end = start + by
     grid = _on_grid(end, step)
     slid = (complex(end.real, grid.imag) if upright else complex(grid.real, end.imag)) - start
-    slid = _exact([pair], slid)
+    slid = _exact([pair], slid) or by
     away = abs(slid - by) > step  # it has slid off the end of the side
     blocked = any(found.distance < -STRAIGHT for found in _near(moving, others, slid, step))
     return by if away or blocked else slid

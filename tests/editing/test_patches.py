@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.editing.patches import PatchError, put, put_all, remove, type_in, value_at
-from sandbox.editing.spans import spans
+from sandbox.editing.spans import Spans
 from sandbox.model import catalog, templates
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import read
@@ -120,7 +120,7 @@ def test_what_is_put_and_taken_away_again_leaves_a_level_as_it_was(path: Path) -
 @given(st.data())
 def test_a_patch_does_what_it_would_do_to_the_data(data: st.DataObject) -> None:
     text = read(data.draw(st.sampled_from(SMALL)))
-    path = data.draw(st.sampled_from(sorted(set(spans(text)) - {()}, key=str)))
+    path = data.draw(st.sampled_from(sorted(set(Spans(text)) - {()}, key=str)))
     value = data.draw(JSON)
 
     meant: Any = json.loads(text)
@@ -134,7 +134,7 @@ def test_a_patch_does_what_it_would_do_to_the_data(data: st.DataObject) -> None:
 @given(st.data())
 def test_what_stood_before_and_behind_a_patch_stays_to_the_character(data: st.DataObject) -> None:
     text = read(data.draw(st.sampled_from(SMALL)))
-    found = spans(text)
+    found = Spans(text)
     path = data.draw(st.sampled_from(sorted(set(found) - {()}, key=str)))
     changed = put(text, path, data.draw(JSON))
     assert changed.startswith(text[: found[path].begin])

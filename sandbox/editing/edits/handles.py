@@ -62,7 +62,7 @@ def drag_handle(
     body = placed(level, values)[name]
     changed = put_all(text, _dragged(body, index, complex(*to)))
     lines = isinstance(body.body.shape, Polygon | Segment | Polyline)
-    return _settled(changed, body, int(index == 0) if lines else None)
+    return _settled(changed, level, body, int(index == 0) if lines else None)
 
 
 def scale(text: str, level: Level, name: str, factor: float, values: Values | None = None) -> str:
@@ -76,7 +76,7 @@ def scale(text: str, level: Level, name: str, factor: float, values: Values | No
     body = placed(level, values)[name]
     if factor <= SMALLEST:
         raise SandboxError("that would leave nothing of it")
-    return _settled(put_all(text, _scaled(body, factor)), body, None)
+    return _settled(put_all(text, _scaled(body, factor)), level, body, None)
 
 
 def _handles(body: Placed) -> Sequence[complex]:
@@ -181,7 +181,7 @@ def _scaled(body: Placed, factor: float) -> Changes:
             raise SandboxError("a curve has the shape that its formulas say")
 
 
-def _settled(text: str, body: Placed, fixed: int | None) -> str:
+def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
     """Return a level in which a body of another shape lies where it should, as heavy as it should.
 
     A corner that is fixed stays in the plane, though the centre of mass is elsewhere in the shape.
@@ -195,4 +195,4 @@ def _settled(text: str, body: Placed, fixed: int | None) -> str:
     mass = body.body.mass
     if mass is not None and body.area and mass.source == drawn_mass(body.area):
         changes["bodies", body.name, "mass"] = drawn_mass(other.area)
-    return attached(put_all(text, changes), [body.name], body.values)
+    return attached(put_all(text, changes), before, [body.name], body.values)

@@ -54,7 +54,8 @@ def mirror(
             changes |= mirror.joint(("joints", name), joint)
         elif held:
             changes |= mirror.held(("joints", name), joint, names)
-    return attached(put_all(text, changes), names, level.defaults if values is None else values)
+    chosen = level.defaults if values is None else values
+    return attached(put_all(text, changes), level, names, chosen)
 
 
 class _Mirror:

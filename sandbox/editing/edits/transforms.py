@@ -55,7 +55,7 @@ def shift(
     for name, joint in level.joints.items():
         if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
             changes["joints", name, "curve"] = shifted_point(joint.curve, way)
-    return attached(put_all(text, changes), ways, _chosen(level, values))
+    return attached(put_all(text, changes), level, ways, _chosen(level, values))
 
 
 def turn(
@@ -89,7 +89,7 @@ def turn(
         changes["bodies", name, "angle"] = turned(body.body.angle, angle)
         if by:
             changes["bodies", name, "position"] = shifted_point(body.body.position, by)
-    return attached(put_all(text, changes), names, _chosen(level, values))
+    return attached(put_all(text, changes), level, names, _chosen(level, values))
 
 
 def align(
