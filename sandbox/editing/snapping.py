@@ -4,6 +4,7 @@ A body that is moved near another is set exactly touching, with no gap and no ov
 near a second one, touching that as well, as in the corner of a room.
 """
 
+from cmath import phase
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from itertools import islice, product
 from math import floor, log10
@@ -20,7 +21,8 @@ FINEST = 8
 """How many pixels the lines of the grid are apart at the least."""
 
 EXACT, CLOSE = 1e-15, 1e-12
-"""m, a gap that is none, and one that is none but for rounding."""
+"""m, a gap that is none, and one that is none but for rounding: where the scene is larger than a
+metre, of its size."""
 
 ACROSS = 0.05
 """The sine of the angle between two sides in whose corner a body may lie, at the least."""
@@ -146,6 +148,22 @@ def snap_body(
     return Snapped(xy(exact), "contact", (first.other.body,))
 
 
+def flat_turn(level: Level, name: str, reach: float, values: Values | None = None) -> float:
+    """Return by how much a body is to be turned so that a side of it lies flat [rad].
+
+    On the side of the nearest body within reach; 0 if there is none, or it has no sides.
+    """
+    where = placed(level, values)
+    body = where[name]
+    near = _near(_pieces(where, [name]), _pieces(where, where.keys() - {name}), 0j, reach)
+    if not near or not isinstance(body.body.shape, Box | Polygon):
+        return 0.0
+    core = near[0].one.core
+    sides = (end - start for start, end in zip(core, (*core[1:], core[0]), strict=True))
+    turns = (phase(near[0].normal / (-1j * side)) for side in sides)
+    return min(turns, key=abs)
+
+
 class _Piece(NamedTuple):
     """A convex piece of a body."""
 
@@ -213,7 +231,8 @@ def _exact(pairs: Sequence[_Pair], by: complex) -> complex | None:
             by += 1j * (one.normal * other.distance - other.normal * one.distance) / turn
         else:
             return None
-    return by if max(abs(pair.gap(by).distance) for pair in pairs) <= CLOSE else None
+    size = max(1.0, *(abs(point) for pair in pairs for point in pair.other.core))
+    return by if max(abs(pair.gap(by).distance) for pair in pairs) <= CLOSE * size else None
 
 
 def _along_grid(

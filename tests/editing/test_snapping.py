@@ -11,10 +11,12 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box, add_disc, add_polygon, add_surface
 from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.placed import placed
-from sandbox.editing.snapping import grid_step, snap_body, snap_point
+from sandbox.editing.snapping import flat_turn, grid_step, snap_body, snap_point
 from sandbox.model.loading import parse
 from sandbox.physics.geometry.distance import gap
 from sandbox.physics.run import build
+
+EMPTY = Draft.empty().text
 
 
 def scene() -> str:
@@ -123,3 +125,29 @@ def test_the_grid_is_of_round_numbers_eight_pixels_apart_at_least(
 ) -> None:
     assert grid_step(pixel) == pytest.approx(step)
     assert grid_step(pixel) >= 8 * pixel
+
+
+@pytest.mark.parametrize("angle", [0.4, -0.7])
+@pytest.mark.parametrize("off", [0.3, -0.5])
+def test_a_block_is_turned_to_lie_flat_on_a_slope(angle: float, off: float) -> None:
+    text = add_surface(EMPTY, parse(EMPTY), [(-6, 6), (6, 6)]).text
+    text = turn(text, parse(text), ["surface1"], angle)
+    text = add_box(text, parse(text), (-0.5, 6.5), (0.5, 7)).text
+    text = turn(text, parse(text), ["box1"], angle + off)
+    by = flat_turn(parse(text), "box1", 1.0)
+    assert by == pytest.approx(-off, abs=1e-9)
+    flat = turn(text, parse(text), ["box1"], by)
+    level = parse(flat)
+    after = move(flat, level, ["box1"], snap_body(level, ["box1"], (0, 0), 1.0).point)
+    assert distance(after, "box1", "surface1") == pytest.approx(0, abs=1e-11)
+    assert flat_turn(parse(EMPTY), "ground", 1.0) == 0
+
+
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1e3, 1e6])
+def test_bodies_of_any_size_touch_but_for_rounding(size: float) -> None:
+    text = add_surface(EMPTY, parse(EMPTY), [(-6 * size, 30 * size), (6 * size, 31 * size)]).text
+    text = add_disc(text, parse(text), (0, 31.7 * size), (size, 31.7 * size)).text
+    found = snap_body(parse(text), ["disc1"], (0, 0), 0.5 * size)
+    assert found.bodies == ("surface1",)
+    after = move(text, parse(text), ["disc1"], found.point)
+    assert abs(distance(after, "disc1", "surface1")) <= 1e-12 * max(1, 40 * size)

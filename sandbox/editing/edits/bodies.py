@@ -21,7 +21,7 @@ from sandbox.model.shapes import XY
 DENSITY = 10.0
 """kg/m², of what is drawn: a box of 0.3 m weighs about 1 kg."""
 
-SMALLEST = 1e-6
+SMALLEST = 1e-12
 """m, what is drawn smaller is a click, and no body."""
 
 CLOSES = 0.1
