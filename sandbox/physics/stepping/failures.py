@@ -10,6 +10,7 @@ from sandbox.physics.state.errors import (
     JointFailure,
     NoForces,
     SimulationError,
+    TooMuch,
     way_out,
 )
 
@@ -39,7 +40,7 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
             finer = error.finer and error.finer * rate
             hint = way_out(finer, rate) if finer else ""
             return SimulationError(error.joint, t, str(error), finer, hint=hint)
-        case EndlessImpacts():
+        case EndlessImpacts() | TooMuch():
             body = bodies[error.body]
             return SimulationError(body, t, str(error).format(body=f"'{body}'"))
         case _:
