@@ -142,11 +142,3 @@ class EndlessImpacts(Exception):  # noqa: N818 (as above)
     def __init__(self, body: int, reason: str = OFTEN) -> None:
         self.body = body
         super().__init__(reason)
-
-
-class TooMuch(Exception):  # noqa: N818 (as above)
-    """More to solve than a step can carry; `body` is the index of one that has part in it."""
-
-    def __init__(self, body: int, reason: str) -> None:
-        self.body = body
-        super().__init__(reason)

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
+from sandbox.physics.contacts.direct.problem import TooMuch
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,
@@ -10,7 +11,6 @@ from sandbox.physics.state.errors import (
     JointFailure,
     NoForces,
     SimulationError,
-    TooMuch,
     way_out,
 )
 

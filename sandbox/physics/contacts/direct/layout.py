@@ -10,10 +10,9 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Touching
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
-from sandbox.physics.contacts.direct.problem import Friction, Problem
+from sandbox.physics.contacts.direct.problem import Friction, Problem, TooMuch
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.state.errors import TooMuch
 
 MOST_ROWS = 1500
 """Rows that hang together and can be solved directly: their dense system takes a fifth of a second.
