@@ -7,7 +7,7 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 from cmath import rect
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import Annotated, Literal, cast
+from typing import Annotated, Literal, Self, cast
 
 from pydantic import (
     BeforeValidator,
@@ -15,6 +15,7 @@ from pydantic import (
     PrivateAttr,
     SerializerFunctionWrapHandler,
     model_serializer,
+    model_validator,
 )
 from pydantic_core import PydanticCustomError
 
@@ -32,8 +33,9 @@ from sandbox.model.bounds import (
     Spin,
 )
 from sandbox.model.challenge import Challenge
+from sandbox.model.constants import define
 from sandbox.model.effects import Effects
-from sandbox.model.expressions import Formula, Fraction, Positive, Values
+from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -78,6 +80,9 @@ def _version(value: object) -> object:
 
 MAX_BODIES = 20_000
 """How many bodies a level may have: ten thousand are in time at 60 Hz."""
+
+MAX_CONSTANTS = 200
+"""How many names for formulas a level may have."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
@@ -235,6 +240,8 @@ class Level(Model):
     """the part of the document that it comes from"""
     parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
     """the numbers that a person may change; any number of the scene may be a formula over them"""
+    constants: Annotated[Mapping[Name, Expression], Field(max_length=MAX_CONSTANTS)] = {}
+    """names for formulas over the parameters and over other constants; any formula may use them"""
     effects: Effects = Effects()
     """what acts; an effect that is not named here is not simulated"""
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
@@ -254,6 +261,11 @@ class Level(Model):
     view: View = View()
     """what part of the plane is shown"""
     _origin: Origin | None = PrivateAttr(default=None)
+
+    @model_validator(mode="after")
+    def _define(self) -> Self:
+        define(self, self.constants)
+        return self
 
     def read_from(self, origin: Origin) -> None:
         """Note the text that it was read from."""

@@ -20,12 +20,14 @@ from sandbox.model.parts import Fault
 
 _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.known_names,
+    names.no_circle,
     names.known_bodies,
     names.known_quantities,
 )
 
 _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.parameters_fit,
+    names.constants_fit,
     *_NAMES,
     names.timeless_conditions,
     challenge.known_parameters,
@@ -57,6 +59,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 _ALONE = frozenset(
     {
         names.parameters_fit,
+        names.constants_fit,
         *_NAMES,
         names.timeless_conditions,
         challenge.known_parameters,
