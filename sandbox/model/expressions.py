@@ -5,8 +5,6 @@ the listed functions. Every literal is a float, so nothing can grow beyond a flo
 length of the source is bounded, so nothing can take long. A condition is 1 where it holds, else 0.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import warnings
@@ -102,7 +100,7 @@ class Expression:
 
     _code: CodeType | None
     _constant: float | None
-    _defined: Definitions
+    _defined: "Definitions"
 
     rule: ClassVar[str] = ""
     """What a value must satisfy, in words; empty if any finite number will do."""
@@ -134,7 +132,7 @@ class Expression:
             self._code, self.written, self.names = None, frozenset(), frozenset()
             self._constant = self._finite(self.source)
 
-    def define(self, constants: Mapping[str, Expression]) -> None:
+    def define(self, constants: Mapping[str, "Expression"]) -> None:
         """Let names in its text stand for constants.
 
         Parameters
@@ -143,13 +141,14 @@ class Expression:
             By name, in such an order that each uses only those before it.
         """
         names, used = set(self.written), list[tuple[str, Expression]]()
-        for name, constant in reversed(constants.items()):
+        for name, constant in reversed([*constants.items()]):
             if name in names:
                 names |= constant.written
                 used.append((name, constant))
-        self._take(tuple(reversed(used)))
+        self.taking(tuple(reversed(used)))
 
-    def _take(self, defined: Definitions) -> Self:
+    def taking(self, defined: "Definitions") -> Self:
+        """Return itself, with the values of its constants computed before its own."""
         names = self.written.union(*(constant.written for _, constant in defined))
         self.names = names.difference(name for name, _ in defined)
         self._defined = defined
@@ -172,13 +171,13 @@ class Expression:
         try:
             with np.errstate(all="ignore"):
                 for name, constant in self._defined:
-                    scope[name] = constant._within(scope)
-                return self._within(scope)
+                    scope[name] = constant.within(scope)
+                return self.within(scope)
         except ZeroDivisionError:
             raise ExpressionError(f"{self._shown}divides by zero") from None
 
-    def _within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-        """Return the value where every name in its text has one."""
+    def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
+        """Return the value, finite or not, where every name in its text has one."""
         if self._code is None:
             return self._constant
         return eval(self._code, _NAMESPACE, scope)  # the tree has passed _parse
@@ -279,7 +278,7 @@ Definitions = tuple[tuple[str, Expression], ...]
 
 def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expression:
     """Return an expression that has been pickled together with its constants."""
-    return kind(source)._take(defined)
+    return kind(source).taking(defined)
 
 
 class Positive(Expression):

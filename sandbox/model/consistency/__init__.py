@@ -27,8 +27,8 @@ _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 
 _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.parameters_fit,
-    names.constants_fit,
     *_NAMES,
+    names.constants_fit,
     names.timeless_conditions,
     challenge.known_parameters,
     challenge.solution_within_ranges,

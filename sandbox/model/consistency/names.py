@@ -65,15 +65,18 @@ def _used(level: Level, *, scene: bool) -> set[str]:
 
 def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and nothing has a name that is taken."""
-    for path, expression in expressions(level):
-        if not expression.written:
-            continue
+    named = ((path, expression) for path, expression in expressions(level) if expression.written)
+    for path, expression in named:
         known = [*level.parameters, *level.constants, *filter(None, [expression.variable])]
         for name in sorted(expression.written.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
             else:
                 yield Fault(path, f"unknown parameter '{name}'{suggestion(name, known)}")
+    yield from _taken_names(level)
+
+
+def _taken_names(level: Level) -> Iterator[Fault]:
     for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
         for name in names:
             if name in ("system", "t"):
