@@ -51,6 +51,9 @@ from sandbox.model.instants import (
 from sandbox.model.instants import (
     LandingEvent as LandingEvent,
 )
+from sandbox.model.instants import (
+    SeparationEvent as SeparationEvent,
+)
 from sandbox.model.joints import (
     End,
     Held,
@@ -80,6 +83,9 @@ def _version(value: object) -> object:
 
 MAX_BODIES = 20_000
 """How many bodies a level may have: ten thousand are in time at 60 Hz."""
+
+MAX_POINTS = 100
+"""How many points of a body may have names."""
 
 MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
@@ -132,6 +138,9 @@ class Body(Model):
     """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
+    points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
+    """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
+    [x, y] in m, from its position, along its own axes"""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
     """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
 

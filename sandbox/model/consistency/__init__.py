@@ -36,6 +36,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     challenge.goals_can_be_met,
     surfaces.contact_declared,
     bodies.fields_fit,
+    bodies.points_fit,
     bodies.rise_and_fall,
     joints.something_to_hold,
     joints.own_apart,

@@ -195,7 +195,7 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that comes to an open end ends the run.
     """
 
-    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"})
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"})
 
     type: Literal["wire"]
     bead: End

@@ -18,6 +18,7 @@ REPEAT = "repeat"
 EACH = "each"
 
 GROUPS = "groups"
+POINTS = "points"
 
 NAMED = (
     *(
@@ -118,6 +119,8 @@ class _Copying:
 
 
 def _has_named_members(path: Path) -> bool:
+    if path[-1:] == (POINTS,) and path[-3:-2] == ("bodies",):
+        return True
     if path[:1] == (GROUPS,):
         return len(path) in (1, _IN_GROUP)
     return len(path) == 1 and path[0] in NAMED
