@@ -84,6 +84,9 @@ def _version(value: object) -> object:
 MAX_BODIES = 20_000
 """How many bodies a level may have: ten thousand are in time at 60 Hz."""
 
+MAX_LABELS = 100
+"""How many labels a level may have."""
+
 MAX_POINTS = 100
 """How many points of a body may have names."""
 
@@ -143,6 +146,11 @@ class Body(Model):
     [x, y] in m, from its position, along its own axes"""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
     """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
+    hidden: bool = False
+    """whether it is left out of pictures; it takes part in everything else"""
+    layer: Annotated[int, Field(ge=-100, le=100)] = 0
+    """what has a higher one is drawn over what has a lower one; bodies that never move lie behind
+    all that do, unless theirs is above 0"""
 
 
 def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
@@ -221,8 +229,17 @@ class Stepping(Model):
         return self.scheme in ("symplectic-euler", "explicit-euler")
 
 
+class Label(Model):
+    """Words on the stage."""
+
+    text: Annotated[str, Field(min_length=1, max_length=80)]
+    """one short line"""
+    at: End
+    """the body, the point of a body or the fixed point [x, y] that they are written over"""
+
+
 class View(Model):
-    """What part of the plane is shown."""
+    """What part of the plane is shown, and what is written on it."""
 
     center: Point = (Coordinate(0), Coordinate(0))
     """[x, y] in m, of the middle of the picture"""
@@ -230,6 +247,8 @@ class View(Model):
     """m, of the picture"""
     components: bool = False
     """whether velocities are drawn with their components"""
+    labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
+    """words at points or on bodies, always written"""
     landscape: Landscape | None = None
     """a body's potential, drawn as a curve over the places that it can reach"""
 

@@ -9,7 +9,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
-from sandbox.model.wires import Points
+from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
@@ -89,7 +89,7 @@ class Meter:
             arm = complex(
                 *evaluate(self._bodies[quantity.subject].points[quantity.other], self._values)
             )
-            vector = partial(_of_point, row, arm, attribute)
+            vector = partial(_of_point, Anchor(row, arm), attribute)
         else:
             vector = partial(_relative, row, self._rows[quantity.other], attribute)
         return _component(vector, quantity.component)
@@ -195,16 +195,11 @@ class Meter:
         return np.sum(orbital + self._moment * share * s.angular_velocity, axis=-1)
 
 
-def _of_point(row: int, arm: complex, attribute: str, s: Snapshot) -> Array:
-    """Return where a point of a body is, or its velocity v + ω × r: (..., 2)."""
-    turned = arm * np.exp(1j * s.angle[..., row])
-    if attribute == "position":
-        return s.position[..., row, :] + _parts(turned)
-    return s.velocity[..., row, :] + _parts(1j * s.angular_velocity[..., row] * turned)
-
-
-def _parts(plane: Points) -> Array:
-    return np.stack((plane.real, plane.imag), axis=-1)
+def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
+    """Return where a point of a body is, or how fast: (..., 2)."""
+    place, moves, _ = point.look(s)
+    found = place if attribute == "position" else moves
+    return np.stack((found.real, found.imag), axis=-1)
 
 
 def _relative(row: int, other: int, attribute: str, s: Snapshot) -> Array:
