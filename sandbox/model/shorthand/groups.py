@@ -8,9 +8,9 @@ places is meant along its own axes: it is turned by the angle, then moved to the
 """
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from math import cos, sin
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import Field
 
@@ -132,7 +132,7 @@ class _Placing:
             yield f"{name}_{local}", frame.body(body)
         for local, joint in group.get("joints", {}).items():
             self._notes.placed["joints", f"{name}_{local}"] = (*of, "joints", local)
-            self.joints.append((f"{name}_{local}", frame.joint(joint, name, inside)))
+            self.joints.append((f"{name}_{local}", frame.joint(joint, _Names(name, inside))))
 
     def _group_of(self, copy: Mapping[str, Any], path: Path) -> Any:  # noqa: ANN401
         known = [field.alias or name for name, field in Copy.model_fields.items()]
@@ -177,6 +177,13 @@ def _is_point(said: object) -> bool:
     return isinstance(said, list) and len(said) == 2 and all(map(_is_number, said))
 
 
+class _Names(NamedTuple):
+    """The name of a copy, and those of the bodies in its group."""
+
+    copy: str
+    inside: Collection[str]
+
+
 class _Frame:
     """The axes of a group that is placed: r' = R + (x cos a − y sin a, x sin a + y cos a)."""
 
@@ -187,43 +194,42 @@ class _Frame:
     def body(self, body: Any) -> Any:  # noqa: ANN401
         if not isinstance(body, dict):
             return body
-        made = {**body, "position": self._point(body.get("position", [0, 0]))}
+        made = {**body, "position": self.point(body.get("position", [0, 0]))}
         if self._angle != 0:
             made["angle"] = _sum(self._angle, body.get("angle", 0))
         if "velocity" in body:
-            made["velocity"] = self._vector(body["velocity"])
+            made["velocity"] = self.vector(body["velocity"])
         return made
 
-    def joint(self, joint: Any, name: str, inside: Any) -> Any:  # noqa: ANN401
+    def joint(self, joint: Any, names: _Names) -> Any:  # noqa: ANN401
         """Return a joint of the group that holds on to the bodies of its copy."""
         if not isinstance(joint, dict):
             return joint
         made = dict(joint)
-        for key in ("ends", "over"):
-            if isinstance(said := joint.get(key), list):
-                made[key] = [self._end(end, name, inside) for end in said]
-        if "bead" in joint:
-            made["bead"] = self._end(joint["bead"], name, inside)
-        if "curve" in joint:
-            made["curve"] = self._point(joint["curve"])
-        if "direction" in joint:
-            made["direction"] = self._vector(joint["direction"])
+        for key in joint.keys() & TURNED.keys():
+            made[key] = TURNED[key](self, joint[key], names)
         return made
 
-    def _end(self, end: Any, name: str, inside: Any) -> Any:  # noqa: ANN401
-        if isinstance(end, str):
-            return f"{name}_{end}" if end in inside else end
-        if isinstance(end, dict) and isinstance(end.get("body"), str):
-            return {**end, "body": self._end(end["body"], name, inside)}
-        return self._point(end)
+    def ends(self, ends: Any, names: _Names) -> Any:  # noqa: ANN401
+        """Return where a joint of a copy holds on, one after the other."""
+        return [self.end(end, names) for end in ends] if isinstance(ends, list) else ends
 
-    def _point(self, point: Any) -> Any:  # noqa: ANN401
-        turned = self._vector(point)
+    def end(self, end: Any, names: _Names) -> Any:  # noqa: ANN401
+        """Return where a joint of a copy holds on."""
+        if isinstance(end, str):
+            return f"{names.copy}_{end}" if end in names.inside else end
+        if isinstance(end, dict) and isinstance(end.get("body"), str):
+            return {**end, "body": self.end(end["body"], names)}
+        return self.point(end)
+
+    def point(self, point: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
+        """Return where a point of the group comes to lie."""
+        turned = self.vector(point)
         if not _is_point(turned):
             return point
         return [_sum(o, c) for o, c in zip(self._origin, turned, strict=True)]
 
-    def _vector(self, vector: Any) -> Any:  # noqa: ANN401
+    def vector(self, vector: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
         """Return a vector along the axes of the plane."""
         if self._angle == 0 or not _is_point(vector):
             return vector
@@ -235,6 +241,16 @@ class _Frame:
             _sum(_times(x, cos(a)), _times(y, -sin(a))),
             _sum(_times(x, sin(a)), _times(y, cos(a))),
         ]
+
+
+TURNED: Mapping[str, Callable[[_Frame, Any, _Names], Any]] = {
+    "ends": _Frame.ends,
+    "over": _Frame.ends,
+    "bead": _Frame.end,
+    "curve": _Frame.point,
+    "direction": _Frame.vector,
+}
+"""What joints say of places and of bodies, and what becomes of it where their group is placed."""
 
 
 def _sum(a: Number, b: Any) -> Any:  # noqa: ANN401

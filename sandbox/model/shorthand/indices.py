@@ -41,6 +41,8 @@ def _shown(number: int) -> str:
 
 
 def _number(source: str, indices: Indices) -> int:
+    if source in indices:  # nearly always
+        return int(indices[source])
     said = f"'{{{brief(source)}}}'"
     try:
         expression = Expression(source)
