@@ -115,7 +115,8 @@ def _parsed(text: str, source: str) -> Level:
     except ValidationError as error:
         details = error.errors(include_url=False)
         if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
-            refuse(source, *wording.refused(details[0]["ctx"]["error"]))
+            rule, place = wording.refused(details[0]["ctx"]["error"])
+            refuse(source, rule, place if data is typed else None)
         document.refuse(_faults(document, data, details))
     if found := rules.faults(level):
         document.refuse(made.hinted(fault, typed) for fault in found)
