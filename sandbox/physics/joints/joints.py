@@ -127,10 +127,7 @@ class Joints:
         return self.together.parting() if self.together else ("", 0.0)
 
     def tension(self, motion: Motion) -> Array:
-        """Return the force with which each joint pulled in the last kick, or pulls now [N].
-
-        A wire's is that with which it pushes its bead to the left of the way that it runs.
-        """
+        """Return the force with which each joint pulls [N], or a wire pushes to its left."""
         return np.array([self._tension(name, motion) for name in self.paths])
 
     def _tension(self, name: str, motion: Motion) -> float:

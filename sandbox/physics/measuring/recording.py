@@ -207,12 +207,15 @@ class Recorder:
 
     def _forces_between(self) -> Iterator[float]:
         """Yield the contact forces that are asked for of two bodies [N]."""
-        contacts, kick = self._world.contacts, self._world.contact_time
+        contacts, now = self._world.contacts, self._world.snapshot
         for wanted in self._between.values():
-            pair = sorted(map(self._names.index, (wanted.subject, wanted.other)))
-            impulse = contacts.normal if wanted.attribute == "contact.normal" else contacts.friction
-            touching = (np.sort(contacts.bodies, axis=-1) == pair).all(axis=-1)
-            yield float(impulse[touching].sum()) / kick
+            kind = wanted.attribute.partition(".")[2]
+            pair = [*map(self._names.index, (wanted.subject, wanted.other))]
+            impulse, force = getattr(contacts, kind), getattr(now, kind)[pair[0]]
+            own = (contacts.bodies == pair[0]).any(axis=-1)
+            shared = own & (contacts.bodies == pair[1]).any(axis=-1)
+            total = float(impulse[own].sum())
+            yield float(force * impulse[shared].sum() / total) if total else 0.0
 
     def _measure(self) -> None:
         """Measure what is fresh, and let go of its snapshots."""

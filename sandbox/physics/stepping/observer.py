@@ -30,8 +30,6 @@ class Observation(NamedTuple):
         The state, and who touched whom.
     begun
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
-    kick
-        How long that lasted [s].
     after
         (n, 3), those that it ended with; None where the run has just begun.
     """
@@ -40,7 +38,6 @@ class Observation(NamedTuple):
     snapshot: Snapshot
     contacts: Contacts
     begun: Array
-    kick: float
     after: Array | None
 
 
@@ -82,9 +79,7 @@ class Observer:
 
             contacts = as_contacts(found).and_(contacts)
         snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
-        return Observation(
-            kicks.clock.steps, snapshot, contacts, begun, kicks.clock.dt, state[:, 3:]
-        )
+        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
     def velocity(self, seen: Observation) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
@@ -103,8 +98,10 @@ class Observer:
             snapshot=seen.snapshot,
             contacts=seen.contacts,
             begun=seen.begun,
+            after=seen.after,
             seen=forces.seen,
             smooth=forces.smooth,
+            turned=forces.turned,
             parts=kicks.parts,
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,

@@ -77,11 +77,6 @@ class World:
         return self._seen.contacts
 
     @property
-    def contact_time(self) -> float:
-        """For how long those who touch have pushed each other by what `contacts` say [s]."""
-        return self._seen.kick
-
-    @property
     def last(self) -> "StepRecord":
         """What books must know of the last step that was observed."""
         return self._observer.record(self._seen)
