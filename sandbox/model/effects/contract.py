@@ -73,6 +73,8 @@ class Effect:
         How it is tried where nothing is said of it; None if it must be told what it is.
     changes_mass
         Whether the masses of the bodies that it names change.
+    pull
+        What its force is called in a free-body diagram; its name if left out.
     """
 
     name: str
@@ -88,6 +90,7 @@ class Effect:
     coefficient: type[Expression] | None = None
     trial: Settings | None = None
     changes_mass: bool = False
+    pull: str = ""
 
     @property
     def is_force(self) -> bool:
@@ -118,6 +121,11 @@ class Effect:
     def excludes(self) -> tuple[str, ...]:
         """The schemes that a level with it cannot have."""
         return () if self.smooth and not self.sees_velocity else ("fourth-order",)
+
+    @property
+    def called(self) -> str:
+        """What its force is called in a free-body diagram."""
+        return self.pull or self.name
 
     def stores(self, name: str) -> bool:
         """Whether it is the effect of that name, and stores energy."""

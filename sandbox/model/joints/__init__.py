@@ -65,7 +65,7 @@ End = Annotated[
 class Rod(Model):
     """A light, rigid rod: its ends keep their distance."""
 
-    kind: ClassVar[Kind] = Kind(swings=True)
+    kind: ClassVar[Kind] = Kind(swings=True, pull="rod force")
 
     type: Literal["rod"]
     ends: tuple[End, End]
@@ -79,7 +79,7 @@ class Rod(Model):
 class Rope(Model):
     """A light, inextensible rope: it pulls and never pushes."""
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
 
     type: Literal["rope"]
     ends: tuple[End, End]
@@ -96,7 +96,7 @@ class Pulley(Model):
     A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
     """
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
 
     type: Literal["pulley"]
     ends: tuple[End, End]
@@ -160,7 +160,9 @@ class Motor(Model):
 class Winding(Model):
     """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, turns=True, swings=True, points_meet=True)
+    kind: ClassVar[Kind] = Kind(
+        goes_slack=True, turns=True, swings=True, points_meet=True, pull="tension"
+    )
 
     type: Literal["winding"]
     ends: tuple[End, BodyName]
@@ -174,7 +176,7 @@ class Winding(Model):
 class Spring(Model):
     """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
 
-    kind: ClassVar[Kind] = Kind(force=ELASTIC)
+    kind: ClassVar[Kind] = Kind(force=ELASTIC, pull="spring force")
 
     type: Literal["spring"]
     ends: tuple[End, End]
@@ -195,7 +197,7 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that comes to an open end ends the run.
     """
 
-    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"})
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"}, pull="normal force")
 
     type: Literal["wire"]
     bead: End
