@@ -3,7 +3,14 @@
 from collections.abc import Iterator, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
-from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    LandingEvent,
+    SeparationEvent,
+)
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
 from sandbox.physics.accuracy.study import Trust
@@ -102,12 +109,18 @@ def moment(check: Check) -> str:
             return f"the apex of {body}"
         case LandingEvent(body=body):
             return f"the landing of {body}"
-        case ContactEvent(bodies=(a, b)):
-            return f"{a} to meet {b}"
+        case ContactEvent(bodies=(a, b), nth=nth):
+            return f"{a} to meet {b}{_times(nth)}"
+        case SeparationEvent(bodies=(a, b), nth=nth):
+            return f"{a} to part from {b}{_times(nth)}"
         case CrossingEvent(quantity=name, value=value):
             return f"{name} to cross {value.source}"
         case time:
             return f"t = {time.source} s"
+
+
+def _times(nth: int) -> str:
+    return f" {nth} times" if nth > 1 else ""
 
 
 def occasion(check: Check) -> str:
@@ -119,6 +132,8 @@ def occasion(check: Check) -> str:
             return "landing"
         case ContactEvent():
             return "contact"
+        case SeparationEvent():
+            return "parting"
         case CrossingEvent():
             return "crossing"
         case _:

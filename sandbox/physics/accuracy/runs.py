@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
+from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationEvent, Stepping
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.engine.batch import Integers
@@ -208,7 +208,7 @@ def stride(rate: float, seen: float = SEEN) -> int:
 def _needs_all(level: Level, item: Watched) -> bool:
     """Whether what is watched depends on every step; books miss none."""
     known = quantity(item.quantity, level)
-    return isinstance(item.at, ContactEvent) or known.adds_up or known.booked
+    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
 
 
 def apart(one: Trace, other: Trace, item: Watched) -> float | None:

@@ -549,10 +549,9 @@ def test_the_contact_is_known_though_no_step_sees_it() -> None:
 def test_a_run_knows_when_bodies_first_met() -> None:
     trace = simulate(bouncing(0.5, 60, located("ball")), duration=1, record=["t"])
 
-    assert trace.impact_times == {
-        frozenset(("ball", "floor")): pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
-    }
-    assert trace.until(0.5).impact_times == {}
+    assert list(trace.meetings) == [pair := frozenset(("ball", "floor"))]
+    assert trace.meetings[pair][0].time == pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
+    assert trace.until(0.5).meetings == {}
 
 
 @pytest.mark.parametrize(
