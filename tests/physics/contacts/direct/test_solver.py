@@ -210,8 +210,8 @@ def test_a_stack_that_is_pushed_at_half_its_height_comes_to_rest(push: float, sp
     Solved iteratively it falls over at this rate, and goes on rocking, by 5e-5 m, at 8 kHz.
     """
     ends = []
-    for rate, solver in ((60, "direct"), (8000, "iterative")):
-        world = build(stack(19, 1, rate, solver, speed))
+    for rate, method in ((60, "direct"), (8000, "iterative")):
+        world = build(stack(19, 1, rate, method, speed))
         if push:
             world.place({"box10": (push, 5.25)})
         energy = energies(world, rate // 2)
