@@ -37,6 +37,11 @@ def examples(effect: str, number: float = 1.0) -> Iterator[Any]:
             yield _with(_value(part, number, full=True), name, choice)
         if "over the parameters and t" in _comments(inside):
             yield _with(_value(part, number, full=True), name, [f"{number}*sin(9*t)", "t"])
+        if "over the parameters and x, y, vx, vy, t" in _comments(inside):
+            formulas = [f"-{number}*vx*(2 + sin(y))", "cos(x)*sin(t)"]
+            yield _with(_value(part, number, full=True), name, formulas)
+        if "over the parameters and x, y." in _comments(inside):
+            yield _with(_value(part, number, full=True), name, f"{number}*sin(x + y**2/5)*x")
 
 
 def idle(effect: str) -> Any:  # noqa: ANN401 (whatever JSON holds)

@@ -85,6 +85,8 @@ PARTS = (
         ("newton/breaking-loose", "newton/incline-breaks-loose"),
     ),
     Part(NEWTON, "drag", ("newton/terminal-velocity", "newton/projectile-with-drag")),
+    Part(NEWTON, "second law: drag in a wind", ("newton/wind",)),
+    Part(NEWTON, "second law: buoyancy", ("newton/floating-block",)),
     Part(ENERGY, "work along a straight and an oblique path", ("energy/refrigerator",)),
     Part(ENERGY, "braking distance grows as v²", ("energy/braking-distance",)),
     Part(
@@ -125,6 +127,7 @@ PARTS = (
         "bodies that attract each other",
         ("energy/two-bodies", "energy/figure-eight"),
     ),
+    Part(ENERGY, "a potential of one's own: a molecule", ("energy/molecule",)),
     Part(ENERGY, "the 1/r hill of like charges", ("energy/repulsion",)),
     Part(ENERGY, "ball down a straight ramp: 6.26 m/s", ("energy/ramp",)),
     Part(

@@ -31,6 +31,9 @@ def _obstacles(level: Level) -> Iterator[str]:
     for effect in level.effects.told:
         if "fourth-order" in effect.excludes:
             yield f"the effect '{effect.name}'"
+    for potential in level.effects.potential or ():
+        if not potential.energy.is_smooth:
+            yield f"the effect 'potential', for '{brief(potential.energy.source)}' has corners"
     for name, joint in level.joints.items():
         if reason := _unsmooth_joint(joint, f"'{brief(name)}'"):
             yield reason

@@ -27,6 +27,7 @@ _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.parameters_fit,
     *_NAMES,
+    names.variables_apart,
     names.timeless_conditions,
     challenge.known_parameters,
     challenge.solution_within_ranges,
@@ -44,6 +45,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     surfaces.arcs_fit,
     surfaces.curves_fit,
     effects.laws_act,
+    effects.liquid_fits,
     effects.landscape_fits,
     joints.constant_masses,
     surfaces.belts_fit,
@@ -58,6 +60,7 @@ _ALONE = frozenset(
     {
         names.parameters_fit,
         *_NAMES,
+        names.variables_apart,
         names.timeless_conditions,
         challenge.known_parameters,
         challenge.solution_within_ranges,

@@ -10,6 +10,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
+from sandbox.model.shapes import Box, Disc, Polygon
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
@@ -58,13 +59,29 @@ def rotation_used(level: Level) -> Iterator[Fault]:
 
 
 def _levers(level: Level) -> bool:
-    """Whether a joint turns a body, or one or a force acts on it away from its centre."""
+    """Whether an effect or a joint turns a body, or acts on it away from its centre."""
+    if any(effect.twists for effect in level.effects.told):
+        return True
     if any(joint.kind.turns for joint in level.joints.values()):
         return True
     held = (end for joint in level.joints.values() for end in points(joint))
     points_of_bodies = [end.at for end in held if isinstance(end, Held)]
     points_of_bodies += [force.at for force in level.effects.force or ()]
     return any(point != Held.model_fields["at"].default for point in points_of_bodies)
+
+
+def liquid_fits(level: Level) -> Iterator[Fault]:
+    """Bodies that a liquid carries have an area that can be displaced."""
+    buoyancy = level.effects.buoyancy
+    if buoyancy is None:
+        return
+    path = ("effects", "buoyancy") if buoyancy.bodies is None else ("effects", "buoyancy", "bodies")
+    carried = buoyancy.bodies or [n for n, b in level.bodies.items() if b.type == "dynamic"]
+    for name in carried:
+        if not isinstance(level.bodies[name].shape, Disc | Box | Polygon):
+            kind = level.bodies[name].shape.type
+            hint = "; name those in 'bodies' that float" if buoyancy.bodies is None else ""
+            yield Fault(path, f"'{brief(name)}' is a {kind}, which displaces no liquid{hint}")
 
 
 def landscape_fits(level: Level) -> Iterator[Fault]:

@@ -46,7 +46,7 @@ def _used(level: Level, *, scene: bool) -> set[str]:
 def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and nothing has a name that is taken."""
     for path, expression in expressions(level):
-        known = [*level.parameters, *filter(None, [expression.variable])]
+        known = [*level.parameters, *expression.variables]
         for name in sorted(expression.names.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
@@ -58,6 +58,16 @@ def known_names(level: Level) -> Iterator[Fault]:
                 yield Fault((kind, name), f"the name '{name}' is taken")
             elif kind == "joints" and name in level.bodies:
                 yield Fault((kind, name), f"'{name}' is already the name of a body")
+
+
+def variables_apart(level: Level) -> Iterator[Fault]:
+    """No parameter has the name of what the formulas of an effect or a body are over."""
+    for part in ("effects", "bodies"):
+        for path, formula in expressions(getattr(level, part), (part,)):
+            for name in sorted(level.parameters.keys() & set(formula.variables)):
+                over = ", ".join(formula.variables)
+                told = f"'{'.'.join(map(str, path))}' is a formula over {over}"
+                yield Fault(("parameters", name), f"{told}; choose another name")
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:

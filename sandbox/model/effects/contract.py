@@ -73,6 +73,8 @@ class Effect:
         How it is tried where nothing is said of it; None if it must be told what it is.
     changes_mass
         Whether the masses of the bodies that it names change.
+    twists
+        Whether it turns bodies by itself, so that `rotation` is of use with it.
     """
 
     name: str
@@ -88,6 +90,7 @@ class Effect:
     coefficient: type[Expression] | None = None
     trial: Settings | None = None
     changes_mass: bool = False
+    twists: bool = False
 
     @property
     def is_force(self) -> bool:

@@ -116,7 +116,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, bodies, batch, agility, pairs.hollows)
-    given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
+    given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate)
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, agility)
     direct, sequence = _solvers(made, pairs)
