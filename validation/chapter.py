@@ -216,6 +216,7 @@ PARTS = (
     Part(MACHINES, "a trebuchet", ("machines/trebuchet",)),
     Part(MACHINES, "a seesaw that throws", ("machines/seesaw",)),
     Part(MACHINES, "a wrecking ball", ("machines/wrecking-ball",)),
+    Part(MACHINES, "a cam and its follower", ("machines/cam",)),
     Part(MACHINES, "a rope around a drum", ("machines/capstan",)),
     Part(MACHINES, "a ladder that slides off its wall", ("machines/sliding-ladder",)),
     Part(MACHINES, "a marble run", ("machines/marble-run",)),

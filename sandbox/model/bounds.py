@@ -166,6 +166,13 @@ class LengthOverTime(Formula):
     most, unit = 1e15, "m"
 
 
+class AngleOverTime(Formula):
+    """An angle over the time."""
+
+    __slots__ = ()
+    most, unit = 1e9, "rad"
+
+
 class SpinOverTime(Formula):
     """An angular velocity over the time."""
 

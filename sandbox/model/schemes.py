@@ -33,7 +33,8 @@ def _obstacles(level: Level) -> Iterator[str]:
             yield f"the effect '{effect.name}'"
     for potential in level.effects.potential or ():
         if not potential.energy.is_smooth:
-            yield f"the effect 'potential', for '{brief(potential.energy.source)}' has corners"
+            yield f"the effect 'potential', for '{brief(str(potential.energy.source))}' has corners"
+    yield from (f"the motion of '{brief(n)}'" for n, body in level.bodies.items() if body.motion)
     for name, joint in level.joints.items():
         if reason := _unsmooth_joint(joint, f"'{brief(name)}'"):
             yield reason
