@@ -194,3 +194,18 @@ class EnergyInField(Function):
     __slots__ = ()
     most, unit = 1e60, "J"
     variables = ("x", "y")
+
+
+class TorqueOfTurning(Function):
+    """A torque, over how a body is turned, how fast it turns, and the time."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N·m"
+    variables = ("theta", "omega", "t")
+
+
+class Twist(NonNegative):
+    """How hard a torsion spring turns back for its angle."""
+
+    __slots__ = ()
+    most, unit = 1e30, "N·m/rad"

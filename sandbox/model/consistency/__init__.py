@@ -51,6 +51,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     joints.constant_masses,
     surfaces.belts_fit,
     effects.effects_used,
+    effects.turned_apart,
     effects.rotation_used,
     stepping.scheme_fits,
     stepping.accuracy_alone,

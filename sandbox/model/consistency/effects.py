@@ -43,6 +43,18 @@ def effects_used(level: Level) -> Iterator[Fault]:
             yield from coefficients_fit(level, kind)
 
 
+def turned_apart(level: Level) -> Iterator[Fault]:
+    """Torques act on bodies that turn, and between two different ones."""
+    for effect, place, said in level.effects.said:
+        if effect.name not in ("torque", "torsion"):
+            continue
+        if said.against == said.body:
+            rule = f"'{brief(said.body)}' cannot be turned against itself"
+            yield Fault((*place, "against"), rule)
+        if level.effects.rotation is None:
+            yield undeclared(place, effect.name, "rotation")
+
+
 def rotation_used(level: Level) -> Iterator[Fault]:
     """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}

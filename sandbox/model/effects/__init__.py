@@ -31,6 +31,8 @@ from sandbox.model.effects.restitution import Restitution
 from sandbox.model.effects.rotation import Rotation
 from sandbox.model.effects.sticking import Sticking
 from sandbox.model.effects.thrust import Thrust
+from sandbox.model.effects.torque import Torque
+from sandbox.model.effects.torsion import Torsion
 from sandbox.model.locating import Path
 
 SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
@@ -69,6 +71,10 @@ class Effects(Model):
     """Fields of force act on bodies."""
     force: Annotated[tuple[Force, ...], SEVERAL] | None = None
     """Given forces act on bodies."""
+    torsion: Annotated[tuple[Torsion, ...], SEVERAL] | None = None
+    """Torsion springs turn bodies back."""
+    torque: Annotated[tuple[Torque, ...], SEVERAL] | None = None
+    """Given torques act on bodies."""
     belt: Annotated[tuple[Belt, ...], SEVERAL] | None = None
     """Surfaces run."""
     thrust: Annotated[tuple[Thrust, ...], SEVERAL] | None = None

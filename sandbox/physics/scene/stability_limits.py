@@ -55,6 +55,11 @@ def check_drag(
     """
     with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
         taken = np.asarray(_strength(law, start) * agility[:, 0])
+        braked = _braking(law, start, agility[:, 2])
+    if (needed := float(braked.max(initial=0.0))) > rate * CLOSE:
+        name = names[int(braked.argmax())]
+        cause = f"the effect '{law.effect.name}' on '{name}'"
+        raise _refused(name, cause, needed, rate, ("effects", law.effect.name))
     row = int(taken.argmax())
     if taken[row] > rate * CLOSE and (needed := _held(taken, agility, joints)) > rate * CLOSE:
         cause = f"the effect '{law.effect.name}' on '{names[row]}'"
@@ -83,6 +88,27 @@ def _strength(law: Law, motion: Motion) -> Array:
         law.add(Instant.of(motion)._replace(velocity=velocity), force)
     change = forces[0, :, :2] - forces[1, :, :2]
     return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
+
+
+def _braking(law: Law, start: Motion, agility: Array) -> Array:
+    """Return how fast a law slows down the turning of each body, with what it turns against: (n,).
+
+    Parameters
+    ----------
+    agility
+        (n,), one over the moments [1/(kg m²)].
+    """
+    found = np.zeros_like(agility)
+    motion = Instant.of(start)
+    for row in np.flatnonzero(agility) if law.effect.twists else ():
+        torques = np.zeros((2, len(agility), 3))
+        for torque, more in zip(torques, (0.0, PROBE), strict=True):
+            spin = motion.angular_velocity.copy()
+            spin[row] += more
+            law.add(motion._replace(angular_velocity=spin), torque)
+        change = np.abs(torques[1, :, 2] - torques[0, :, 2]) / PROBE
+        found[row] = change @ agility
+    return found
 
 
 def _held(taken: Array, agility: Array, joints: Joints) -> float:
