@@ -39,6 +39,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     bodies.rise_and_fall,
     joints.something_to_hold,
     joints.own_apart,
+    surfaces.apart_fits,
     surfaces.sticking_fits,
     surfaces.located_slips_fit,
     surfaces.impacts_of_constant_masses,

@@ -26,5 +26,5 @@ class Torsion(Model):
     angle: Angle = Angle(0)
     """rad, θ0, where it is slack"""
     against: BodyName | None = None
-    """the body that feels it the other way round, from which the angle is counted; the plane if left
-    out"""
+    """the body that feels it the other way round, from which the angle is counted; the plane if
+    left out"""

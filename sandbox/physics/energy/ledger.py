@@ -356,7 +356,7 @@ class Ledger:
         every = self._impulse(law, kick)
         impulse = np.where(kick.inertia > 0, every, 0.0)
         self._give(law.effect.name, impulse, kick.place)
-        self._do(law, kick.work(impulse))
+        self._do(law, kick.work(every))
         if "bodies" in self._works:
             self._works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
         if isinstance(law, SpringForce) and law.damping:
