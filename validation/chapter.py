@@ -127,7 +127,7 @@ PARTS = (
         "bodies that attract each other",
         ("energy/two-bodies", "energy/figure-eight"),
     ),
-    Part(ENERGY, "a potential of one's own: a molecule", ("energy/molecule",)),
+    Part(ENERGY, "potentials of one's own", ("energy/molecule", "energy/hardening-spring")),
     Part(ENERGY, "the 1/r hill of like charges", ("energy/repulsion",)),
     Part(ENERGY, "ball down a straight ramp: 6.26 m/s", ("energy/ramp",)),
     Part(

@@ -209,3 +209,11 @@ class Twist(NonNegative):
 
     __slots__ = ()
     most, unit = 1e30, "N·m/rad"
+
+
+class SpringLaw(Function):
+    """The force with which a spring pulls, over how far it is stretched."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N"
+    variables = ("x",)

@@ -46,6 +46,8 @@ def _unsmooth_joint(joint: Joint, name: str) -> str | None:
         return f"the damping of {name}"
     if isinstance(joint, Spring) and joint.pushes_only:
         return f"that {name} lets go"
+    if isinstance(joint, Spring) and joint.law and not joint.law.is_smooth:
+        return f"that the law of {name} has corners"
     if kind.goes_slack:
         return f"the {joint.type} {name}, which can go slack"
     if kind.drives:

@@ -35,11 +35,13 @@ def conditions(level: Level) -> Iterator[Condition]:
         if isinstance(joint, Rod) and joint.length and "t" in joint.length.names:
             path, names = ("joints", name, "length"), _names(joint.length, level)
             yield Condition(path, names, partial(_gone, joint.length, level), 50)
-            yield Condition(path, names, partial(_jumps, joint.length, level), 3000)
+            yield Condition(
+                path, names, partial(_jumps, "the rod's length", joint.length, level), 3000
+            )
     for path, formula in _motions(level):
         names = _names(formula, level)
         yield Condition(path, names, partial(_displaced, formula), 50)
-        yield Condition(path, names, partial(_jumps, formula, level), 3000)
+        yield Condition(path, names, partial(_jumps, "the motion", formula, level), 3000)
 
 
 def _names(formula: Formula, level: Level) -> frozenset[str]:
@@ -109,7 +111,7 @@ def _displaced(formula: Formula, values: Values) -> str | None:
     return None
 
 
-def _jumps(formula: Formula, level: Level, values: Values) -> str | None:
+def _jumps(what: str, formula: Formula, level: Level, values: Values) -> str | None:
     """Say when a length or a motion changes all at once."""
     times = _times(level, values)
     over = formula.over(values, times)
@@ -125,4 +127,4 @@ def _jumps(formula: Formula, level: Level, values: Values) -> str | None:
     if not jump.max() > JUMP * np.abs(over).max():
         return None
     far, t = jump.max(), end[jump.argmax()]
-    return f"it jumps by {far:.3g} {formula.unit} at t = {t:.3g} s; it must change gradually"
+    return f"{what} jumps by {far:.3g} {formula.unit} at t = {t:.3g} s; it must change gradually"

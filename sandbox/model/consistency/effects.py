@@ -10,7 +10,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
-from sandbox.model.shapes import Box, Disc, Polygon
+from sandbox.model.shapes import Area
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
@@ -87,13 +87,14 @@ def liquid_fits(level: Level) -> Iterator[Fault]:
     buoyancy = level.effects.buoyancy
     if buoyancy is None:
         return
-    path = ("effects", "buoyancy") if buoyancy.bodies is None else ("effects", "buoyancy", "bodies")
-    carried = buoyancy.bodies or [n for n, b in level.bodies.items() if b.type == "dynamic"]
-    for name in carried:
-        if not isinstance(level.bodies[name].shape, Disc | Box | Polygon):
-            kind = level.bodies[name].shape.type
-            hint = "; name those in 'bodies' that float" if buoyancy.bodies is None else ""
-            yield Fault(path, f"'{brief(name)}' is a {kind}, which displaces no liquid{hint}")
+    for index, name in enumerate(buoyancy.bodies or ()):
+        if not isinstance(shape := level.bodies[name].shape, Area):
+            rule = f"'{brief(name)}' is a {shape.type}, which displaces no liquid"
+            yield Fault(("effects", "buoyancy", "bodies", index), rule)
+    dynamic = (body.shape for body in level.bodies.values() if body.type == "dynamic")
+    if not any(isinstance(shape, Area) for shape in dynamic):
+        rule = "nothing displaces the liquid: no dynamic disc, box or polygon"
+        yield Fault(("effects", "buoyancy"), rule)
 
 
 def landscape_fits(level: Level) -> Iterator[Fault]:

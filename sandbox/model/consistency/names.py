@@ -5,7 +5,7 @@ from keyword import iskeyword
 
 from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, Formula
+from sandbox.model.expressions import RESERVED, Curve, Formula
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
@@ -61,10 +61,11 @@ def known_names(level: Level) -> Iterator[Fault]:
 
 
 def variables_apart(level: Level) -> Iterator[Fault]:
-    """No parameter has the name of what the formulas of an effect or a body are over."""
-    for part in ("effects", "bodies"):
+    """No parameter has the name of what the formula of an effect or a spring is over."""
+    for part in ("effects", "joints"):
         for path, formula in expressions(getattr(level, part), (part,)):
-            for name in sorted(level.parameters.keys() & set(formula.variables)):
+            own = () if isinstance(formula, Curve) else formula.variables
+            for name in sorted(level.parameters.keys() & set(own)):
                 over = ", ".join(formula.variables)
                 told = f"'{'.'.join(map(str, path))}' is a formula over {over}"
                 yield Fault(("parameters", name), f"{told}; choose another name")

@@ -30,4 +30,4 @@ class Buoyancy(Model):
     surface: Coordinate = Coordinate(0)
     """m, the y of its surface, which does not rise by what is displaced"""
     bodies: Annotated[ActedOnBodies, Field(min_length=1)] | None = None
-    """those that it carries, discs, boxes or polygons; all dynamic bodies if left out"""
+    """those that it carries, discs, boxes or polygons; all dynamic ones if left out"""

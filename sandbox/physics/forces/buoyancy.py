@@ -16,7 +16,7 @@ from sandbox.model.effects import buoyancy as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body
-from sandbox.model.shapes import Disc
+from sandbox.model.shapes import Area, Disc
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.state.motion import Motion
@@ -123,7 +123,8 @@ def laws(said: declared.Buoyancy, given: Given) -> Iterator[Law]:
     """Yield what the liquid carries."""
     level, values = given.level, given.values
     rows = given.rows(said.bodies).tolist()
-    bodies = tuple((row, _outline(level.bodies[given.names[row]], values)) for row in rows)
+    every = ((row, level.bodies[given.names[row]]) for row in rows)
+    bodies = tuple((r, _outline(b, values)) for r, b in every if isinstance(b.shape, Area))
     weight = said.density(values) * said.gravity(values)
     yield Buoyancy(weight, said.surface(values), bodies)
 

@@ -245,7 +245,7 @@ def _hooked(
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)
-        if simple and space and held and not (spring.damping or spring.pushes_only):
+        if simple and space and held and not (spring.damping or spring.pushes_only or spring.law):
             from sandbox.physics.joints.native import pull_by_pymunk
 
             pull_by_pymunk(spring, bodies, space)

@@ -173,7 +173,7 @@ def limit(springs: Mapping[str, SpringForce], agility: Array, angle: Array) -> t
     if not springs:
         return 0.0, ""
     reply = _replies(list(springs.values()), agility, angle)
-    stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
+    stiffness = np.repeat([spring.steepness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # what is more than a number holds is infinite
         needed = just_stable(*(_largest(reply, weight) for weight in (stiffness, damping)))

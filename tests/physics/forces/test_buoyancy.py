@@ -86,10 +86,16 @@ def test_a_block_floats_upright_only_if_it_is_wide_enough(width: float, rights: 
     assert bool(np.abs(trace.columns["block.angle"]).max() < 0.0101) is rights
 
 
-def test_what_has_no_area_is_refused() -> None:
+def test_what_has_no_area_sinks_and_is_not_named() -> None:
     hoop = {"shape": {"type": "hoop", "radius": 1}, "mass": 1}
-    with pytest.raises(LevelError, match="'hoop' is a hoop, which displaces no liquid; name those"):
-        level({"hoop": hoop}, {"buoyancy": {"density": 1, "gravity": 1}})
+    liquid = {"density": 1, "gravity": 1}
+    scene = level({"hoop": hoop, "ball": disc((5, -9))}, {"buoyancy": liquid})
+    assert build(scene).advance(3).velocity[:, 1].tolist()[0] == 0
+
+    with pytest.raises(LevelError, match="'hoop' is a hoop, which displaces no liquid"):
+        level({"hoop": hoop}, {"buoyancy": {**liquid, "bodies": ["hoop"]}})
+    with pytest.raises(LevelError, match="nothing displaces the liquid: no dynamic disc, box or"):
+        level({"hoop": hoop}, {"buoyancy": liquid})
 
 
 def test_a_liquid_of_no_scene_is_not_loaded() -> None:

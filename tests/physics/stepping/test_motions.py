@@ -131,7 +131,7 @@ def test_a_pendulum_swings_from_a_pivot_that_is_moved() -> None:
     [
         ({"motion": {"displacement": ["1 + t", 0]}}, "is 1 m at the start, but must be 0"),
         ({"motion": {"displacement": ["sqrt(t)", 0]}}, "no finite velocity at the start"),
-        ({"motion": {"turn": "where(t < 0.5, 0, 1)"}}, "it jumps by 1 rad at t = 0.5 s"),
+        ({"motion": {"turn": "where(t < 0.5, 0, 1)"}}, "the motion jumps by 1 rad at t = 0.5 s"),
         ({"motion": {"turn": "1/(t - 0.5) + 2"}}, "has no finite value at t = 0.5 s"),
         ({"motion": {"turn": "t"}, "velocity": [1, 0]}, "says how fast the body is"),
         ({"type": "static"}, "a static body has no motion"),
