@@ -4,7 +4,7 @@ import os
 import platform
 from importlib.metadata import version
 
-from sandbox import __version__
+from sandbox.version import __version__
 
 
 def environment() -> dict[str, str]:

@@ -115,9 +115,14 @@ def save_picture(
     SandboxError
         If the run has to stop before that time, or the file cannot be written.
     """
-    png = BytesIO()
-    pygame.image.save(render(level, values, at, size, beside, racing=racing), png, "x.png")
-    write_atomically(path, png.getvalue())
+    write_atomically(path, png(render(level, values, at, size, beside, racing=racing)))
+
+
+def png(picture: pygame.Surface) -> bytes:
+    """Return a picture as a PNG file has it."""
+    encoded = BytesIO()
+    pygame.image.save(picture, encoded, "x.png")
+    return encoded.getvalue()
 
 
 def _run(session: Session, at: float, each: Callable[[], None]) -> None:

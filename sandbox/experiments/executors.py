@@ -9,10 +9,10 @@ from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from sandbox import __version__
 from sandbox.extras import needed_for
 from sandbox.model.errors import SandboxError, brief
 from sandbox.processes import AHEAD, spread
+from sandbox.version import __version__
 
 if TYPE_CHECKING:
     from distributed import Client

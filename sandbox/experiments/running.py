@@ -73,12 +73,18 @@ def run(task: Task) -> Done:
 
     began = perf_counter()
     plan = task.plan
-    cells = [_cells(plan, found) for found in _runs(plan, plan.rows(task.start, task.stop))]
+    cells = list(measured(plan, task.start, task.stop))
     columns = [list(column) for column in zip(*cells, strict=True)]
     layout = schema(plan)
     arrays = [pa.array(c, f.type) for c, f in zip(columns, layout, strict=True)]
     rows = pa.RecordBatch.from_arrays(arrays, schema=layout)
     return Done(task.start, task.stop, rows, perf_counter() - began)
+
+
+def measured(plan: Plan, start: int, stop: int) -> Iterator[list[Cell]]:
+    """Yield the cells of some rows, in the order of the table's columns."""
+    for found in _runs(plan, plan.rows(start, stop)):
+        yield _cells(plan, found)
 
 
 def together(plan: Plan) -> int:
@@ -93,16 +99,16 @@ def _cells(plan: Plan, found: _Run) -> list[Cell]:
     """Return the cells of a row."""
     cells: list[Cell] = [found.row.number, *found.row.varied]
     failure, trace = found.failure, found.trace
-    measured: list[Cell] = [None] * len(columns(plan))
+    numbers: list[Cell] = [None] * len(columns(plan))
     if trace is not None:
         try:
-            measured = list(_measured(plan, trace, stopped=found.stopped))
+            numbers = list(_numbers(plan, trace, stopped=found.stopped))
         except SandboxError as error:
             failure = str(error)
-    return [*cells, *measured, failure]
+    return [*cells, *numbers, failure]
 
 
-def _measured(plan: Plan, trace: Trace, *, stopped: bool) -> Iterator[Cell]:
+def _numbers(plan: Plan, trace: Trace, *, stopped: bool) -> Iterator[Cell]:
     until = float(trace.t[-1]) if stopped else None
     for measure in plan.measures:
         found = measure.measured(trace, until)

@@ -14,11 +14,11 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox import __version__
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.table import schema
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.files import make_folder, write_atomically
+from sandbox.version import __version__
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -1,5 +1,7 @@
 """Somebody who plays: every act is an event, as a window gets it."""
 
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pygame
@@ -9,6 +11,7 @@ from sandbox.app.window import Window
 from sandbox.model.shapes import XY
 
 FRAME = 1 / 60  # s
+PATIENCE = 240.0  # s
 
 
 class Person:
@@ -103,3 +106,12 @@ class Person:
         """Return what is seen at a pixel."""
         red, green, blue, _ = self.window.surface.get_at((round(pixel[0]), round(pixel[1])))
         return red, green, blue
+
+
+def until(person: Person, true: Callable[[], bool]) -> None:
+    """Look on, frame by frame, until something is the case."""
+    deadline = time.monotonic() + PATIENCE
+    while not true():
+        assert time.monotonic() < deadline
+        person.wait()
+        time.sleep(0.05)  # another process may need the time

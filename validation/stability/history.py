@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TypedDict
 
-from sandbox import __version__
+from sandbox.version import __version__
 from validation.output import save
 
 FILE = Path(__file__).parent / "frontiers.json"

@@ -17,7 +17,7 @@ import platformdirs
 import pymunk
 from pydantic import TypeAdapter, ValidationError
 
-import sandbox
+from sandbox import version
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.files import read_ordinary, write_atomically
@@ -175,7 +175,7 @@ def _key(level: Level, values: Values, target: float, also: Sequence[str]) -> st
 def _code() -> str:
     """Return a hash of everything that decides how a level runs, and of the machine."""
     found = sha256()
-    root = Path(sandbox.__file__).parent
+    root = Path(version.__file__).parent
     for part in (*_versions(), *_sources(root)):
         found.update(part)
     return found.hexdigest()

@@ -9,12 +9,12 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox import __version__
 from sandbox.model.errors import brief
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.loading import digest
 from sandbox.physics.measuring.recording import Trace
+from sandbox.version import __version__
 
 
 class Change(NamedTuple):

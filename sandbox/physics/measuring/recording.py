@@ -3,9 +3,11 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from math import ceil
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from sandbox.extras import needed_for
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import (
     ApexEvent,
@@ -16,13 +18,17 @@ from sandbox.model.level import (
     Stepping,
 )
 from sandbox.model.parts import measured
-from sandbox.model.quantities import quantity
+from sandbox.model.quantities import TIME, quantity
 from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 MANY = 1000
 """How many snapshots are kept before they are measured."""
@@ -82,6 +88,41 @@ class Trace:
             first_contacts=first_contacts,
             impact_times={p: t for p, t in self.impact_times.items() if p in first_contacts},
         )
+
+    def to_pandas(self) -> "DataFrame":
+        """Return it as a table: a row for each instant [s], a column for each quantity.
+
+        The units stand in `attrs["units"]`.
+
+        Raises
+        ------
+        SandboxError
+            If pandas is not installed.
+        """
+        with needed_for("a table of a trace", "notebook"):
+            from pandas import DataFrame, Index
+        columns = {name: values for name, values in self.columns.items() if name != TIME.name}
+        frame = DataFrame(columns, index=Index(self.t, name=f"{TIME.name} [{TIME.unit}]"))
+        frame.attrs["units"] = {name: self.units[name] for name in columns}
+        return frame
+
+    def to_xarray(self) -> "Dataset":
+        """Return it as a dataset over the coordinate `t`; each variable has its unit in `attrs`.
+
+        Raises
+        ------
+        SandboxError
+            If xarray is not installed.
+        """
+        with needed_for("a dataset of a trace", "notebook"):
+            from xarray import Dataset, Variable
+        variables = {
+            name: Variable(TIME.name, values, {"units": self.units[name]})
+            for name, values in self.columns.items()
+            if name != TIME.name
+        }
+        t = Variable(TIME.name, self.t, {"units": TIME.unit})
+        return Dataset(variables, {TIME.name: t}, {"title": self.level.title})
 
 
 class Recorder:

@@ -1,7 +1,6 @@
 """The page of the accuracy, driven by events."""
 
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pygame
@@ -18,10 +17,9 @@ from sandbox.physics.accuracy import cache, study
 from sandbox.physics.accuracy.study import Here, Point
 from sandbox.physics.run import build
 from tests.app import scenes, work
-from tests.app.person import Person
+from tests.app.person import Person, until
 from tests.app.test_background import alive
 
-PATIENCE = 240.0  # s
 DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
 
 
@@ -38,15 +36,6 @@ def busy(person: Person) -> bool:
 
 def waits(person: Person) -> bool:
     return person.session.waiting
-
-
-def until(person: Person, true: Callable[[], bool]) -> None:
-    """Look on, frame by frame, until something is the case."""
-    deadline = time.monotonic() + PATIENCE
-    while not true():
-        assert time.monotonic() < deadline
-        person.wait()
-        time.sleep(0.05)  # the other process needs the time
 
 
 @pytest.fixture

@@ -7,14 +7,14 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app import theme
 from sandbox.app.history import History
-from sandbox.app.pages.graph import plot
 from sandbox.app.pages.graph.card import measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
-from sandbox.app.pages.graph.plot import Scale, Series
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.trail import CAPACITY
+from sandbox.app.widgets import plot
+from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person

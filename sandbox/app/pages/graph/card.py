@@ -8,11 +8,11 @@ import pygame
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.history import History
-from sandbox.app.pages.graph import plot
-from sandbox.app.pages.graph.plot import Scale, Series
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
+from sandbox.app.widgets import plot
+from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model.expressions import Array, ExpressionError
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.measuring.meter import Meter

@@ -17,13 +17,17 @@ MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
 
+DOT = 2.5  # px, the radius of a marked point
+
+
 class Series(NamedTuple):
-    """A line: its colour, its points, and whether it is dashed."""
+    """A line: its colour, its points, whether it is dashed, and whether its points are marked."""
 
     color: Color
     x: Array
     y: Array
     dashed: bool = False
+    marked: bool = False
 
 
 class Scale(NamedTuple):
@@ -89,6 +93,9 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
     kept = np.unique(np.append(np.arange(0, len(series.x), every), len(series.x) - 1))
     found = np.column_stack((span.pixels(series.x[kept]), up.pixels(series.y[kept])))
     points = [(float(x), float(y)) for x, y in found if np.isfinite(x + y)]
+    if series.marked:
+        for point in points:
+            pygame.draw.aacircle(surface, series.color, point, DOT)
     if len(points) < 2:
         return
     if series.dashed:

@@ -1,0 +1,14 @@
+"""The page of experiments: what comes of a run, over all values of a parameter."""
+
+from sandbox.app.pages.experiment.exploring import Exploring
+from sandbox.app.pages.experiment.panel import ExperimentPage
+from sandbox.app.pages.page import Page
+
+PAGE = Page(
+    name="experiment",
+    caption="Experiment",
+    key="y",
+    text="experiment: what comes of it, over all values of a parameter",
+    panel=ExperimentPage,
+    worker=Exploring,
+)

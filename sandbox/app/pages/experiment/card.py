@@ -1,0 +1,106 @@
+"""The curve of an experiment, as far as its runs are made."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import GAP, Card
+from sandbox.app.pages.experiment.exploring import Chosen, Exploring
+from sandbox.app.pages.experiment.sampling import Point
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.widgets import plot
+from sandbox.app.widgets.plot import Scale, Series
+from sandbox.model.level import Level
+
+HEIGHT = 190  # px, of the curve
+NOTHING = "This level has no parameter that could be varied."
+HINT = "Click on the curve to run with that value."
+
+
+def curve(
+    pen: Pen, width: int, session: Session, exploring: Exploring, mouse: Point | None
+) -> tuple[pygame.Surface, pygame.Rect]:
+    """Draw a curve, and what is to be said of it; return where on the card the curve is, too.
+
+    Parameters
+    ----------
+    mouse
+        The point that is told; None for the run that is played.
+    """
+    card = Card(pen, width)
+    card.heading("Experiment")
+    chosen = exploring.chosen(session)
+    if chosen is None:
+        card.text(NOTHING, 14, theme.DIM)
+        return card.drawn(), pygame.Rect(0, 0, 0, 0)
+    card.text(chosen.measure, 13, theme.BODIES[0])
+    _told(card, session.level, chosen, mouse)
+    card.y += GAP
+    field = pygame.Rect(0, card.y, width, HEIGHT)
+    here = session.values[chosen.parameter] if mouse is None else mouse.at
+    span = span_of(width, session.level, chosen)
+    card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, here), 0)
+    card.y += HEIGHT + 2
+    card.text(f"against {_named(session.level, chosen.parameter)}", 12, theme.DIM)
+    _progress(card, exploring)
+    return card.drawn(), field
+
+
+def span_of(width: int, level: Level, chosen: Chosen) -> Scale:
+    """Return the scale across a curve of a width [px]: the parameter's range."""
+    known = level.parameters[chosen.parameter]
+    return plot.across(width, [np.array([known.min, known.max])])
+
+
+def nearest(points: Sequence[Point], at: float) -> Point | None:
+    """Return the point that is nearest to a value; None while there are none."""
+    return min(points, key=lambda point: abs(point.at - at), default=None)
+
+
+def _series(points: Sequence[Point]) -> Iterator[Series]:
+    """Yield the closed form, and what was measured."""
+    at = np.array([p.at for p in points])
+    for color, dashed, column in (
+        (theme.mix(theme.BODIES[0], theme.TEXT, 0.5), True, [p.expected for p in points]),
+        (theme.BODIES[0], False, [p.measured for p in points]),
+    ):
+        values = np.array([np.nan if v is None else v for v in column], dtype=float)
+        if np.isfinite(values).any():
+            yield Series(color, at, values, dashed=dashed, marked=not dashed)
+
+
+def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
+    """Tell what came of a run, in figures."""
+    if point is None:
+        card.text(HINT, 12, theme.DIM)
+        return
+    value = wording.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
+    if point.measured is None:
+        reason = point.failure or "that did not happen in this run"
+        card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
+        return
+    told = f"{chosen.parameter} = {value}: {wording.number(point.measured, 5)}"
+    if point.expected is not None:
+        told += f", closed form {wording.number(point.expected, 5)}"
+    card.text(told, 12, theme.NOTICE)
+
+
+def _named(level: Level, name: str) -> str:
+    parameter = level.parameters[name]
+    unit = f" [{parameter.unit}]" if parameter.unit else ""
+    label = f", {parameter.label}" if parameter.label else ""
+    return f"{name}{unit}{label}"
+
+
+def _progress(card: Card, exploring: Exploring) -> None:
+    """Say how far the runs are, and which have failed."""
+    if exploring.failure:
+        card.text(exploring.failure, 12, theme.FAILED)
+    elif exploring.share < 1:
+        card.text(f"{len(exploring.points)} runs so far", 12, theme.DIM)
+    failed = [p.failure for p in exploring.points if p.failure]
+    if failed:
+        card.text(f"{len(failed)} runs have failed: {failed[0]}", 12, theme.FAILED)

@@ -1,0 +1,128 @@
+"""Which curve a person looks at, level by level, and the runs that it is made of."""
+
+from typing import NamedTuple
+
+from sandbox.app.background import Background
+from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
+from sandbox.app.pages.graph.choice import offered
+from sandbox.app.session import Session
+from sandbox.experiments import suggested
+from sandbox.model.level import Level
+
+PATIENCE = 0.5  # s without a change, before the runs begin
+
+
+class Chosen(NamedTuple):
+    """What is varied, and what is measured."""
+
+    parameter: str
+    measure: str
+
+
+class Exploring:
+    """Runs a level over a parameter, in the background.
+
+    Attributes
+    ----------
+    points
+        What is known by now, in the order of the parameter.
+    failure
+        Why nothing can be run; empty if something can.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    def __init__(self) -> None:
+        self._work = Background()
+        self._chosen: dict[str, Chosen] = {}
+        self._scene: object = None
+        self._forget()
+
+    def _forget(self) -> None:
+        self.points: list[Point] = []
+        self.failure = ""
+        self._waited, self._begun = 0.0, False
+        self.news = object()
+
+    @property
+    def running(self) -> bool:
+        """Whether runs are being made."""
+        return self._work.running
+
+    @property
+    def share(self) -> float:
+        """How much of the curve is there."""
+        return len(self.points) / COUNT
+
+    def chosen(self, session: Session) -> Chosen | None:
+        """Return what is drawn, what the level suggests at first; None without parameters."""
+        level = session.level
+        if not level.parameters:
+            return None
+        found = self._chosen.get(session.original.title)
+        if found and found.parameter in level.parameters and found.measure in measures(session):
+            return found
+        return Chosen(next(iter(level.parameters)), measures(session)[0])
+
+    def choose(
+        self, session: Session, parameter: str | None = None, measure: str | None = None
+    ) -> None:
+        """Draw another curve."""
+        now = self.chosen(session)
+        if now is not None:
+            found = Chosen(parameter or now.parameter, measure or now.measure)
+            self._chosen[session.original.title] = found
+            self.news = object()
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
+        """Make the runs of what is shown, while it is watched."""
+        chosen = self.chosen(session)
+        scene = _scene(session, chosen)
+        if scene != self._scene:
+            self._work.cancel()
+            self._scene = scene
+            self._forget()
+        self._waited += seconds
+        if watched and chosen and not (self._begun or session.waiting) and self._waited > PATIENCE:
+            self._begun = True
+            self._work.start(sample, _resolved(session), session.values, *chosen)
+            self.news = object()
+        self._look()
+        return None
+
+    def _look(self) -> None:
+        """Take in what was found since."""
+        was_running = self._work.running
+        for finding in self._work.found():
+            self.news = object()
+            if isinstance(finding, Refused):
+                self.failure = finding.told
+            else:
+                self.points.append(finding)
+                self.points.sort()
+        if was_running and not self._work.running:
+            self.news = object()
+            if self.points and self.share < 1:
+                self.failure = "more would take too long: try it with 'sandbox experiment'"
+
+    def cancel(self) -> None:
+        """End the work; it begins again with another scene or choice."""
+        self._work.cancel()
+        self.news = object()
+
+
+def measures(session: Session) -> list[str]:
+    """Return what can be measured of a run."""
+    return suggested.measures(session.original, offered(session.level))
+
+
+def _scene(session: Session, chosen: Chosen | None) -> object:
+    """Return what the curve depends on: not on the value of what is varied."""
+    varied = chosen.parameter if chosen else ""
+    rest = tuple((name, value) for name, value in session.values.items() if name != varied)
+    return session.original, session.changes, session.world.stepping, rest, chosen
+
+
+def _resolved(session: Session) -> Level:
+    """Return the level as it is played, also where an accuracy is asked for."""
+    return session.level.model_copy(update={"stepping": session.world.stepping})

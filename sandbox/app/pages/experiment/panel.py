@@ -1,0 +1,114 @@
+"""The page of experiments: what is varied and measured is chosen from lists."""
+
+import pygame
+from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
+from pygame_gui.elements import UISelectionList
+
+from sandbox.app import wording
+from sandbox.app.cards.card import heading
+from sandbox.app.pages.experiment.card import curve, nearest, span_of
+from sandbox.app.pages.experiment.exploring import Exploring, measures
+from sandbox.app.pages.experiment.sampling import Point
+from sandbox.app.pages.page import Desk
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.errors import SandboxError
+
+ROW = 20  # px, of a list
+MOST_ROWS = 4, 8  # of the two lists
+
+
+class ExperimentPage:
+    """A curve, and below it the lists of what can be varied, and what measured."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._exploring = desk.worker(Exploring)
+        self._mouse: Point | None = None
+        self._field = pygame.Rect(0, 0, 0, 0)
+        self._curve = sheet.image(self._drawn(), MARGIN // 2)
+        self.lists: list[UISelectionList] = []
+        self._titles = []
+        chosen = self._exploring.chosen(desk.session)
+        if chosen is not None:
+            offers = list(desk.session.level.parameters), measures(desk.session)
+            for title, names, now, most in zip(
+                ("Vary", "Measure"), offers, chosen, MOST_ROWS, strict=True
+            ):
+                self._titles.append(sheet.image(heading(sheet.pen, sheet.width, title), 0))
+                self.lists.append(self._list(names, now, min(len(names), most) * ROW + 12))
+        self._seen: object = None
+        self.update()
+
+    def _list(self, names: list[str], now: str, height: int) -> UISelectionList:
+        rect = pygame.Rect(MARGIN, 0, self._sheet.width, height)
+        return UISelectionList(
+            rect, list(names), self._sheet.manager, container=self._sheet.container,
+            allow_double_clicks=False, default_selection=now,
+        )  # fmt: skip
+
+    @property
+    def field(self) -> pygame.Rect:
+        """Where in the window the curve is."""
+        return self._field.move(self._curve.rect.topleft)
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Draw what was chosen, tell what is under the mouse, and run what is clicked on."""
+        if event.type == pygame.MOUSEMOTION:
+            self._follow(event.pos)
+        elif event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
+            return self._run(event.pos)
+        elif event.type == UI_SELECTION_LIST_NEW_SELECTION and event.ui_element in self.lists:
+            of = ("parameter", "measure")[self.lists.index(event.ui_element)]
+            self._exploring.choose(self._session, **{of: str(event.text)})
+            self._mouse = None
+            return ""
+        return None
+
+    def _at(self, pixel: tuple[int, int]) -> Point | None:
+        """Return the run whose point is nearest to a pixel of the curve."""
+        chosen = self._exploring.chosen(self._session)
+        if chosen is None or not self.field.collidepoint(pixel):
+            return None
+        span = span_of(self._sheet.width, self._session.level, chosen)
+        return nearest(self._exploring.points, span.value(pixel[0] - self.field.x))
+
+    def _follow(self, pixel: tuple[int, int]) -> None:
+        before, self._mouse = self._mouse, self._at(pixel)
+        if self._mouse != before:
+            self._show()
+
+    def _run(self, pixel: tuple[int, int]) -> str | None:
+        """Run again as a point of the curve was run."""
+        point, chosen = self._at(pixel), self._exploring.chosen(self._session)
+        if point is None or chosen is None:
+            return None
+        try:
+            self._session.restart({chosen.parameter: point.at})
+        except SandboxError as error:
+            return str(error)
+        unit = self._session.level.parameters[chosen.parameter].unit
+        return f"now with {chosen.parameter} = {wording.quantity(point.at, unit, 4)}"
+
+    def update(self) -> None:
+        """Draw what is new."""
+        seen = self._exploring.news, self._session.world
+        if seen != self._seen:
+            self._seen = seen
+            self._show()
+
+    def _show(self) -> None:
+        """Draw the curve anew, and put the lists below it."""
+        self._sheet.replace(self._curve, self._drawn())
+        y = below(self._curve) + 8
+        for title, chooser in zip(self._titles, self.lists, strict=True):
+            title.set_relative_position((MARGIN, y))
+            chooser.set_relative_position((MARGIN, below(title)))
+            y = int(chooser.relative_rect.bottom) + 8
+        self._sheet.end(y)
+
+    def _drawn(self) -> pygame.Surface:
+        sheet = self._sheet
+        surface, self._field = curve(
+            sheet.pen, sheet.width, self._session, self._exploring, self._mouse
+        )
+        return surface

@@ -1,0 +1,94 @@
+"""The runs of a curve, made in another process: coarse at first, then finer and finer."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sandbox.experiments.document import made
+from sandbox.experiments.plan import Plan, make
+from sandbox.experiments.running import measured
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.parts import Fault
+
+COUNT = 65
+"""How many values of the parameter are tried: the ends, and halves of halves between them."""
+
+
+class Point(NamedTuple):
+    """What came of one run."""
+
+    at: float
+    """the parameter's value"""
+    measured: float | None
+    expected: float | None
+    """by the closed form of the level's check; None where there is none"""
+    failure: str | None
+
+
+class Refused(NamedTuple):
+    """Why there are no runs."""
+
+    told: str
+
+
+def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
+    """Yield the points of a curve, those that tell most of its form first.
+
+    Parameters
+    ----------
+    level
+        With the setting in which it is to be run.
+    values
+        Of all parameters; that which is varied takes those of its range instead.
+    parameter, measure
+        What is varied, and what is measured, as an experiment writes it.
+    """
+    try:
+        plan = _plan(level, values, parameter, measure)
+    except SandboxError as error:
+        yield Refused(str(error))
+        return
+    for index in coarse_first(COUNT):
+        (cells,) = measured(plan, index, index + 1)
+        _, at, value, *closed, failure = cells
+        expected = closed[0] if closed else None
+        yield Point(_number(at) or 0.0, _number(value), _number(expected), _text(failure))
+
+
+def coarse_first(count: int) -> list[int]:
+    """Return the numbers from 0 to a power of two in an order in which gaps halve."""
+    last, order = count - 1, [0, count - 1]
+    step = last // 2
+    while step:
+        order += range(step, last, 2 * step)
+        step //= 2
+    return order
+
+
+def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
+    known = level.parameters[parameter]
+    given = {
+        "level": level.title,
+        "vary": {parameter: f"{known.min!r}:{known.max!r}:{COUNT}"},
+        "measure": [measure],
+        "set": {name: value for name, value in values.items() if name != parameter},
+    }
+    experiment, faults = made(given)
+    if experiment is not None:
+        plan, faults = make(experiment, level.title, level)
+        if not faults:
+            return plan
+    raise SandboxError("; ".join(_told(fault) for fault in faults))
+
+
+def _told(fault: Fault) -> str:
+    return f"{fault.path[-1]}: {fault.rule}" if fault.path else fault.rule
+
+
+def _number(cell: object) -> float | None:
+    return cell if isinstance(cell, float) else None
+
+
+def _text(cell: object) -> str | None:
+    return cell if isinstance(cell, str) else None

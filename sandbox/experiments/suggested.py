@@ -1,0 +1,43 @@
+"""Measures that a level suggests by itself, as they are written in an experiment."""
+
+from collections.abc import Iterable
+
+from sandbox.model.expressions import Expression
+from sandbox.model.level import (
+    ApexEvent,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+)
+
+
+def measures(level: Level, quantities: Iterable[str]) -> list[str]:
+    """Return what a level's checks measure, then some quantities at the end and their maxima."""
+    checked = [f"{c.quantity}@{written(c.at)}" for c in level.checks if c.at is not None]
+    always = [c.quantity for c in level.checks if c.at is None]
+    names = list(quantities)
+    ends = [f"{name}@end" for name in (*always, *names)]
+    return list(dict.fromkeys([*checked, *ends, *(f"max({name})" for name in names)]))
+
+
+def written(at: Instant) -> str:
+    """Return an instant as a measure names it."""
+    match at:
+        case LandingEvent():
+            return f"landing({at.body}, {_typed(at.height)})"
+        case ApexEvent():
+            return f"apex({at.body})"
+        case ContactEvent():
+            return f"contact({', '.join(at.bodies)})"
+        case CrossingEvent():
+            return f"crossing({at.quantity}, {_typed(at.value)}, {at.direction})"
+        case _:
+            return _typed(at)
+
+
+def _typed(expression: Expression) -> str:
+    """Return a number or a formula as somebody would type it."""
+    source = expression.source
+    return source if isinstance(source, str) else repr(source).removesuffix(".0")

@@ -1,0 +1,92 @@
+"""Levels and traces that show themselves in a notebook: `%load_ext sandbox.notebook`.
+
+A level is shown as a picture of its run, a trace as a table. `animation` makes a film of a trace.
+"""
+
+import os
+from base64 import b64encode
+from html import escape
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.physics.measuring.recording import Trace
+
+if TYPE_CHECKING:
+    from IPython.core.interactiveshell import InteractiveShell
+
+os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # pictures are drawn without a window
+os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+
+
+class Animation:
+    """A film that a notebook shows.
+
+    Attributes
+    ----------
+    gif
+        The film as a GIF file.
+    """
+
+    def __init__(self, gif: bytes) -> None:
+        self.gif = gif
+
+    def _repr_html_(self) -> str:
+        """Show it."""
+        return f'<img src="data:image/gif;base64,{b64encode(self.gif).decode()}">'
+
+
+def picture(level: Level, at: float | None = None) -> bytes:
+    """Return a PNG of a level's run at a time [s], with its checks; a telling moment if left out.
+
+    Raises
+    ------
+    SandboxError
+        If the run has to stop before that time.
+    """
+    from sandbox.app.picture import png, render
+
+    return png(render(level, level.defaults, at))
+
+
+def animation(trace: Trace) -> Animation:
+    """Return a film of the run that a trace was recorded of, in its own time.
+
+    The run is taken again, from the level, its parameters and its setting.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be: PyAV and Pillow make the film, which the extra `film` brings.
+    """
+    from sandbox.app.film import film
+    from sandbox.app.runfile import run_of
+    from sandbox.app.session import Session
+
+    level = trace.level.model_copy(update={"stepping": trace.stepping})
+    session = Session(level, trace.values)
+    whole = run_of(session).model_copy(update={"steps": len(trace.t) - 1})
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "run.gif"
+        *_, told = film(whole, path, "gif")
+        if not path.exists():
+            raise SandboxError(str(told))
+        return Animation(path.read_bytes())
+
+
+def load_ipython_extension(shell: "InteractiveShell") -> None:
+    """Let IPython show levels and traces."""
+    assert shell.display_formatter is not None
+    formatters = shell.display_formatter.formatters
+    formatters["image/png"].for_type(Level, picture)
+    formatters["text/html"].for_type(Trace, _table)
+
+
+def _table(trace: Trace) -> str:
+    """Return a trace as a table in HTML: its first and last rows."""
+    title = f"<b>{escape(trace.level.title)}</b>: {len(trace.t):,} instants"
+    frame = trace.to_pandas()
+    frame.columns = [f"{name} [{trace.units[name]}]" for name in frame.columns]
+    return f"{title}{frame.to_html(max_rows=10)}"

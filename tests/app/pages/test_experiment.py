@@ -1,0 +1,150 @@
+"""Experiments in the window: the curve is that of the runs, and a click runs one of them."""
+
+from collections.abc import Iterator
+from math import radians, sin
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import theme
+from sandbox.app.pages.experiment.card import nearest, span_of
+from sandbox.app.pages.experiment.exploring import Exploring
+from sandbox.app.pages.experiment.panel import ExperimentPage
+from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_first, sample
+from sandbox.app.pages.graph.choice import offered
+from sandbox.experiments import suggested
+from sandbox.experiments.measures import parse
+from sandbox.model import catalog
+from sandbox.model.loading import load
+from sandbox.physics.run import simulate
+from tests.app.person import Person, until
+
+APEX = "ball.position.y@apex(ball)"
+
+
+def page(person: Person) -> ExperimentPage:
+    side = person.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, ExperimentPage)
+    return side.page
+
+
+def exploring(person: Person) -> Exploring:
+    return person.window.workers.of(Exploring)
+
+
+@pytest.fixture
+def thrower(person: Person) -> Iterator[Person]:
+    """Somebody who looks at what comes of throwing a ball faster."""
+    person.window.open_level("kinematics/projectile")
+    person.press(pygame.K_y, "y")
+    yield person
+    person.window.close()
+
+
+def test_gaps_halve_until_every_number_was_there_once() -> None:
+    order = coarse_first(9)
+
+    assert order == [0, 8, 4, 2, 6, 1, 3, 5, 7]
+    assert sorted(coarse_first(COUNT)) == list(range(COUNT))
+
+
+def test_a_point_is_what_a_run_of_its_own_measures() -> None:
+    level = load(catalog.find("kinematics/projectile"))
+    points = sample(level, level.defaults, "angle", "ball.position.x@end")
+
+    point = next(points)
+
+    assert isinstance(point, Point)
+    assert point.at == level.parameters["angle"].min
+    trace = simulate(level, {**level.defaults, "angle": point.at}, record=["ball.position.x"])
+    assert point.measured == trace.columns["ball.position.x"][-1]
+
+
+def test_a_measure_that_cannot_be_is_told() -> None:
+    level = load(catalog.find("kinematics/projectile"))
+
+    (refused,) = sample(level, level.defaults, "angle", "ball.positon.x@end")
+
+    assert isinstance(refused, Refused)
+    assert "position" in refused.told
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("name", catalog.names())
+def test_what_a_level_suggests_can_be_measured(name: str) -> None:
+    level = load(catalog.find(name))
+
+    for text in suggested.measures(level, offered(level)[:3]):
+        assert parse(text, level, until=False).quantities
+
+
+def test_the_curve_grows_and_is_that_of_the_closed_form(thrower: Person) -> None:
+    work = exploring(thrower)
+    until(thrower, lambda: len(work.points) == COUNT)
+
+    values = thrower.session.values
+    for point in work.points:
+        height = (point.at * sin(radians(values["angle"]))) ** 2 / (2 * values["g"])
+        assert point.measured == pytest.approx(height, rel=1e-9)
+        assert point.expected == pytest.approx(height, rel=1e-9)
+    field = thrower.window.surface.subsurface(page(thrower).field)
+    assert (pygame.surfarray.array3d(field) == theme.BODIES[0]).all(axis=2).sum() > 200
+
+
+def test_a_click_runs_with_the_value_under_it_and_the_curve_stays(thrower: Person) -> None:
+    work = exploring(thrower)
+    until(thrower, lambda: len(work.points) == COUNT)
+    points, field = list(work.points), page(thrower).field
+    chosen = work.chosen(thrower.session)
+    assert chosen is not None
+    span = span_of(field.width, thrower.session.level, chosen)
+    pixel = field.x + float(span.pixels(np.array(12.0)))
+
+    thrower.click((pixel, field.centery))
+
+    point = nearest(points, 12.0)
+    assert point is not None
+    assert thrower.session.values["speed"] == point.at
+    thrower.wait(1.0)
+    assert work.points == points
+
+
+def test_another_value_of_what_is_not_varied_draws_the_curve_anew(thrower: Person) -> None:
+    work = exploring(thrower)
+    until(thrower, lambda: bool(work.points))
+    first = work.points[0]
+
+    thrower.session.restart({"g": 5.0})
+    until(thrower, lambda: bool(work.points) and work.points[0] != first)
+
+    assert work.points[0].measured == pytest.approx((first.measured or 0) * 9.81 / 5.0, rel=1e-2)
+
+
+def test_another_parameter_is_chosen_from_its_list(thrower: Person) -> None:
+    button = page(thrower).lists[0].item_list[1]["button_element"]
+    assert button is not None
+
+    thrower.click(button.rect)
+
+    until(thrower, lambda: exploring(thrower).chosen(thrower.session) == ("angle", APEX))
+
+
+def test_a_level_without_parameters_says_that_nothing_can_be_varied(person: Person) -> None:
+    bare = next(name for name in catalog.names() if not load(catalog.find(name)).parameters)
+    person.window.open_level(bare)
+
+    person.press(pygame.K_y, "y")
+    person.wait(1.0)
+
+    assert not exploring(person).running
+    assert page(person).lists == []
+    assert page(person).process(pygame.Event(pygame.MOUSEMOTION, pos=(1100, 200))) is None
+
+
+def test_nothing_is_run_where_nobody_looks(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    person.wait(1.0)
+
+    assert not exploring(person).running
