@@ -7,6 +7,7 @@ import numpy as np
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.effects.field import Field
+from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
 from sandbox.model.expressions import ExpressionError, Function, Values
 from sandbox.model.level import Body, Level
@@ -29,7 +30,7 @@ def conditions(level: Level) -> Iterator[Condition]:
             yield Condition(path, needed, partial(_lost, formula, bodies), 20 * len(bodies))
 
 
-def _formulas(said: object, place: Path) -> Iterator[tuple[Path, Function]]:
+def _formulas(said: Field | Potential, place: Path) -> Iterator[tuple[Path, Function]]:
     """Yield the formulas that must have a value; of a potential, its slopes as well."""
     if isinstance(said, Field):
         yield from (((*place, "force", axis), part) for axis, part in enumerate(said.force))

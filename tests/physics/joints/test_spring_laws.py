@@ -22,7 +22,7 @@ def test_k_x_as_a_law_is_the_spring_with_that_stiffness() -> None:
     """Also beside a damper, and where a bumper lets go: to rounding after 480 steps."""
     for more in ({}, {"damping": 0.4}, {"pushes_only": True, "length": 1.6}):
         ends = [
-            build(sprung(**more, **own)).advance(480)  # type: ignore[arg-type]
+            build(sprung(**more, **own)).advance(480)
             for own in ({"stiffness": 30}, {"law": "30*x"}, {"stiffness": 10, "law": "20*x"})
         ]
         for other in ends[1:]:
