@@ -48,6 +48,7 @@ WINDOW = (
 
 MOUSE = (
     ("drag the tip of a force", "change it; the run starts anew"),
+    ("click on a body", "look at it: its forces are told on the page for that"),
     ("drag a body", "pull it, or put it elsewhere while paused"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance"),

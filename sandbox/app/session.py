@@ -16,6 +16,7 @@ from sandbox.app.clock import Clock
 from sandbox.app.companions import NONE, Changes, Companion, Variant
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
+from sandbox.app.looking import Looking
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
 from sandbox.app.trail import Trail
@@ -100,6 +101,8 @@ class Session:
         What a hand has done to the run so far.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
+    looking
+        The body that a person looks at, and the forces on it.
     locked
         Whether no time passes: somebody is to say first what will come of the run.
 
@@ -132,6 +135,7 @@ class Session:
         self.playing = False
         self.speed = 1.0
         self.locked = False
+        self.looking = Looking(level)
         self.earlier: tuple[Earlier, ...] = ()
         self._begin(*self._built(self.level, (), level.defaults if values is None else values))
 

@@ -1,5 +1,6 @@
 """Colours, after Okabe and Ito's palette, which no common colour blindness confuses."""
 
+from collections.abc import Mapping
 from importlib.resources import files
 from pathlib import Path
 
@@ -25,8 +26,25 @@ GHOST: Color = (240, 228, 66)
 ARROW: Color = (64, 224, 170)
 ACROSS: Color = (96, 205, 240)
 UPWARDS: Color = (178, 156, 255)
+ACCELERATION: Color = (255, 150, 90)
 RESULTANT: Color = (255, 214, 80)
 FORCES: tuple[Color, ...] = ((255, 128, 96), (232, 140, 200), (150, 200, 120))
+
+ACTING: Mapping[str, Color] = {
+    "weight": (178, 156, 255),
+    "normal force": (86, 180, 233),
+    "friction": (255, 128, 96),
+    "tension": (240, 200, 120),
+    "rod force": (240, 200, 120),
+    "reaction": (226, 170, 110),
+    "spring force": (150, 200, 120),
+    "drag": (232, 140, 200),
+    "applied force": (64, 200, 170),
+    "magnetic force": (120, 150, 255),
+    "impact": (255, 80, 80),
+    "hand": (255, 255, 255),
+}
+"""Of the forces on a body, by what they are called; others have one of those of bodies."""
 
 LANES: tuple[Color, ...] = (GHOST, (255, 112, 67), (232, 140, 200))
 """Of what runs beside the level that is played."""

@@ -16,7 +16,7 @@ from sandbox.app.hand import Hand
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.load import Load
 from sandbox.app.pages.page import Desk, PageCommand
-from sandbox.app.pages.register import PAGES, opening, runs_beside
+from sandbox.app.pages.register import PAGES, opening, page, runs_beside
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
@@ -450,6 +450,9 @@ class Window:
         if self.session is not None and area:
             view = surface.subsurface(area)
             session = self.session
+            self.stage.view.looking = session.looking
+            side = self.panels.side is not None
+            self.stage.asked = page(self.panels.page).overlay if side else ""
             earlier = [run.trail for run in session.earlier]
             self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
             if self.hand.tape is not None:

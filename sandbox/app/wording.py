@@ -81,6 +81,17 @@ def nice(value: float) -> float:
     return next(m * power for m in (5.0, 2.0, 1.0, 0.5) if m * power <= value * (1 + 1e-12))
 
 
+def rounded_up(value: float) -> float:
+    """Return the smallest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is not below a value; 0 if none is.
+
+    What is not positive, or has no end, has none.
+    """
+    if value <= 0 or not isfinite(value):
+        return 0.0
+    below = nice(value)
+    return below if below >= value * (1 - 1e-9) else nice(2.5 * below)
+
+
 def moment(check: Check) -> str:
     """Name the moment at which a check can be made for the first time."""
     match check.at:

@@ -121,6 +121,8 @@ class Page:
     commands: tuple[PageCommand, ...] = ()
     suits: Callable[[Level], bool] | None = None
     """which levels it is made for: with those it is opened, and with others the first page is"""
+    overlay: str = ""
+    """an overlay of the stage that is drawn while the page is shown, also if it is switched off"""
     beside: Callable[[Session], Sequence[Row]] | None = None
     """what runs over each other on the stage for its sake, the run that is played first; empty
     where nothing does. A still picture shows the page's card then, in place of the checks."""

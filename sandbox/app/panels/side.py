@@ -114,7 +114,8 @@ class SidePanel:
         """What is shown depends on."""
         session = self._session
         news = self._workers.news
-        return session.world.snapshot, session.playing, session.companions, *news
+        looked_at = session.looking.body
+        return session.world.snapshot, session.playing, session.companions, looked_at, *news
 
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs."""

@@ -123,7 +123,7 @@ class Forces:
                 lines.arrow(surface, color, start, end, WIDTH)
                 if arrow.handles and lines.near((end,)):
                     pygame.draw.aacircle(surface, theme.TEXT, end, HANDLE, 2)
-                _write(surface, pen, arrow.text, start, end, labels)
+                write_beside(surface, pen, arrow.text, start, end, labels)
 
 
 def _draw_sum(
@@ -140,14 +140,14 @@ def _draw_sum(
         at = end
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
-    _write(surface, pen, f"sum {_pair(x, y)}, {number(hypot(x, y), 3)} N", start, at, labels)
+    write_beside(surface, pen, f"sum {_pair(x, y)}, {number(hypot(x, y), 3)} N", start, at, labels)
 
 
 def _pair(x: float, y: float) -> str:
     return f"({x:.3g}, {y:.3g}) N".replace("-", MINUS)
 
 
-def _write(
+def write_beside(
     surface: pygame.Surface, pen: Pen, text: str, start: XY, end: XY, labels: Labels
 ) -> None:
     """Write beside the tip of an arrow that is long enough to be seen, or beyond a steep one.

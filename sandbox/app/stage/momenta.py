@@ -6,7 +6,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from sandbox.app.stage.marks import PATH_POINTS, places
-from sandbox.app.wording import nice
+from sandbox.app.wording import rounded_up
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import count_steps
@@ -85,11 +85,11 @@ def scale(owner: object, world: World, observed: Snapshot) -> float:
         values,
         disturbed,
     ):
-        kept = _Kept(world.level, values, disturbed, _round(expected(world)))
-        kept = kept._replace(scale=max(kept.scale, _round(_peak(momenta(world, observed)))))
+        kept = _Kept(world.level, values, disturbed, rounded_up(expected(world)))
+        kept = kept._replace(scale=max(kept.scale, rounded_up(_peak(momenta(world, observed)))))
     peak = _peak(momenta(world, world.snapshot))
     if peak > kept.scale * (1 + 1e-9):
-        kept = kept._replace(scale=_round(peak))
+        kept = kept._replace(scale=rounded_up(peak))
     _scales[owner] = kept
     return kept.scale
 
@@ -98,11 +98,3 @@ def _peak(momentum: Array) -> float:
     """Return the largest size of a momentum, of a body or of all together [kg m/s]."""
     every = np.concatenate((momentum, momentum.sum(axis=-2, keepdims=True)), axis=-2)
     return float(np.hypot(every[..., 0], every[..., 1]).max(initial=0.0))
-
-
-def _round(value: float) -> float:
-    """Return the smallest of …, 0.1, 0.2, 0.5, 1, 2, 5, … that is not below a value."""
-    if value <= 0 or not np.isfinite(value):
-        return 0.0
-    below = nice(value)
-    return below if below >= value * (1 - 1e-9) else nice(2.5 * below)

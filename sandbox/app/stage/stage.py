@@ -34,13 +34,15 @@ class Stage:
         What part of the plane is shown.
     shown
         Which overlays are drawn, by name.
+    asked
+        An overlay that is drawn in any case; empty if none is.
     view
         The world that is shown, as overlays draw it.
     """
 
     def __init__(self, pen: Pen, size: tuple[int, int]) -> None:
         self.camera = Camera(size)
-        self.shown = at_first()
+        self.shown, self.asked = at_first(), ""
         self._pen = pen
         self._base = pygame.Surface(size)
         self._canvas = pygame.Surface(size)
@@ -110,7 +112,7 @@ class Stage:
     @property
     def _overlays(self) -> Sequence[Overlay]:
         """The overlays that are drawn."""
-        return [overlay for overlay in OVERLAYS if self.shown[overlay.name]]
+        return [each for each in OVERLAYS if self.shown[each.name] or each.name == self.asked]
 
     def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
         """Draw the bodies of other runs as dashed outlines."""

@@ -17,6 +17,7 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
+    from sandbox.app.looking import Looking
     from sandbox.app.trail import Trail
 
 NAMED = 12
@@ -42,6 +43,8 @@ class View:
         Which overlays are drawn, by name.
     trail
         Where the bodies have been; None if nobody keeps it.
+    looking
+        At which body a person looks; None if nobody does.
     labels
         Where there is room for words in the present frame.
     """
@@ -54,6 +57,7 @@ class View:
         self.duration = count_steps(world) * world.dt
         self.forces = Forces(world.level)
         self.trail: Trail | None = None
+        self.looking: Looking | None = None
         self.labels = Labels(pygame.Rect((0, 0), camera.size))
         self._fastest = marks.fastest(world, self.duration)
 

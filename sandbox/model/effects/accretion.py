@@ -21,6 +21,7 @@ class Accretion(Model):
         book="work",
         sees=("velocity", "time"),
         changes_mass=True,
+        pull="push of what comes",
     )
 
     body: ActedOn

@@ -11,7 +11,11 @@ class Centrifugal(Model):
     """The plane turns about a vertical axis in it: F = m ω² (x − x0), U = −m ω² (x − x0)² / 2."""
 
     effect: ClassVar[Effect] = Effect(
-        name="centrifugal", book="potential", sees=("position",), strength=("rate",)
+        name="centrifugal",
+        book="potential",
+        sees=("position",),
+        strength=("rate",),
+        pull="centrifugal force",
     )
 
     rate: Spin

@@ -75,6 +75,8 @@ class Effect:
         Whether the masses of the bodies that it names change.
     twists
         Whether it turns bodies by itself, so that `rotation` is of use with it.
+    pull
+        What its force is called in a free-body diagram; its name if left out.
     """
 
     name: str
@@ -91,6 +93,7 @@ class Effect:
     trial: Settings | None = None
     changes_mass: bool = False
     twists: bool = False
+    pull: str = ""
 
     @property
     def is_force(self) -> bool:
@@ -121,6 +124,11 @@ class Effect:
     def excludes(self) -> tuple[str, ...]:
         """The schemes that a level with it cannot have."""
         return () if self.smooth and not self.sees_velocity else ("fourth-order",)
+
+    @property
+    def called(self) -> str:
+        """What its force is called in a free-body diagram."""
+        return self.pull or self.name
 
     def stores(self, name: str) -> bool:
         """Whether it is the effect of that name, and stores energy."""

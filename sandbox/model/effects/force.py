@@ -18,6 +18,7 @@ class Force(Model):
         drives=lambda force: force.has_no_potential,
         sees=("angle", "time"),
         strength=("force",),
+        pull="applied force",
     )
 
     body: ActedOn

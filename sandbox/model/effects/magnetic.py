@@ -26,6 +26,7 @@ class Magnetic(Model):
         name="magnetic",
         sees=("velocity",),
         strength=("field",),
+        pull="magnetic force",
     )
 
     field: Strength

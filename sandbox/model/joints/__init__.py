@@ -66,7 +66,7 @@ End = Annotated[
 class Rod(Model):
     """A light, rigid rod: its ends keep their distance."""
 
-    kind: ClassVar[Kind] = Kind(swings=True)
+    kind: ClassVar[Kind] = Kind(swings=True, pull="rod force")
 
     type: Literal["rod"]
     ends: tuple[End, End]
@@ -80,7 +80,7 @@ class Rod(Model):
 class Rope(Model):
     """A light, inextensible rope: it pulls and never pushes."""
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
 
     type: Literal["rope"]
     ends: tuple[End, End]
@@ -97,7 +97,7 @@ class Pulley(Model):
     A peg that is a body, or a point of one, is a pulley that moves. It may run over several.
     """
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True)
+    kind: ClassVar[Kind] = Kind(goes_slack=True, swings=True, pull="tension")
 
     type: Literal["pulley"]
     ends: tuple[End, End]
@@ -161,7 +161,9 @@ class Motor(Model):
 class Winding(Model):
     """A light, inextensible string wound on a wheel; it does not slip, and pulls, never pushes."""
 
-    kind: ClassVar[Kind] = Kind(goes_slack=True, turns=True, swings=True, points_meet=True)
+    kind: ClassVar[Kind] = Kind(
+        goes_slack=True, turns=True, swings=True, points_meet=True, pull="tension"
+    )
 
     type: Literal["winding"]
     ends: tuple[End, BodyName]
@@ -178,7 +180,7 @@ class Spring(Model):
     It stores U = k x² / 2 + ∫ f dx; f is a law of its own, which most have none of.
     """
 
-    kind: ClassVar[Kind] = Kind(force=ELASTIC)
+    kind: ClassVar[Kind] = Kind(force=ELASTIC, pull="spring force")
 
     type: Literal["spring"]
     ends: tuple[End, End]
@@ -201,7 +203,7 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that comes to an open end ends the run.
     """
 
-    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"})
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"}, pull="normal force")
 
     type: Literal["wire"]
     bead: End

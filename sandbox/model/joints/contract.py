@@ -42,6 +42,8 @@ class Kind:
         Whether what it asks of its start is asked of its ends, and not of a length.
     quantities
         What can be measured of it, and the units of that.
+    pull
+        What its force is called in a free-body diagram.
     """
 
     force: Effect | None = None
@@ -51,6 +53,7 @@ class Kind:
     swings: bool = False
     points_meet: bool = False
     quantities: Mapping[str, str] = field(default_factory=_of_a_line)
+    pull: str = "reaction"
 
 
 def kinds(joints: Iterable[type[Model]]) -> Mapping[str, Kind]:

@@ -1,5 +1,6 @@
 """What bodies touch where they are, asked of pymunk between two of its steps."""
 
+from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
@@ -78,11 +79,11 @@ class Query:
         self._space, self.bodies, self._hollows = space, bodies, hollows
         self._rows = {body: row for row, body in enumerate(bodies)}
 
-    def more(self, known: Contacts, moved: Collection[int]) -> Contacts:
+    def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
         """Return contacts, and those that bodies have since they were moved.
 
-        Two bodies that touch at more shapes than they did are taken as they are found now; the
-        others keep what is known of them.
+        Two bodies that touch at more shapes than they did, or are deep in each other at more
+        points, are taken as they are found now; the others keep what is known of them.
 
         Parameters
         ----------
@@ -90,12 +91,21 @@ class Query:
             The contacts where the bodies were before.
         moved
             The rows of those that were moved.
+        least
+            How deep counts as deep [m].
         """
         found: dict[tuple[int, int], list[Touched]] = {}
         for row, other, contact in self._found(moved):
             found.setdefault((row, other), []).append(contact)
         pairs = [(min(pair), max(pair)) for pair in known.bodies.tolist()]
-        new = {pair: all_ for pair, all_ in found.items() if len(all_) > pairs.count(pair)}
+        deep = Counter[tuple[int, int]]()
+        for pair, depths in zip(pairs, known.depths, strict=True):
+            deep[pair] += int(np.count_nonzero(depths > least))
+        new = {
+            pair: all_
+            for pair, all_ in found.items()
+            if len(all_) > pairs.count(pair) or _deep(all_, least) > deep[pair]
+        }
         if not new:
             return known
         keep = [pair not in new for pair in pairs]
@@ -115,6 +125,12 @@ class Query:
                     elif other < row and other not in moved:  # or it has found it itself
                         back = [(there, here) for here, there in found.points]
                         yield other, row, found._replace(normal=-found.normal, points=back)
+
+
+def _deep(contacts: Sequence[Touched], least: float) -> int:
+    """Return at how many points shapes are so deep in each other [m]."""
+    pairs = ((contact.normal, *point) for contact in contacts for point in contact.points)
+    return sum(dot(here - there, normal) > least for normal, here, there in pairs)
 
 
 def _contacts(found: dict[tuple[int, int], list[Touched]]) -> Contacts:

@@ -30,10 +30,14 @@ class StepRecord(NamedTuple):
         The state, and who touched whom.
     begun
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
+    after
+        (n, 3), those that it ended with; None where the run has just begun.
     seen
         What the laws saw in the last kick; None if there are none.
     smooth
         (n, 3), the accelerations by gravity and force laws in the last kick [m/s², rad/s²].
+    turned
+        (n, 2), what of these turned velocities [m/s²]; None if nothing does.
     parts
         The drifts and kicks of which it was made.
     trail
@@ -54,8 +58,10 @@ class StepRecord(NamedTuple):
     snapshot: Snapshot
     contacts: Contacts
     begun: Array
+    after: Array | None
     seen: Reading | None
     smooth: Array
+    turned: Array | None
     parts: Sequence[Substep]
     trail: Sequence[Array]
     hold: tuple[int, XY] | None

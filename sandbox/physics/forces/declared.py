@@ -17,7 +17,7 @@ from sandbox.physics.forces.gravity import Gravity
 from sandbox.physics.forces.law import Given, Law, Turn
 from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
 
-__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share"]
+__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "part_of"]
 
 _ROOM = __name__.rpartition(".")[0]
 
@@ -42,7 +42,7 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     for effect in effects.told:
         if not effect.is_law:
             continue
-        for law in _part(effect, "laws")(getattr(effects, effect.name), given):
+        for law in part_of(effect, "laws")(getattr(effects, effect.name), given):
             _require(effect, law)
             (turns if effect.turns else forces).append(law)
     return tuple(forces), tuple(turns)
@@ -53,7 +53,7 @@ def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Arr
     found: list[Flow] = []
     for effect in effects.told:
         if effect.changes_mass:
-            found += _part(effect, "flows")(getattr(effects, effect.name), values, names)
+            found += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
     return MassFlows(found, mass) if found else steady
 
 
@@ -70,7 +70,7 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
             yield _told(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
 
 
-def _part(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
+def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     """Return what an effect's own module makes something with."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):

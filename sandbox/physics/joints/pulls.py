@@ -1,6 +1,6 @@
 """What exact joints did in a kick, for whoever keeps books of it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -54,3 +54,35 @@ def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> 
         if row is not None:
             gradient[0, row, :2] += direction
     return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
+
+
+class Pull(NamedTuple):
+    """What a joint did to one body in the last kick.
+
+    Attributes
+    ----------
+    joint
+        Its name.
+    wrench
+        The force and, about the body's centre of mass, the torque [N, N m].
+    """
+
+    joint: str
+    wrench: tuple[float, float, float]
+
+
+def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
+    """Yield what the exact joints did to one of so many bodies, joint by joint."""
+    for name, string in joints.strings.items():
+        one = _of_string(string, [joints.paths[name][end].body for end in (0, -1)], count)
+        yield _on(name, row, one.gradient, one.tension)
+    if together := joints.together:
+        names, gradients = np.array(together.names), together.gradients()
+        for name in dict.fromkeys(together.names):
+            rows = names == name
+            yield _on(name, row, gradients[rows], together.tension[rows])
+
+
+def _on(joint: str, row: int, gradient: Array, tension: Array) -> Pull:
+    x, y, torque = (-tension @ gradient[:, row]).tolist()
+    return Pull(joint, (x, y, torque))

@@ -27,8 +27,8 @@ class Forces:
         What the laws saw in the last kick; None if there are none, or before it.
     hand
         What takes hold of bodies; None unless one has.
-    turning
-        (n,), how fast the last kick turned velocities [rad/s]; None if nothing does.
+    turning, turned
+        (n,) [rad/s] and (n, 2) [m/s²], how the last kick turned velocities; None if nothing does.
 
     Parameters
     ----------
@@ -56,6 +56,7 @@ class Forces:
         self._older: Array = np.zeros_like(self._field)
         self.hand: Hand | None = None
         self.turning: Array | None = None
+        self.turned: Array | None = None
         self.seen: Reading | None = None
 
     @property
@@ -137,8 +138,8 @@ class Forces:
         velocity = self._older[:, :2] if self._guesses else reading.velocity
         agility = self._agility[:, :2]
         others = self._field[:, :2] + wrench[:, :2] * agility + gained / length
-        pulled = pull(self.turning, velocity, others, length)
-        wrench[:, :2] += np.divide(pulled, agility, out=np.zeros_like(pulled), where=agility > 0)
+        self.turned = turned = pull(self.turning, velocity, others, length)
+        wrench[:, :2] += np.divide(turned, agility, out=np.zeros_like(turned), where=agility > 0)
 
     def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.

@@ -10,6 +10,7 @@ from sandbox.physics.stepping.world import World
 from tests.physics.scenes import Spec, box, disc, fixed, level
 
 HOOP: Spec = {"type": "hoop", "radius": 1}
+SKIN = 1e-6  # m
 VALLEY: Spec = {"type": "polyline", "points": [[-2, 1], [0, 0], [2, 1]]}
 
 
@@ -23,7 +24,7 @@ def world(bodies: dict[str, Spec]) -> World:
 def asked(of: World, known: Contacts = NO_CONTACTS) -> Contacts:
     query = Query(of.scene.space, list(of.scene.bodies.values()), of.scene.hollows)
     rows = np.flatnonzero(of.scene.mass).tolist()
-    return query.more(known, rows)
+    return query.more(known, rows, SKIN)
 
 
 def sorted_out(contacts: Contacts) -> Contacts:
@@ -77,3 +78,15 @@ def test_what_touches_at_more_shapes_than_it_did_is_found_anew() -> None:
 
     assert len(scene.contacts.bodies) == 2
     assert len(asked(scene, first).bodies) == 2
+
+
+@pytest.mark.parametrize(("depths", "touches"), [((2e-8, 0), 2), ((1e-3, 0), 2), ((1e-3, 1e-3), 1)])
+def test_what_is_deep_at_more_points_than_it_was_is_found_anew(
+    depths: tuple[float, float], touches: int
+) -> None:
+    """A box on a floor, of which one corner was known, and which was turned onto the other."""
+    ground = fixed({"type": "box", "width": 4, "height": 1}, (0, -0.5))
+    scene = world({"a": box((0, 0.249)), "ground": ground})
+    known = scene.contacts._replace(touches=np.array([1]), depths=np.array([depths]))
+
+    assert asked(scene, known).touches.tolist() == [touches]

@@ -219,4 +219,4 @@ def test_a_law_without_its_parts_is_told_with_its_file() -> None:
     with pytest.raises(IncompleteError, match=r"aether.py says that it is of 'drag'"):
         declared._require(AETHER, law)
     with pytest.raises(IncompleteError, match=r"add a function 'flows' to .*forces/drag.py"):
-        declared._part(EFFECTS["drag"], "flows")
+        declared.part_of(EFFECTS["drag"], "flows")

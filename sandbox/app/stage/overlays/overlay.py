@@ -25,7 +25,7 @@ class Overlay:
     name: str
     """the name of its module, and of the command that switches it"""
     key: str
-    """the letter that switches it off and on"""
+    """the letter, or the sign, that switches it off and on"""
     text: str
     """what the help says"""
     draw: Draw | None = None
@@ -53,5 +53,5 @@ class Overlay:
     @property
     def binding(self) -> Binding:
         """Its key."""
-        letters = self.key + self.key.upper()
+        letters = "".join(dict.fromkeys((self.key, self.key.upper())))
         return Binding(self.name, self.key.upper(), self.text, (), letters)

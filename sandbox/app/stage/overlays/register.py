@@ -1,14 +1,27 @@
 """The overlays of the stage: one list, from which keys, help, buttons and drawing are derived."""
 
-from sandbox.app.stage.overlays import arrows, components, ghosts, momenta, names, trail
+from sandbox.app.stage.overlays import (
+    accelerations,
+    arrows,
+    center,
+    components,
+    forces,
+    ghosts,
+    momenta,
+    names,
+    trail,
+)
 from sandbox.app.stage.overlays.overlay import Overlay
 
 OVERLAYS: tuple[Overlay, ...] = (
     trail.OVERLAY,
     ghosts.OVERLAY,
     momenta.OVERLAY,
+    accelerations.OVERLAY,
     components.OVERLAY,
     arrows.OVERLAY,
+    forces.OVERLAY,
+    center.OVERLAY,
     names.OVERLAY,
 )
 """In the order in which they are drawn over each other."""

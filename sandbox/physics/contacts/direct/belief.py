@@ -72,7 +72,7 @@ class Belief:
             By how much that counts [m, rad].
         """
         moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
-        found = self._query.more(contacts, moved) if moved else contacts
+        found = self._query.more(contacts, moved, least) if moved else contacts
         return (
             contacts
             if found is contacts

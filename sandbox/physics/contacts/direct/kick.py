@@ -104,6 +104,19 @@ class Kick:
         """Return how fast what joints keep grows at the step: (m,) [m/s, rad/s]."""
         return np.asarray((self.after - self.before) / self.joints.drift)
 
+    def wrenches(self, impulse: Array, body: int) -> Array:
+        """Return what such impulses, (r,), do to a body, pair by pair: (2, k, 3) [N s, N m s].
+
+        First what pushes, then friction; each along its row, as far as that is of the pair.
+        """
+        layout, touching = self.layout, self.layout.touching
+        columns = [2 * body, 2 * body + 1, len(self.place.values) // 3 * 2 + body]
+        given = impulse[:, None] * self.here.gradient[:, columns]
+        found = np.zeros((2, len(self.contacts.bodies), 3))
+        np.add.at(found[0], touching.pair, given[layout.gaps])
+        found[1, touching.rubs] = given[layout.slips]
+        return found
+
     def told(self, impulse: Array) -> Contacts:
         """Return the contacts with such impulses, (r,)."""
         layout, touching = self.layout, self.layout.touching

@@ -120,6 +120,7 @@ class Direct:
         self.contacts: Contacts = NO_CONTACTS
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
+        self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
     def begin(self, pull: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
@@ -148,7 +149,7 @@ class Direct:
             If there are none.
         """
         self.contacts = self._belief.sound(self._batch.contacts(), self._moved)
-        self.last, self.stages = self._calm, ()
+        self.last, self.stages, self._solved = self._calm, (), None
         self._shift = self._calm.jump
         self._follow(until)
         if len(self.contacts.bodies) or self._joints.added.any():
@@ -310,7 +311,18 @@ class Direct:
         joints = kick.layout.joints
         struck = bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
-        self.contacts = kick.told(total)
+        self.contacts, self._solved = kick.told(total), (kick, total)
+
+    def wrenches(self, body: int) -> Array:
+        """Return what each of the contacts gave a body in the last kick: (2, k, 3) [N s, N m s].
+
+        First what pushes, then friction. The torque, about the centre of mass, tells where between
+        two points a side rests on a side.
+        """
+        if self._solved is None:
+            return np.zeros((2, 0, 3))
+        kick, impulse = self._solved
+        return kick.wrenches(impulse, body)
 
 
 def _same(one: Key, other: Key) -> bool:

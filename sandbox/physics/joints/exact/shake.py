@@ -239,6 +239,11 @@ class ExactJoints:
         found.plane[:-1] -= self.origin
         return found
 
+    @property
+    def names(self) -> Sequence[str]:
+        """The joint that each equation is of: (m,)."""
+        return self._joints
+
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
         rows = self._pulling[name]

@@ -1,0 +1,98 @@
+"""The forces on a body: as a diagram, tip to tail, and as numbers that add up."""
+
+from math import hypot
+
+import pygame
+
+from sandbox.app import looking, theme
+from sandbox.app.cards.card import Card
+from sandbox.app.pages.forces import diagram
+from sandbox.app.pages.forces.axes import Axes, components
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.app.wording import number
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.free_body import FreeBody
+
+DIAGRAM, POLYGON = 170, 130  # px, how high they are
+NUMBER = 48  # px, how wide a column of numbers is
+MARK = 9  # px, the side of the square that shows a colour
+SIZE = 12  # of letters in the table
+NOBODY = "Nothing in this level is moved by forces."
+NOT_YET = "Forces are known from the first step on."
+STRUCK = "An impact is in this step: its force is a mean over the step, and tells of that, too."
+CLOSED = "One force is known from the others and m a alone, so the sum proves nothing here."
+
+
+def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
+    """Draw the forces on the body that is looked at."""
+    card, body = Card(pen, width), session.looking.body
+    card.heading(f"Forces on {body}" if body else "Forces")
+    found = session.looking.at(session.world)
+    if found is None:
+        card.text(NOT_YET if body else NOBODY, 13, theme.DIM)
+        return card.drawn()
+    if len(session.level.bodies) > 1:
+        card.text("Click on another body to see its forces.", SIZE, theme.DIM)
+        card.y += 4
+    card.put(diagram.free_body(pen, (width, DIAGRAM), found), 0)
+    card.y += DIAGRAM + 6
+    row = list(session.world.scene.bodies).index(found.body)
+    vx, vy = session.world.snapshot.velocity[row].tolist()
+    _table(card, found, axes.first(found, (vx, vy)), axes.inclined)
+    for holds, text in ((found.struck, STRUCK), (found.closed, CLOSED)):
+        if holds:
+            card.text(text, SIZE, theme.NOTICE)
+    card.y += 2
+    card.put(diagram.polygon(pen, (width, POLYGON), found), 0)
+    card.y += POLYGON + 8
+    return card.drawn()
+
+
+def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
+    """Add a row for each force, their sum, and mass times acceleration."""
+    _row(card, "N", None, ("size", *(("along", "across") if inclined else ("x", "y"))), theme.DIM)
+    for acting in looking.felt(found):
+        _row(card, acting.title, looking.color(acting), _told(acting.force, first), theme.TEXT)
+    line = pygame.Surface((card.width, 1))
+    line.fill(theme.EDGE)
+    card.y += 2
+    card.put(line, 0)
+    card.y += 3
+    _row(card, "sum", None, _told(looking.cleared(found.net, found), first), theme.RESULTANT)
+    _row(card, "m a", None, _told(looking.cleared(found.gain, found), first), theme.RESULTANT)
+    if found.moment:
+        card.y += 4
+        spin = found.moment * found.angular_acceleration
+        x, y = found.center
+        levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
+        scale = max(levers, default=0.0)
+        for name, value in (("torques about the centre", found.torque), ("I α", spin)):
+            told = number(0.0 if abs(value) < looking.FAINT * scale else value, 3)
+            _row(card, name, None, ("", "", f"{told} N m"), theme.DIM)
+    card.y += 4
+
+
+def _told(force: XY, first: XY) -> tuple[str, ...]:
+    size = hypot(*force)
+    parts = (0.0 if abs(part) < looking.FAINT * size else part for part in components(force, first))
+    return looking.newtons(size), *(looking.newtons(part) for part in parts)
+
+
+def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:
+    """Add a name, and numbers below each other."""
+    pen = card.pen
+    indent = 0
+    if mark is not None:
+        square = pygame.Surface((MARK, MARK))
+        square.fill(mark)
+        card.put(square, 0, 4)
+        indent = MARK + 5
+    images = [pen.write(cell, SIZE, color) for cell in cells]
+    right = card.width
+    for image in reversed(images):
+        card.put(image, right - image.width)
+        right -= max(NUMBER, image.width + 6) if image.width else 0
+    card.put(pen.write(pen.shorten(name, right - indent - 4, SIZE), SIZE, color), indent)
+    card.y += pen.height(SIZE) + 1

@@ -1,0 +1,53 @@
+"""The page of the forces: a diagram, and the axes along which it tells components."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app.pages.forces.axes import Axes
+from sandbox.app.pages.forces.card import forces
+from sandbox.app.pages.page import Desk
+from sandbox.app.widgets.gui import press
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+
+HEIGHT = 26  # px, of a button
+
+
+class ForcesPage:
+    """Tells the forces on a body, along axes of choice."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._axes = desk.worker(Axes)
+        half = sheet.width // 2 - 2
+        across, along = pygame.Rect(0, 0, half, HEIGHT), pygame.Rect(half + 4, 0, half, HEIGHT)
+        self.level = sheet.button(across, "Along x and y", "components along the plane's axes")
+        tip = "components along the surface that it touches, else along its way, and across that"
+        self.inclined = sheet.button(along, "Along its surface", tip)
+        self._image = sheet.image(self._drawn(), HEIGHT + MARGIN // 2)
+        self.update()
+
+    @property
+    def _buttons(self) -> tuple[tuple[UIButton, bool], ...]:
+        return (self.level, False), (self.inclined, True)
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Choose axes."""
+        if event.type != UI_BUTTON_PRESSED:
+            return None
+        for button, inclined in self._buttons:
+            if event.ui_element is button:
+                if self._axes.inclined is not inclined:
+                    self._axes.turn()
+                return ""
+        return None
+
+    def update(self) -> None:
+        """Draw the forces anew."""
+        for button, inclined in self._buttons:
+            press(button, self._axes.inclined is inclined)
+        self._sheet.replace(self._image, self._drawn())
+        self._sheet.end(below(self._image) + 2)
+
+    def _drawn(self) -> pygame.Surface:
+        return forces(self._sheet.pen, self._sheet.width, self._session, self._axes)

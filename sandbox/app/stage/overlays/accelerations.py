@@ -1,0 +1,50 @@
+"""Arrows of the accelerations."""
+
+from weakref import WeakKeyDictionary
+
+import numpy as np
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.stage import momenta
+from sandbox.app.stage.marks import LONGEST
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+from sandbox.app.wording import number, rounded_up
+
+_full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of the longest arrow
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    rows = dict(momenta.heavy(view.world))
+    every = view.world.snapshot.acceleration
+    sizes = np.hypot(*every[list(rows)].T) if rows and view.few else np.zeros(0)
+    if not sizes.any() or not np.isfinite(sizes).all():
+        return
+    typical = float(np.median(sizes[sizes > 0]))  # an impact is not what the others are held to
+    full = max(_full.get(view, 0.0), rounded_up(typical))
+    _full[view] = full
+    longest = LONGEST * view.camera.size[0]
+    for (row, name), size in zip(rows.items(), sizes.tolist(), strict=True):
+        if not size:
+            continue
+        share = min(longest / full, 2 * longest / size)
+        x, y = view.camera.to_screen(view.state(view.outlines[name])[0])
+        end = x + float(every[row, 0]) * share, y - float(every[row, 1]) * share
+        lines.arrow(surface, theme.ACCELERATION, (x, y), end)
+        image = view.pen.outlined(f"a = {number(size, 3)} m/s²")
+        places = (
+            image.get_rect(center=(end[0] + dx * (image.width / 2 + 8), end[1] + dy * image.height))
+            for dx, dy in ((0, 1), (0, -1), (1, 0), (-1, 0))
+        )
+        if lines.near((end,)) and (place := view.labels.find(places)):
+            surface.blit(image, place)
+
+
+OVERLAY = Overlay(
+    name="accelerations",
+    key=";",
+    text="arrows of accelerations",
+    draw=_draw,
+    on=lambda _level: False,
+)

@@ -1,0 +1,33 @@
+"""The centre of mass of what moves."""
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.stage import momenta
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+
+RADIUS, ARM = 5, 9  # px, of the ring and of the cross in it
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    rows = [row for row, _ in momenta.heavy(view.world)]
+    if not rows:
+        return
+    snapshot, scene = view.world.snapshot, view.world.scene
+    mass = (scene.mass * scene.share(snapshot.t))[rows]
+    x, y = view.camera.to_screen(tuple(mass @ snapshot.position[rows] / mass.sum()))
+    if not lines.near(((x, y),)):
+        return
+    for a, b in (((x - ARM, y), (x + ARM, y)), ((x, y - ARM), (x, y + ARM))):
+        lines.stroke(surface, theme.NOTICE, a, b, 2)
+    pygame.draw.aacircle(surface, theme.NOTICE, (x, y), RADIUS, 2)
+
+
+OVERLAY = Overlay(
+    name="center",
+    key="b",
+    text="centre of mass of all that moves",
+    draw=_draw,
+    on=lambda _level: False,
+)

@@ -1,0 +1,57 @@
+"""All forces on the body that a person looks at, as arrows where they act."""
+
+import pygame
+
+from sandbox.app import lines, looking, theme
+from sandbox.app.stage.forces import LONGEST, write_beside
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+from sandbox.model.effects.force import Force
+from sandbox.physics.measuring.free_body import FreeBody
+
+WIDTH = 3.5  # px
+CUT = 1.5
+"""How many times as long as the longest arrow one may be drawn, where an impact is stronger."""
+RING = 4.0  # px, the radius of the mark at the centre of mass
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    found = view.looking.at(view.world) if view.looking else None
+    if found is None or view.looking is None:
+        return
+    longest = LONGEST * view.camera.size[0]
+    given = _given(view, found)
+    scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
+    ends = []
+    for acting in looking.felt(found):
+        if given and acting.name == Force.effect.called:
+            continue
+        share = min(scale, CUT * longest / acting.size)
+        x, y = start = view.camera.to_screen(acting.at)
+        end = x + acting.force[0] * share, y - acting.force[1] * share
+        lines.arrow(surface, looking.color(acting), start, end, WIDTH)
+        ends.append((acting, start, end))
+    if lines.near((center := view.camera.to_screen(found.center),)):
+        pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
+    for acting, start, end in ends:  # words last: nothing is drawn over them
+        write_beside(surface, view.pen, looking.text(acting, found), start, end, view.labels)
+
+
+def _given(view: View, found: FreeBody) -> float:
+    """Return the scale of the given forces [px/N], where their arrows are drawn already.
+
+    0 where they are not, or where the others would be too long beside them.
+    """
+    if not (view.few and view.shown["arrows"]):
+        return 0.0
+    scale = view.forces.scale(view.camera)
+    return scale if scale * found.largest <= CUT * LONGEST * view.camera.size[0] else 0.0
+
+
+OVERLAY = Overlay(
+    name="forces",
+    key="u",
+    text="all forces on the body that was clicked on",
+    draw=_draw,
+    on=lambda _level: False,
+)

@@ -1,0 +1,18 @@
+"""The laws of a level one by one, for whoever tells what each of them does."""
+
+from collections.abc import Iterator
+
+from sandbox.model.base import Model
+from sandbox.model.effects import Effects
+from sandbox.physics.forces.declared import part_of
+from sandbox.physics.forces.law import Given, Law
+
+
+def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
+    """Yield each law with what a level says of it: of a list, those of each entry by themselves."""
+    for effect in effects.told:
+        if effect.is_law and not effect.turns:
+            make, said = part_of(effect, "laws"), getattr(effects, effect.name)
+            for entry in said if isinstance(said, tuple) else (said,):
+                for law in make((entry,) if isinstance(said, tuple) else entry, given):
+                    yield entry, law

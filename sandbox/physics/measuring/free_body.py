@@ -1,0 +1,133 @@
+"""A free-body diagram: a body, all forces on it, and what they do to it."""
+
+from dataclasses import dataclass
+from math import hypot
+from typing import NamedTuple
+
+from sandbox.model.shapes import XY
+
+IMPACT, NORMAL, FRICTION, HAND = "impact", "normal force", "friction", "hand"
+"""The forces that neither an effect nor a joint gives."""
+
+
+class Acting(NamedTuple):
+    """A force on a body.
+
+    Attributes
+    ----------
+    name
+        What it is called: `weight`, `normal force`, `tension`.
+    by
+        Who gives it: a body, a joint; empty where its name says it.
+    force
+        Its components [N].
+    at
+        The point that it acts on [m].
+    couple
+        The torque that it gives beside that of the force at its point [N m].
+    """
+
+    name: str
+    by: str
+    force: XY
+    at: XY
+    couple: float = 0.0
+
+    @classmethod
+    def of(
+        cls, name: str, by: str, force: XY, torque: float, center: XY, arm: XY | None
+    ) -> "Acting":
+        """Return a force with a torque about the centre of mass [N m].
+
+        It acts at the end of an arm from there [m], or else on its line of action, where that comes
+        nearest to the centre.
+        """
+        x, y = force
+        if arm is None:
+            square = x * x + y * y
+            arm = (y * torque / square, -x * torque / square) if square else (0.0, 0.0)
+        at = center[0] + arm[0], center[1] + arm[1]
+        return cls(name, by, force, at, torque - (arm[0] * y - arm[1] * x))
+
+    @property
+    def size(self) -> float:
+        """How strong it is [N]."""
+        return hypot(*self.force)
+
+    @property
+    def title(self) -> str:
+        """What it is called, and who gives it."""
+        return f"{self.name}, {self.by}" if self.by else self.name
+
+    def torque(self, center: XY) -> float:
+        """Return its torque about a point [N m]."""
+        x, y = self.at[0] - center[0], self.at[1] - center[1]
+        return x * self.force[1] - y * self.force[0] + self.couple
+
+
+@dataclass(frozen=True, slots=True)
+class FreeBody:
+    """A body and the forces on it at a step; see `free_bodies` for what they are.
+
+    Attributes
+    ----------
+    body
+        Its name.
+    t
+        The time [s].
+    mass, moment
+        Then [kg, kg m²]; the moment is 0 of what cannot turn.
+    center
+        Its centre of mass [m].
+    forces
+        On it; what is nothing is left out.
+    acceleration, angular_acceleration
+        Over the same kick as the forces [m/s², rad/s²].
+    along
+        A unit vector along each surface that presses on it, the hardest first.
+    struck
+        Whether an impact is among the forces.
+    closed
+        Whether one of them is known from the rest alone, so that the sum says nothing.
+    """
+
+    body: str
+    t: float
+    mass: float
+    moment: float
+    center: XY
+    forces: tuple[Acting, ...]
+    acceleration: XY
+    angular_acceleration: float
+    along: tuple[XY, ...]
+    struck: bool
+    closed: bool
+
+    @property
+    def net(self) -> XY:
+        """The sum of the forces [N]."""
+        return (
+            sum(acting.force[0] for acting in self.forces),
+            sum(acting.force[1] for acting in self.forces),
+        )
+
+    @property
+    def gain(self) -> XY:
+        """Mass times acceleration [N]."""
+        return self.mass * self.acceleration[0], self.mass * self.acceleration[1]
+
+    @property
+    def torque(self) -> float:
+        """The sum of the torques about the centre of mass [N m]."""
+        return sum(acting.torque(self.center) for acting in self.forces)
+
+    @property
+    def largest(self) -> float:
+        """The size of the strongest force [N]."""
+        return max((acting.size for acting in self.forces), default=0.0)
+
+    @property
+    def off(self) -> float:
+        """By how much the sum is not mass times acceleration [N]."""
+        (x, y), (u, v) = self.net, self.gain
+        return hypot(x - u, y - v)

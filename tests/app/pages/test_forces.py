@@ -1,0 +1,241 @@
+"""The page of the forces on a body, and their arrows on the stage."""
+
+from itertools import combinations, pairwise
+from math import hypot
+
+import pygame
+import pytest
+
+from sandbox.app import looking, theme
+from sandbox.app.pages.forces import card, diagram
+from sandbox.app.pages.forces.axes import Axes, components
+from sandbox.app.pages.forces.panel import ForcesPage
+from sandbox.app.session import Session
+from sandbox.app.stage.labels import Labels
+from sandbox.app.stage.overlays import accelerations, center, forces
+from sandbox.app.text import Pen
+from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
+from tests.app import scenes
+from tests.app.person import Person
+from validation.case import textbook
+
+WIDTH = 276
+INCLINE = "newton/incline-with-friction"
+LEVELS = (
+    INCLINE,
+    "newton/atwood",
+    "newton/magnetic-field",
+    "lagrange/large-pendulum",
+    "machines/car-over-bumps",
+    "machines/belt-drive",
+    "hard/stack-of-40-directly",
+)
+
+
+def pixels(picture: pygame.Surface, color: theme.Color) -> int:
+    return int((pygame.surfarray.array3d(picture) == color).all(axis=2).sum())
+
+
+def at(session: Session) -> FreeBody:
+    found = session.looking.at(session.world)
+    assert found
+    return found
+
+
+def page_of(person: Person) -> ForcesPage:
+    assert person.window.panels.side is not None
+    page = person.window.panels.side.page
+    assert isinstance(page, ForcesPage)
+    return page
+
+
+def stepped(level: str, steps: int = 30) -> Session:
+    session = Session(textbook(level))
+    for _ in range(steps):
+        session.step()
+    return session
+
+
+def words(pen: Pen, net: float) -> pygame.Surface:
+    """Return what the polygon says of the sum, as it stands there."""
+    sheet = pygame.Surface((WIDTH, 20))
+    sheet.fill(theme.STAGE)
+    sheet.blit(pen.write(f"sum {looking.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
+    return sheet
+
+
+def test_a_click_on_a_body_shows_its_forces(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_j, "j")
+    assert person.session.looking.body == "left"
+
+    x, y = person.session.world.snapshot.position[1]
+    stage = person.window.panels.layout.stage
+    px, py = person.window.stage.camera.to_screen((x, y))
+    person.click((px + stage.x, py + stage.y))
+
+    assert person.session.looking.body == "right"
+    assert at(person.session).body == "right"
+    assert person.session.world.steps == 0
+    assert not person.session.world.disturbed
+
+
+def test_the_page_draws_the_forces_on_the_stage_while_it_is_shown(person: Person) -> None:
+    person.window.open_level(INCLINE)
+    person.press(pygame.K_RIGHT)
+    stage = person.window.panels.layout.stage
+    weight = theme.ACTING["weight"]
+
+    def seen() -> int:
+        person.wait()
+        return pixels(person.window.surface.subsurface(stage), weight)
+
+    before = seen()
+    person.press(pygame.K_j, "j")
+    shown = seen()
+    person.press(pygame.K_o, "o")
+
+    after = seen()
+    person.press(pygame.K_u, "u")  # its own key, whatever page is shown
+
+    assert (before, after) == (0, 0)
+    assert shown > 100
+    assert seen() > 100
+
+
+def test_components_along_the_slope_are_those_of_the_textbook(person: Person) -> None:
+    """Across the slope only the normal force and m g cos α are left, and cancel."""
+    person.window.open_level(INCLINE)
+    person.press(pygame.K_j, "j")
+    person.press(pygame.K_RIGHT)
+    axes = page_of(person)._axes
+    person.click(page_of(person).inclined.rect)
+    found = at(person.session)
+    inclined, first = axes.inclined, axes.first(found, (0.0, 0.0))
+    told = {acting.name: components(acting.force, first) for acting in found.forces}
+
+    assert inclined
+    assert told[NORMAL][0] == pytest.approx(0, abs=1e-9)
+    assert told[FRICTION][1] == pytest.approx(0, abs=1e-9)
+    assert sum(across for _, across in told.values()) == pytest.approx(0, abs=1e-9)
+    assert first[0] > 0
+
+    person.click(page_of(person).level.rect)
+    assert not axes.inclined
+    assert axes.first(found, (0.0, 0.0)) == (1.0, 0.0)
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_words_of_the_diagram_do_not_cover_each_other(
+    pen: Pen, level: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    places: list[pygame.Rect] = []
+    find = Labels.find
+
+    def spied(self: Labels, *told: object) -> pygame.Rect | None:
+        place = find(self, *told)  # type: ignore[arg-type]
+        places.extend([place] if place else [])
+        return place
+
+    monkeypatch.setattr(Labels, "find", spied)
+    session = stepped(level)
+
+    diagram.free_body(pen, (WIDTH, card.DIAGRAM), at(session))
+
+    assert places
+    assert not any(a.colliderect(b) for a, b in combinations(places, 2))
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
+    session = stepped(level)
+    found = at(session)
+
+    picture = diagram.polygon(pen, (WIDTH, card.POLYGON), found)
+
+    net = hypot(*looking.cleared(found.net, found))
+    arrow = pixels(picture, theme.RESULTANT) - pixels(words(pen, net), theme.RESULTANT)
+    assert (arrow > 20) == (net > 0)
+
+
+def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
+    found = at(stepped("hard/stack-of-40-directly"))
+    faint = Acting("drag", "", (1e-12 * found.largest, 0.0), found.center)
+    more = FreeBody(**{f: getattr(found, f) for f in found.__slots__} | {
+        "forces": (*found.forces, faint)})  # fmt: skip
+
+    assert faint not in looking.felt(more)
+    assert looking.felt(more) == looking.felt(found)
+
+
+def test_a_level_in_which_nothing_moves_by_forces_says_so(pen: Pen) -> None:
+    session = Session(scenes.level())
+    session.looking.body = None
+
+    assert card.forces(pen, WIDTH, session, Axes()).height < 100
+
+
+def test_before_the_first_step_of_an_explicit_scheme_nothing_is_known(pen: Pen) -> None:
+    session = Session(textbook("lagrange/euler-pendulum"))
+    short = card.forces(pen, WIDTH, session, Axes()).height
+
+    session.step()
+
+    assert card.forces(pen, WIDTH, session, Axes()).height > short + card.DIAGRAM
+
+
+def test_the_scale_of_the_arrows_changes_seldom() -> None:
+    session = Session(textbook("lagrange/large-pendulum"))
+    seen = []
+    for _ in range(200):
+        session.step()
+        seen.append(session.looking.full(at(session)))
+
+    changes = sum(a != b for a, b in pairwise(seen))
+    assert changes < 4
+
+
+def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
+    found = at(stepped("hard/stack-of-40-directly"))
+    texts = [looking.text(acting, found) for acting in looking.felt(found)]
+
+    assert "weight 9.81 N" in texts
+    assert any(text.startswith("from ground ") for text in texts)
+    assert any(text.startswith("from box2 ") for text in texts)
+
+
+def test_every_force_has_a_colour() -> None:
+    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(looking.COLORS)
+    assert looking.COLORS["weight"] != looking.COLORS[NORMAL] != looking.COLORS[FRICTION]
+
+
+@pytest.mark.parametrize("overlay", [forces.OVERLAY, center.OVERLAY, accelerations.OVERLAY])
+def test_overlays_of_forces_are_off_until_they_are_asked_for(
+    person: Person, overlay: object
+) -> None:
+    person.window.open_level("newton/atwood")
+
+    assert not person.window.stage.shown[getattr(overlay, "name", "")]
+
+
+def test_the_centre_of_mass_is_marked_between_the_bodies(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_b, "b")
+    person.wait()
+    scene, camera = person.session.world.scene, person.window.stage.camera
+    x, y = scene.mass @ person.session.world.snapshot.position / scene.mass.sum()
+    px, py = camera.to_screen((float(x), float(y)))
+    stage = person.window.panels.layout.stage
+    near = pygame.Rect(stage.x + px - 9, stage.y + py - 9, 19, 19).clip(stage)
+
+    assert pixels(person.window.surface.subsurface(near), theme.NOTICE) > 20
+
+
+def test_an_arrow_of_acceleration_points_where_the_body_speeds_up(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    person.press(pygame.K_RIGHT)
+    person.press(pygame.K_SEMICOLON, ";")
+    person.wait()
+    stage = person.window.panels.layout.stage
+
+    assert pixels(person.window.surface.subsurface(stage), theme.ACCELERATION) > 50
