@@ -9,10 +9,17 @@ from hashlib import sha256
 from pathlib import Path
 from uuid import uuid4
 
+import platformdirs
+
 from sandbox.model.errors import SandboxError
 
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
 """What a file is called while it is written: by which machine, by which process, and a number."""
+
+
+def data_folder() -> Path:
+    """Return where what a person has reached and begun is kept; it need not be there."""
+    return platformdirs.user_data_path("mechanics-sandbox")
 
 
 def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> None:
@@ -73,7 +80,7 @@ def _sweep(folder: Path) -> None:
     with suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
             found = _PART.fullmatch(entry.name)
-            if found and found[1] == _machine() and not _lives(int(found[2])):
+            if found and found[1] == _machine() and not lives(int(found[2])):
                 with suppress(OSError):
                     os.unlink(entry.path)
 
@@ -82,9 +89,9 @@ def _machine() -> str:
     return sha256(platform.node().encode()).hexdigest()[:8]
 
 
-def _lives(process: int) -> bool:
-    """Whether there is such a process, or there may be: there, nobody can remove its open file."""
-    if os.name == "nt":  # where to ask a process would end it
+def lives(process: int) -> bool:
+    """Whether there is such a process on this machine, as far as can be told without ending it."""
+    if os.name == "nt":  # where to ask a process would end it; its open file nobody can remove
         return process == os.getpid()
     try:
         os.kill(process, 0)

@@ -58,17 +58,39 @@ def read(path: Path) -> str:
     LevelError
         If the file cannot be read, is too large or holds no text.
     """
+    return decoded(content(path), str(path))
+
+
+def content(path: Path) -> bytes:
+    """Return what a level's file holds, byte for byte.
+
+    Raises
+    ------
+    LevelError
+        If the file cannot be read, or is too large.
+    """
     source = str(path)
     try:
-        content = _content(path, source).removeprefix(codecs.BOM_UTF8)
+        return _content(path, source)
     except (FileNotFoundError, NotADirectoryError):
         refuse(source, "there is no such file")
     except (OSError, ValueError) as error:
         refuse(source, f"cannot be read: {getattr(error, 'strerror', None) or error}")
+
+
+def decoded(held: bytes, source: str) -> str:
+    """Return the text that a file holds, without the mark that some programs begin it with.
+
+    Raises
+    ------
+    LevelError
+        If it holds no text.
+    """
+    told = held.removeprefix(codecs.BOM_UTF8)
     try:
-        return content.decode()
+        return told.decode()
     except UnicodeDecodeError as error:
-        before = content[: error.start].decode()
+        before = told[: error.start].decode()
         rule = "is not UTF-8 text: here is a byte that makes no character"
         refuse(source, rule, position(before, len(before)))
 

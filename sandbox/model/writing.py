@@ -18,7 +18,7 @@ WIDTH = 100
 _INDENT = "  "
 _ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
 
-_NAMED = ("parameters", "bodies", "joints", "checks", "ghosts")
+NAMED = ("parameters", "bodies", "joints", "checks", "ghosts")
 """The parts whose members come and go, so that each may have a line of its own, however short."""
 
 
@@ -120,7 +120,7 @@ def _written(level: _Part) -> str:
     level.members.sort(key=lambda part: _ORDER.index(part.name))
     for part in level.members:
         part.broken = True
-        if part.name in _NAMED and not chosen:  # nobody has said where lines are to end
+        if part.name in NAMED and not chosen:  # nobody has said where lines are to end
             for member in part.members:
                 member.broken = True
     return _said(level, 0) + "\n"
@@ -142,6 +142,6 @@ def _said(part: _Part, depth: int) -> str:
 
 def _is_short(part: _Part, depth: int) -> bool:
     """Whether a part that is written a line a member belongs on one line."""
-    if not part.a_line_each or depth == 0 or (depth == 1 and part.name in _NAMED):
+    if not part.a_line_each or depth == 0 or (depth == 1 and part.name in NAMED):
         return False
     return len(_INDENT) * depth + len(part.line) + len(",") <= WIDTH

@@ -417,7 +417,7 @@ def test_three_alike_with_little_bounce_go_on_together(
     end = build(level(scene, effects, stepping={"rate": 120})).advance(240)
 
     assert worst(end.velocity[:3, 0], speed / 3) <= 1e-11  # 2e-13
-    assert np.abs(np.diff(end.position[:3, 0]) - 0.5).max() <= 1e-8  # the hair
+    assert np.abs(np.diff(end.position[:3, 0]) - 0.5).max() <= 1e-8  # the skin
 
 
 @pytest.mark.parametrize("rate", [240, 960])

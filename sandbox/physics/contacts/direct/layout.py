@@ -127,7 +127,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     free[:first], pushes[:first] = ~joints.pulls_only, joints.pulls_only
     pushes[gaps] = True
     row = np.arange(gaps.stop, whole)
-    friction = Friction(row, contact, static[rubs], slips[rubs], np.zeros(len(rubs)))
+    friction = Friction(row, contact, static[rubs], slips[rubs])
     touch = contacts.bodies[pair]
     found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
     problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
@@ -161,7 +161,6 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
         number[old.contact[slips]],
         old.sticks[slips],
         old.slips[slips],
-        old.least[slips],
     )
     alike = None if problem.alike is None else problem.alike[rows]
     part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)
