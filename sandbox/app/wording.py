@@ -6,6 +6,7 @@ from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
+from sandbox.physics.accuracy.study import Trust
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
@@ -178,6 +179,13 @@ def surviving(value: float, off: float) -> int:
     if off >= abs(value):
         return 0
     return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
+
+
+def trusted(found: Trust) -> str:
+    """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
+    digits = surviving(found.size, found.off)
+    told = {0: "no digit holds", 1: "1 digit holds"}.get(digits, f"{digits} digits hold")
+    return told if found.until is None else f"{told}; foretold until t = {seconds(found.until)}"
 
 
 def certain(value: float, off: float, unit: str) -> str:

@@ -109,6 +109,13 @@ def quantities(level: Level) -> Iterator[Quantity]:
     yield from _of_accounts(level)
 
 
+def momentary(level: Level) -> Iterator[Quantity]:
+    """Yield those that a state tells by itself, without what went before; the time is none."""
+    for found in quantities(level):
+        if not (found.booked or found.adds_up or found is TIME):
+            yield found
+
+
 def quantity(name: str, level: Level) -> Quantity:
     """Return the quantity of that name.
 

@@ -23,6 +23,7 @@ from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
 
@@ -31,7 +32,13 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 MANY = 1000
-"""How many snapshots are kept before they are measured."""
+"""How many snapshots are kept before they are measured, at the most."""
+
+STATES = 1_000_000
+"""How many states of bodies these may hold together: some 100 MB."""
+
+LARGEST = 1e9
+"""Bytes of what is recorded of a run, at the most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +150,8 @@ class Recorder:
         self._contacts: dict[Pair, int] = {}
         self._touching: set[int] = set()  # pairs that do now, as numbers
         self._impacts: dict[Pair, float] = {}
+        self._many = min(MANY, max(STATES // len(self._names), 1))
+        self._most = int(LARGEST / np.dtype(float).itemsize / (1 + len(wanted)))
         self.note()
 
     def __len__(self) -> int:
@@ -160,8 +169,22 @@ class Recorder:
             self._books.append([balance.value(q) for q in self._booked.values()])
         self._fresh.append(self._world.snapshot)
         self._count += 1
-        if len(self._fresh) == MANY:
+        if len(self._fresh) == self._many:
             self._measure()
+
+    def require(self, count: int) -> None:
+        """Refuse to record so many instants, if they are more than memory should hold.
+
+        Raises
+        ------
+        SimulationError
+            If they are.
+        """
+        if count > self._most:
+            told = f"{count:,} instants are to be recorded, and with so many quantities"
+            hint = "record fewer, or for a shorter time"
+            reason = f"{told} {self._most:,} are the most that {LARGEST / 1e9:g} GB hold"
+            raise SimulationError("", self._world.t, reason, hint=hint)
 
     def _touch(self, bodies: Integers) -> None:
         """Note which pairs touch, (k, 2), that did not at the step before."""

@@ -139,6 +139,8 @@ class _Scaled:
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses, and which rows hold."""
         impulse, found = self.mend(active)
+        if found is None:
+            impulse, found = self.mend(self._resting())
         for give in GIVES if found is None else ():
             _, soft = self._softer(give).mend(active)
             if soft is not None:
@@ -146,6 +148,15 @@ class _Scaled:
                 if found is not None:
                     break
         return (impulse, found) if found is not None else self._by_corners()
+
+    def _resting(self) -> Active:
+        """Return that everything holds, as in a pile that rests.
+
+        Where nothing is known yet, only its lowest layer is seen to meet what is below it, and each
+        mending would let but one more hold.
+        """
+        slip = np.zeros(len(self._row), dtype=np.intp)
+        return Active(np.ones(len(self._rate), dtype=bool), slip)
 
     def _softer(self, give: float) -> "_Scaled":
         """Return the same with rows that give way."""

@@ -89,3 +89,11 @@ class Problem(NamedTuple):
     pushes: Booleans
     friction: Friction
     alike: Integers | None = None
+
+
+class TooMuch(Exception):  # noqa: N818 (whoever knows the time tells it)
+    """More to solve than a step can carry; `body` is the index of one that has part in it."""
+
+    def __init__(self, body: int, reason: str) -> None:
+        self.body = body
+        super().__init__(reason)
