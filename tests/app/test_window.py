@@ -148,11 +148,11 @@ def test_the_panel_of_a_low_window_is_scrolled_by_keyboard(player: Person) -> No
     player.wait(0.1)
     assert player.window.panels.side is not None
     field = player.window.panels.side.parameters.row("g").field
-    before = field.rect.y
+    before, page = field.rect.y, player.window.panels.side._sheet.container.rect.height
 
     player.press(pygame.K_PAGEDOWN)
     player.wait(0.1)
-    assert field.rect.y <= before - 50
+    assert field.rect.y <= before - 0.4 * page
     player.press(pygame.K_PAGEUP)
     player.wait(0.1)
 
