@@ -1,6 +1,6 @@
 """Cases as literal tables: reads them, and calls their closed forms.
 
-A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/adding-a-case.md says
+A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/how-to/add-a-case.md says
 what may stand in it.
 """
 
