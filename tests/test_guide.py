@@ -8,6 +8,7 @@ import pytest
 
 import sandbox
 from sandbox.model.level import Level
+from sandbox.model.rules import corners
 from sandbox.physics.measuring.goals import Attempt, attempt
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -39,6 +40,14 @@ def test_every_level_of_the_guide_runs_and_keeps_its_checks(text: str) -> None:
     assert trace.t[-1] == pytest.approx(level.duration(level.defaults), abs=0.02)
     for result in sandbox.grade(trace):
         assert result.verdict == "passed", f"{result.check.label}: {result.error:.1e}"
+
+
+@pytest.mark.parametrize("text", [text for text in EVERY if made(text).parameters], ids=title)
+def test_every_level_of_the_guide_keeps_its_checks_at_the_ends_of_its_sliders(text: str) -> None:
+    level = made(text)
+    for values in corners(level):
+        for result in sandbox.grade(sandbox.simulate(level, values)):
+            assert result.verdict != "failed", f"{values}: {result.check.label}"
 
 
 def test_the_tutorial_goes_on_from_nothing_to_a_challenge() -> None:

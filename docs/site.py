@@ -1,0 +1,99 @@
+"""What the site has beyond the documents: a gallery of all levels, and pages of the root folder.
+
+MkDocs calls the functions named `on_...`; see `mkdocs.yml`. Nothing of it is kept in the project.
+"""
+
+import os
+import re
+from itertools import groupby
+from pathlib import Path
+from posixpath import dirname, normpath, relpath
+from typing import TYPE_CHECKING
+
+from sandbox.model import catalog
+from sandbox.model.loading import load
+
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+    from mkdocs.structure.files import Files
+    from mkdocs.structure.pages import Page
+
+ROOT = Path(__file__).resolve().parents[1]
+PICTURES = ROOT / "out" / "gallery"
+FROM_ROOT = ("CONTRIBUTING.md", "CHANGELOG.md", "README.md", "LICENSE")
+"""Documents beside the folder `docs`, which are pages of the site."""
+
+LINK = re.compile(r"\]\(([^)\s:#]+)(#[^)\s]*)?\)")
+
+
+def gallery() -> str:
+    """Return the page with every level's picture, chapter by chapter."""
+    lines = [
+        "# Gallery",
+        "",
+        "Every level, drawn by the sandbox itself. Play one with `python -m sandbox play NAME`.",
+    ]
+    for chapter, names in groupby(catalog.names(), key=dirname):
+        lines += ["", f"## {chapter.capitalize()}"]
+        for name in names:
+            level = load(catalog.find(name))
+            lines += ["", f"### {level.title} {{: #{anchor(name)} }}", "", f"`{name}`: {level.summary}"]
+            lines += ["", f"![{level.title}](gallery/{name}.png){{: loading=lazy }}"]
+    return "\n".join(lines) + "\n"
+
+
+def anchor(level: str) -> str:
+    """Return what a level is called within the gallery."""
+    return level.replace("/", "-")
+
+
+def draw() -> None:
+    """Draw every level into the folder of pictures."""
+    os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
+    from sandbox.app.picture import save_picture
+
+    for name in catalog.names():
+        level, picture = load(catalog.find(name)), PICTURES / f"{name}.png"
+        picture.parent.mkdir(parents=True, exist_ok=True)
+        save_picture(level, level.defaults, picture)
+
+
+def inside(page: str, text: str) -> str:
+    """Return a page whose links out of the documents lead to pages of the site.
+
+    Parameters
+    ----------
+    page
+        Its path, from the folder of the documents.
+    text
+        Its Markdown.
+    """
+
+    def leading(link: re.Match[str]) -> str:
+        target = normpath(f"{dirname(page)}/{link[1]}") if dirname(page) else normpath(link[1])
+        if found := re.fullmatch(r"\.\./levels/(.+)\.json", target):
+            target, section = "gallery.md", f"#{anchor(found[1])}"
+        else:
+            target, section = target.removeprefix("../").removeprefix("docs/"), link[2] or ""
+        return f"]({relpath(target, dirname(page) or '.')}{section})"
+
+    return LINK.sub(leading, text)
+
+
+def on_files(files: "Files", config: "MkDocsConfig") -> "Files":
+    """Add the gallery, its pictures, and the documents of the root folder."""
+    from mkdocs.structure.files import File
+
+    draw()
+    files.append(File.generated(config, "gallery.md", content=gallery()))
+    for name in FROM_ROOT:
+        files.append(File.generated(config, name, abs_src_path=str(ROOT / name)))
+    for name in catalog.names():
+        picture = PICTURES / f"{name}.png"
+        files.append(File.generated(config, f"gallery/{name}.png", abs_src_path=str(picture)))
+    return files
+
+
+def on_page_markdown(markdown: str, page: "Page", **_: object) -> str:
+    """Mend the links that lead out of the documents."""
+    return inside(page.file.src_uri, markdown)
