@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[1]
 PICTURES = ROOT / "out" / "gallery"
-FROM_ROOT = ("CONTRIBUTING.md", "CHANGELOG.md", "README.md", "LICENSE")
+FROM_ROOT = ("CONTRIBUTING.md", "CHANGELOG.md")
 """Documents beside the folder `docs`, which are pages of the site."""
 
 LINK = re.compile(r"\]\(([^)\s:#]+)(#[^)\s]*)?\)")
@@ -37,7 +37,8 @@ def gallery() -> str:
         lines += ["", f"## {chapter.capitalize()}"]
         for name in names:
             level = load(catalog.find(name))
-            lines += ["", f"### {level.title} {{: #{anchor(name)} }}", "", f"`{name}`: {level.summary}"]
+            lines += ["", f"### {level.title} {{: #{anchor(name)} }}"]
+            lines += ["", f"`{name}`: {level.summary}"]
             lines += ["", f"![{level.title}](gallery/{name}.png){{: loading=lazy }}"]
     return "\n".join(lines) + "\n"
 

@@ -139,7 +139,7 @@ def _of_json(value: Schema) -> str:
         members = value.get("patternProperties", {}).values()
         return "".join(f"names, each with {_type(member)}" for member in members) or "object"
     names = {"string": "text", "boolean": "`true` or `false`", "integer": "whole number"}
-    return names.get(kind, kind)
+    return str(names.get(kind, kind))
 
 
 def _literal(default: object) -> str:
