@@ -49,14 +49,16 @@ def anchor(level: str) -> str:
 
 
 def draw() -> None:
-    """Draw every level into the folder of pictures."""
+    """Draw every level that has changed since its picture; without the folder, all of them."""
     os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
     from sandbox.app.picture import save_picture
 
     for name in catalog.names():
-        level, picture = load(catalog.find(name)), PICTURES / f"{name}.png"
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        save_picture(level, level.defaults, picture)
+        source, picture = catalog.find(name), PICTURES / f"{name}.png"
+        if not picture.exists() or picture.stat().st_mtime < source.stat().st_mtime:
+            picture.parent.mkdir(parents=True, exist_ok=True)
+            level = load(source)
+            save_picture(level, level.defaults, picture)
 
 
 def inside(page: str, text: str) -> str:
