@@ -5,13 +5,13 @@ MkDocs calls the functions named `on_...`; see `mkdocs.yml`. Nothing of it is ke
 
 import os
 import re
-from itertools import groupby
+from itertools import chain, groupby
 from pathlib import Path
 from posixpath import dirname, normpath, relpath
 from typing import TYPE_CHECKING
 
 from sandbox.model import catalog
-from sandbox.model.loading import load
+from sandbox.model.loading import load, parse
 
 if TYPE_CHECKING:
     from mkdocs.config.defaults import MkDocsConfig
@@ -23,6 +23,10 @@ PICTURES = ROOT / "out" / "gallery"
 FROM_ROOT = ("CONTRIBUTING.md", "CHANGELOG.md")
 """Documents beside the folder `docs`, which are pages of the site."""
 
+GUIDE = ("tutorial/first-level.md", "how-to/recipes.md")
+"""Pages on which each level is followed by its picture."""
+
+LEVEL = re.compile(r"^```json\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 LINK = re.compile(r"\]\(([^)\s:#]+)(#[^)\s]*)?\)")
 
 
@@ -59,6 +63,27 @@ def draw() -> None:
             picture.parent.mkdir(parents=True, exist_ok=True)
             level = load(source)
             save_picture(level, level.defaults, picture)
+    for page in GUIDE:
+        for picture, text in pictures_of(page).items():
+            level, target = parse(text, page), PICTURES.parent / picture
+            target.parent.mkdir(parents=True, exist_ok=True)
+            save_picture(level, level.defaults, target)
+
+
+def pictures_of(page: str) -> dict[str, str]:
+    """Return the levels that a page of the guide shows, by where their pictures are."""
+    levels = LEVEL.findall((ROOT / "docs" / page).read_text(encoding="utf-8"))
+    return {f"gallery/{Path(page).stem}/{i}.png": text for i, text in enumerate(levels, 1)}
+
+
+def illustrated(page: str, text: str) -> str:
+    """Return a page of the guide with a picture below each level."""
+    pictures = iter(pictures_of(page))
+
+    def with_picture(level: re.Match[str]) -> str:
+        return f"{level[0]}\n\n![The level in the window](../{next(pictures)}){{: loading=lazy }}"
+
+    return LEVEL.sub(with_picture, text)
 
 
 def inside(page: str, text: str) -> str:
@@ -94,9 +119,12 @@ def on_files(files: "Files", config: "MkDocsConfig") -> "Files":
     for name in catalog.names():
         picture = PICTURES / f"{name}.png"
         files.append(File.generated(config, f"gallery/{name}.png", abs_src_path=str(picture)))
+    for picture in chain.from_iterable(map(pictures_of, GUIDE)):
+        files.append(File.generated(config, picture, abs_src_path=str(PICTURES.parent / picture)))
     return files
 
 
 def on_page_markdown(markdown: str, page: "Page", **_: object) -> str:
-    """Mend the links that lead out of the documents."""
-    return inside(page.file.src_uri, markdown)
+    """Add the pictures of the guide, and mend the links that lead out of the documents."""
+    name = page.file.src_uri
+    return inside(name, illustrated(name, markdown) if name in GUIDE else markdown)

@@ -17,7 +17,8 @@ NAV = re.findall(r"[\w/-]+\.md", (ROOT / "mkdocs.yml").read_text(encoding="utf-8
 def site() -> ModuleType:
     """The hooks, which MkDocs loads by their path as well."""
     spec = importlib.util.spec_from_file_location("hooks_of_the_site", ROOT / "docs" / "site.py")
-    assert spec and spec.loader
+    assert spec is not None
+    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -33,6 +34,15 @@ def test_the_gallery_shows_every_level_once(site: ModuleType) -> None:
     pictures = re.findall(r"\]\(gallery/(.+)\.png\)", site.gallery())
 
     assert pictures == catalog.names()
+
+
+def test_each_step_of_the_tutorial_stands_above_its_picture(site: ModuleType) -> None:
+    page = "tutorial/first-level.md"
+    shown = site.illustrated(page, (ROOT / "docs" / page).read_text(encoding="utf-8"))
+
+    assert len(site.pictures_of(page)) == 6
+    for picture in site.pictures_of(page):
+        assert re.search(rf"```\n\n!\[[^\]]+\]\(\.\./{picture}\)", shown), picture
 
 
 @pytest.mark.parametrize(
