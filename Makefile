@@ -114,10 +114,10 @@ $(FOR_TEST): pyproject.toml $(PY)
 	$(PIP_INSTALL) --editable '.[report,test]'
 	@rm $(UNFINISHED) && touch $(FOR_RUN) $(FOR_TEST)
 
-$(FOR_SITE): pyproject.toml $(PY)
-	@$(open_environment)
+$(FOR_SITE): $(FOR_TEST)
+	@touch $(UNFINISHED)
 	$(PIP_INSTALL) --editable '.[site]'
-	@rm $(UNFINISHED) && touch $(FOR_RUN) $(FOR_SITE)
+	@rm $(UNFINISHED) && touch $(FOR_SITE)
 
 $(PY): ;
 
@@ -131,7 +131,7 @@ if [ -e $(UNFINISHED) ] || ! $(PY) -c "$$sound" 2>/dev/null; then \
     rm -rf $(VENV); mkdir $(VENV); touch $(UNFINISHED); \
     "$$python" -m venv $(VENV); \
 fi; \
-touch $(UNFINISHED); rm -f $(FOR_RUN) $(FOR_TEST) $(FOR_SITE)
+touch $(UNFINISHED); rm -f $(FOR_RUN) $(FOR_TEST)
 endef
 
 # Shell: set $python, or say what is missing and stop.
