@@ -1,5 +1,7 @@
 """What is told at the top of the stage: the most pressing of what there is to tell."""
 
+from math import inf
+
 import pygame
 
 from sandbox.app import theme, wording
@@ -20,9 +22,9 @@ class Banner:
         self._note, self._left = "", 0.0
         self._ended: tuple[object, str] = None, ""
 
-    def tell(self, text: str) -> None:
-        """Show a note for a while; an empty one takes the last away."""
-        self._note, self._left = text, NOTE
+    def tell(self, text: str, *, lasting: bool = False) -> None:
+        """Show a note for a while, or until the next; an empty one takes the last away."""
+        self._note, self._left = text, inf if lasting else NOTE
 
     def update(self, seconds: float) -> None:
         """Let time pass."""

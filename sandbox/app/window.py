@@ -25,10 +25,11 @@ from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
+from sandbox.app.watching import FileWatch
 from sandbox.app.widgets.parameters import Change
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.level import Stepping
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.state.errors import SimulationError
 
@@ -76,7 +77,8 @@ class Window:
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # that was asked for when it was opened
-        self._refused = ""
+        self._refused: SandboxError | None = None
+        self._watch = FileWatch()
         self._advised: float | None = None  # the rate for a level that cannot be opened [Hz]
         self._banner = Banner()
         self._help = False
@@ -135,7 +137,7 @@ class Window:
         try:
             path = catalog.find(level).resolve()
         except SandboxError as error:
-            self._refuse(None, str(error))
+            self._refuse(None, error)
             return
         self._open(path, settings or {}, accuracy)
 
@@ -158,17 +160,15 @@ class Window:
         another = path != self._path
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
-            level = load(path)
-            if accuracy is not None:
-                level = level.model_copy(update={"stepping": Stepping(accuracy=accuracy)})
+            level = self._read(path)
             session = Session(level, choose(level, settings), rate, patient=False)
         except SandboxError as error:
-            self._refuse(path, str(error))
+            self._refuse(path, error)
             self._advised = error.rate if isinstance(error, SimulationError) else None
             return
         if self.session is not None:
             session.speed = self.session.speed
-        self.session, self._refused = session, ""
+        self.session, self._refused = session, None
         self._banner.tell("")
         self._world = session.world
         self.stage.use(session.world)
@@ -178,6 +178,31 @@ class Window:
         pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
         self._lay_out()
 
+    def _read(self, path: Path) -> Level:
+        """Return the level of a file, with the accuracy that was asked for."""
+        level = load(path)
+        if self._accuracy is None:
+            return level
+        return level.model_copy(update={"stepping": Stepping(accuracy=self._accuracy)})
+
+    def _read_again(self, path: Path) -> None:
+        """Show a file that has changed, or say so where that would undo what a person did."""
+        if self.session is None:
+            self._reload()
+            return
+        try:
+            same = self._read(path) == self.session.original
+        except SandboxError:
+            self._banner.tell(f"{path.name} has mistakes now; F5 shows them", lasting=True)
+            return
+        if same:
+            self._banner.tell("")
+        elif self.session.touched:
+            self._banner.tell(f"{path.name} has changed; F5 reads it again", lasting=True)
+        else:
+            self._reload()
+            self._banner.tell(f"{path.name} has changed and was read again")
+
     def _list(self, path: Path) -> None:
         """Let the list of levels say what a file is called now."""
         for i, entry in enumerate(self._entries):
@@ -186,8 +211,8 @@ class Window:
                 return
         self._entries.insert(0, levels.entry(path, "opened"))
 
-    def _refuse(self, path: Path | None, text: str) -> None:
-        self._path, self._refused, self.session = path, text, None
+    def _refuse(self, path: Path | None, error: SandboxError) -> None:
+        self._path, self._refused, self.session = path, error, None
         self._advised = None
         pygame.display.set_caption(TITLE)
         self.workers.cancel()
@@ -223,6 +248,8 @@ class Window:
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._handle(event)
+        if self._watch.changed(self._path, seconds) and self._path is not None:
+            self._read_again(self._path)
         if self.session is not None:
             self.advising.follow(self.session)
         self.panels.advise(self.session.advised if self.session else self._advised)
@@ -427,8 +454,7 @@ class Window:
             self.panels.side.focus(-1 if backwards else 1)
 
     def _turn(self, pages: float) -> None:
-        if self.panels.side is not None:
-            self.panels.side.turn(pages)
+        self.panels.turn(pages)
 
     def _toggle_help(self) -> None:
         self._help = not self._help

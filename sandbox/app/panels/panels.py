@@ -16,10 +16,12 @@ from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import Entry, LevelList
+from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
+from sandbox.model.errors import SandboxError
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
@@ -43,7 +45,7 @@ class Panels:
     page
         The command of the side panel's tab that is chosen.
     refusal
-        Why the level cannot be opened; None if it can.
+        The page that says why the level cannot be opened; None if it can.
     offer
         The button that runs a level that had to stop at another rate; None if there is none.
     """
@@ -71,7 +73,7 @@ class Panels:
 
     def build(
         self, size: tuple[int, int], entries: Sequence[Entry], path: Path | None,
-        session: Session | None, refused: str,
+        session: Session | None, refused: SandboxError | None,
     ) -> None:  # fmt: skip
         """Build everything, for the level of a session or for why there is none."""
         manager, pen = self.manager, self._pen
@@ -97,7 +99,7 @@ class Panels:
                 load=self._load,
             )
         self.controls = Controls(manager, pen, layout.controls)
-        self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
+        self.refusal = Refusal(manager, pen, layout.stage, refused) if refused else None
         self.offer: UIButton | None = None
 
     def _clear(self, listed: object) -> None:
@@ -112,6 +114,12 @@ class Panels:
         for element in list(root.elements):
             if element is not kept:
                 element.kill()  # type: ignore[no-untyped-call]
+
+    def turn(self, pages: float) -> None:
+        """Scroll what can be scrolled by a part of what is seen of it at once."""
+        turned = self.side or self.refusal
+        if turned is not None:
+            turned.turn(pages)
 
     def seek(self) -> None:
         """Let a person type what level to look for."""
