@@ -3,11 +3,10 @@
 from pathlib import Path
 from typing import Annotated
 
-import platformdirs
 from pydantic import Field, TypeAdapter, ValidationError
 
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.files import data_folder, read_ordinary, write_atomically
 
 _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
 
@@ -17,7 +16,7 @@ LARGEST = 1_000_000
 
 def file() -> Path:
     """Return where the stars are kept; it need not be there."""
-    return platformdirs.user_data_path("mechanics-sandbox") / "stars.json"
+    return data_folder() / "stars.json"
 
 
 class Progress:

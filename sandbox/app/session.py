@@ -306,6 +306,10 @@ class Session:
             self.books.restart()
         self.playing = not self.playing and self.failure is None
 
+    def pause(self) -> None:
+        """Let no more time pass by itself."""
+        self.playing = False
+
     def step(self) -> None:
         """Pause, and take a single step."""
         self.playing = False

@@ -13,7 +13,7 @@ from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.commands import command
 from sandbox.app.hand import Hand
-from sandbox.app.keys import WHILE_TYPING
+from sandbox.app.keys import AT_HOME, WHILE_TYPING
 from sandbox.app.load import Load
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES, opening, page, runs_beside
@@ -21,6 +21,7 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
+from sandbox.app.recent import Recent
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
@@ -73,7 +74,9 @@ class Window:
         self.workers, self._load = Workers(PAGES), Load()
         self.advising = Advising()
         self.panels = Panels(self._pen, size, self.workers, self._load)
-        self._entries = levels.entries()
+        self._recent = Recent()
+        opened = (levels.entry(path, "opened") for path in self._recent.paths)
+        self._entries = [*opened, *levels.entries()]
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # that was asked for when it was opened
@@ -88,7 +91,7 @@ class Window:
 
     def _make_commands(self) -> Mapping[str, Callable[[], None]]:
         stage = self.stage
-        return {
+        acts: dict[str, Callable[[], None]] = {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
             "step back": lambda: self._with_session(Session.step_back),
@@ -111,8 +114,32 @@ class Window:
             "help": self._toggle_help,
             "leave": self._leave,
             **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
+            "home": self._go_home,
+            "open file": self._ask_for_file,
             **self._page_commands(),
         }
+        return {n: act if n in AT_HOME else partial(self._at_stage, act) for n, act in acts.items()}
+
+    def _at_stage(self, act: Callable[[], None]) -> None:
+        """Do what is to be seen on the stage, which is shown again for it."""
+        if self.panels.home.open:
+            self._go_home()
+        act()
+
+    def _go_home(self) -> None:
+        """Show the levels as cards, or the stage again."""
+        home = self.panels.home
+        if home.open:
+            home.leave()
+        else:
+            home.enter(self._path)
+            self._with_session(Session.pause)
+        self._lay_out()
+
+    def _ask_for_file(self) -> None:
+        """Let a person choose a file of their own, at first where the last one was."""
+        last = self._recent.paths[0].parent if self._recent.paths else Path.home()
+        self.panels.ask_for_file(last)
 
     def _page_commands(self) -> Mapping[str, Callable[[], None]]:
         """Return what opens the pages, and what they understand."""
@@ -157,6 +184,7 @@ class Window:
         rate: float | None = None,
     ) -> None:
         self._list(path)
+        self.panels.home.leave()
         another = path != self._path
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
@@ -170,6 +198,7 @@ class Window:
             session.speed = self.session.speed
         self.session, self._refused = session, None
         self._banner.tell("")
+        self._remember(path)
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
@@ -211,12 +240,20 @@ class Window:
                 return
         self._entries.insert(0, levels.entry(path, "opened"))
 
+    def _remember(self, path: Path) -> None:
+        """Keep a file that is not one of the catalogue among those that were opened."""
+        if not path.is_relative_to(catalog.root()):
+            self._banner.tell(self._recent.add(path))
+
     def _refuse(self, path: Path | None, error: SandboxError) -> None:
         self._path, self._refused, self.session = path, error, None
         self._advised = None
         pygame.display.set_caption(TITLE)
         self.workers.cancel()
         self.advising.cancel()
+        self.panels.home.leave()
+        if path is not None and path.suffix == ".json":
+            self._remember(path)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -261,6 +298,8 @@ class Window:
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self._banner.tell(text)
             self._follow(self.session)
+        if self.panels.home.open:
+            self.panels.follow_home()
         begun = perf_counter()
         if self.panels.side is not None:
             self.panels.side.update(seconds)
@@ -279,6 +318,7 @@ class Window:
         """End what works for the window."""
         self.workers.cancel()
         self.advising.cancel()
+        self.panels.home.leave()
 
     def _follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew."""
@@ -298,10 +338,22 @@ class Window:
             return
         elif event.type == pygame.KEYDOWN:
             self._key(event)
-        elif not self.panels.manager.process_events(event):
+        elif not self.panels.manager.process_events(event) and not self._at_home(event):
             self._click(event)
 
+    def _at_home(self, event: pygame.event.Event) -> bool:
+        """Give an event to the cards, if they are shown, and return whether it was for them."""
+        home = self.panels.home
+        if not home.open or self.panels.dialog is not None or not home.process(event):
+            return False
+        if home.chosen is not None:
+            path, home.chosen = home.chosen, None
+            self._open(path, {})
+        return True
+
     def _key(self, event: pygame.event.Event) -> None:
+        if not self.panels.typing and self._at_home(event):
+            return
         chosen = command(event)
         if chosen and (not self.panels.typing or chosen in WHILE_TYPING):
             self._commands[chosen]()
@@ -310,11 +362,11 @@ class Window:
 
     def _click(self, event: pygame.event.Event) -> None:
         """Give an event to the list, to the controls, or to the stage."""
-        if self.panels.list is not None and (path := self.panels.list.process(event)):
-            self._open(path, {})
+        if path := self.panels.wanted(event):
+            self._open(path.resolve(), {})
         elif self.panels.accepts(event):
             self._run_as_advised()
-        elif chosen := self.panels.controls.process(event):
+        elif chosen := self.panels.pressed(event):
             self._commands[chosen]()
         elif self._seek(event) or self._click_side(event):
             return
@@ -465,6 +517,8 @@ class Window:
             self._help = False
         elif self.panels.typing or self.panels.sought:
             self.panels.let_go()
+        elif self.panels.home.open and (self.session or self._refused):
+            self._go_home()
         elif self.hand.tape is not None:
             self.hand.tape = None
         else:
@@ -473,7 +527,10 @@ class Window:
     def _draw(self) -> None:
         layout, surface = self.panels.layout, self.surface
         area = layout.stage.clip(surface.get_rect())
-        if self.session is not None and area:
+        if self.panels.home.open:
+            self.panels.home.draw(surface)
+            self._banner.draw(surface, self._pen, layout.stage, None)
+        elif self.session is not None and area:
             view = surface.subsurface(area)
             session = self.session
             self.stage.view.looking = session.looking

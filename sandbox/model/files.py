@@ -9,10 +9,17 @@ from hashlib import sha256
 from pathlib import Path
 from uuid import uuid4
 
+import platformdirs
+
 from sandbox.model.errors import SandboxError
 
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
 """What a file is called while it is written: by which machine, by which process, and a number."""
+
+
+def data_folder() -> Path:
+    """Return where what a person has reached and begun is kept; it need not be there."""
+    return platformdirs.user_data_path("mechanics-sandbox")
 
 
 def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> None:
