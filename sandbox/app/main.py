@@ -39,7 +39,8 @@ def run(
 ) -> None:
     """Open the window, with a level given by its name or path, and stay until it is closed.
 
-    Without a level it begins with the cards of all of them. An accuracy, if one is given, is asked for in place of the level's own setting.
+    Without a level it begins with the cards of all of them. An accuracy, if one is given, is asked
+    for in place of the level's own setting.
     """
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)

@@ -6,11 +6,13 @@ from itertools import groupby
 
 from pygame import Rect
 
-from sandbox.app.panels.levels import Entry
+from sandbox.app.listed import Entry
 
 MARGIN = 24  # px, around all
 GAP = 16  # px, between two cards
-NARROWEST = 210  # px, a card
+NARROWEST = 190  # px, a card
+MOST = 6
+"""Cards in a row, in the widest window."""
 WORDS = 46  # px, below a picture
 HEADING = 46  # px
 ASPECT = 1.6  # of a picture, width over height
@@ -68,7 +70,7 @@ class Grid:
 def lay_out(width: int, sections: Iterable[tuple[str, Sequence[Entry]]]) -> Grid:
     """Put cards in rows on a sheet of some width [px], a heading above those of each section."""
     room = max(width - 2 * MARGIN, 1)
-    columns = max((room + GAP) // (NARROWEST + GAP), 1)
+    columns = min(max((room + GAP) // (NARROWEST + GAP), 1), MOST)
     each = (room - (columns - 1) * GAP) // columns
     picture = each, round(each / ASPECT)
     cards: list[tuple[Entry, Rect]] = []

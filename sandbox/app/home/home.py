@@ -10,7 +10,7 @@ import pygame
 from sandbox.app import theme
 from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.thumbnails import Thumbnails
-from sandbox.app.panels.levels import Entry
+from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen
 from sandbox.model import catalog

@@ -64,36 +64,36 @@ def key(path: Path) -> str:
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 
-def kept(known: str) -> bytes:
+def kept(known: str, where: Path | None = None) -> bytes:
     """Return a picture that was drawn before, by its key; nothing if there is none."""
     try:
-        png = read_ordinary(folder() / f"{known}.png", LARGEST) or b""
+        png = read_ordinary((where or folder()) / f"{known}.png", LARGEST) or b""
     except OSError:
         return b""
     return png if png.startswith(_BEGIN) and png.endswith(_END) else b""
 
 
-def made(paths: Sequence[Path]) -> Iterator[Picture]:
-    """Draw levels one after the other, in a process without a window, and keep the pictures."""
+def made(paths: Sequence[Path], where: Path) -> Iterator[Picture]:
+    """Draw levels in a process without a window, and keep the pictures in a folder."""
     os.environ["SDL_VIDEODRIVER"] = os.environ["SDL_AUDIODRIVER"] = "dummy"
     pygame.font.init()
     pen = Pen()
-    _forget_the_oldest()
+    _forget_the_oldest(where)
     for path in paths:
-        yield _made(path, pen)
+        yield _made(path, pen, where)
 
 
-def _made(path: Path, pen: Pen) -> Picture:
+def _made(path: Path, pen: Pen, where: Path) -> Picture:
     try:
         known = key(path)
-        png = kept(known) or picture.png(draw(path, pen))
+        png = kept(known, where) or picture.png(draw(path, pen))
     except OSError:
         return Picture(path, "", b"")
     except SandboxError:
         return Picture(path, known, b"")
     with suppress(SandboxError, OSError):  # a folder that takes none is no reason to show none
-        folder().mkdir(parents=True, exist_ok=True)
-        write_atomically(folder() / f"{known}.png", png, follow=False)
+        where.mkdir(parents=True, exist_ok=True)
+        write_atomically(where / f"{known}.png", png, follow=False)
     return Picture(path, known, png)
 
 
@@ -121,9 +121,9 @@ def draw(path: Path, pen: Pen) -> pygame.Surface:
     return pygame.transform.smoothscale(surface, SIZE)
 
 
-def _forget_the_oldest() -> None:
+def _forget_the_oldest(where: Path) -> None:
     """Remove what is more than is to be kept."""
     with suppress(OSError):
-        found = [(entry.stat().st_mtime, entry.path) for entry in os.scandir(folder())]
+        found = [(entry.stat().st_mtime, entry.path) for entry in os.scandir(where)]
         for _, path in sorted(found)[:-MOST]:
             os.unlink(path)

@@ -68,7 +68,9 @@ class Thumbnails:
         waiting = [path for path in seen if self._unknown(path)]
         for path in waiting[:AT_ONCE]:
             self._look_up(path)
-        if not self._work.running and not waiting:
+        for_nobody = not any(path in self._drawing for path in seen)
+        hurried = for_nobody and any(path in self._lacking for path in seen)
+        if not waiting and (hurried or not self._work.running):
             self._draw(seen, others)
 
     def _unknown(self, path: Path) -> bool:
@@ -94,7 +96,7 @@ class Thumbnails:
         wanted += [path for path in others if path not in known and path not in wanted]
         if wanted:
             self._drawing = wanted[:BATCH]
-            self._work.start(pictures.made, list(self._drawing))
+            self._work.start(pictures.made, list(self._drawing), pictures.folder())
 
     def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
         """Keep a picture as the cards need it; where there is none, there will be none."""

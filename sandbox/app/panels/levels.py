@@ -3,7 +3,6 @@
 import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import pygame
 from pygame_gui import (
@@ -17,6 +16,7 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
 from sandbox.app.commands import tip
+from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.field import LONGEST, Field
@@ -30,16 +30,6 @@ FIELD = 28  # px
 SCROLL_BAR = 22  # px
 STAR = "•"
 """Stands behind a title for each star that its challenge has earned."""
-
-
-class Entry(NamedTuple):
-    """A level that can be chosen: its file, its chapter, what it is called, and is found by."""
-
-    path: Path
-    chapter: str
-    title: str
-    words: str
-    summary: str = ""
 
 
 def entries() -> list[Entry]:

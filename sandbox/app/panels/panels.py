@@ -10,13 +10,14 @@ from pygame_gui.core import UIContainer
 
 from sandbox.app import theme
 from sandbox.app.home.home import Home
+from sandbox.app.listed import Entry
 from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
-from sandbox.app.panels.levels import Entry, LevelList
+from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
