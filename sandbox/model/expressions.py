@@ -19,6 +19,7 @@ from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
+from sandbox.model.derivatives import derivative, is_smooth
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.suggest import suggestion
 
@@ -96,10 +97,11 @@ class Expression:
         If the source is anything else.
     """
 
-    __slots__ = ("_code", "_constant", "names", "source")
+    __slots__ = ("_code", "_constant", "_defined", "names", "source", "written")
 
     _code: CodeType | None
     _constant: float | None
+    _defined: "Definitions"
 
     rule: ClassVar[str] = ""
     """What a value must satisfy, in words; empty if any finite number will do."""
@@ -111,20 +113,47 @@ class Expression:
     tighter ones of `sandbox.model.bounds`, what a run computes from it stays within a float's."""
     unit: ClassVar[str] = ""
     """SI, of the value."""
-    variable: ClassVar[str] = ""
+    variables: ClassVar[tuple[str, ...]] = ()
     """What the expression may use beside the parameters, such as the time ``t``."""
 
     source: float | str
+    written: frozenset[str]
+    """The names in its text."""
     names: frozenset[str]
+    """The names on whose values its own depends: as they are written, but for constants."""
 
     def __init__(self, source: float | str) -> None:
         self.source = source if isinstance(source, str) else _number(source)
+        self._defined = ()
         if isinstance(self.source, str):
-            self._code, self.names = _compiled(self.source)
-            self._constant = None if self.names else self._finite(self._evaluate({}))
+            self._code, self.written = _compiled(self.source)
+            self.names = self.written
+            self._constant = None if self.written else self._finite(self._evaluate({}))
         else:
-            self._code, self.names = None, frozenset()
+            self._code, self.written, self.names = None, frozenset(), frozenset()
             self._constant = self._finite(self.source)
+
+    def define(self, constants: Mapping[str, "Expression"]) -> None:
+        """Let names in its text stand for constants.
+
+        Parameters
+        ----------
+        constants
+            By name, in such an order that each uses only those before it.
+        """
+        names, used = set(self.written), list[tuple[str, Expression]]()
+        for name, constant in reversed([*constants.items()]):
+            if name in names:
+                names |= constant.written
+                used.append((name, constant))
+        self.taking(tuple(reversed(used)))
+
+    def taking(self, defined: "Definitions") -> Self:
+        """Return itself, with the values of its constants computed before its own."""
+        names = self.written.union(*(constant.written for _, constant in defined))
+        self.names = names.difference(name for name, _ in defined)
+        self._defined = defined
+        return self
 
     def __call__(self, values: Values) -> float:
         """Return the value for the given parameters.
@@ -139,14 +168,20 @@ class Expression:
         return self._finite(self._evaluate(values))
 
     def _evaluate(self, values: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-        assert self._code is not None
         scope = {name: np.asarray(values[name], dtype=float)[()] for name in self.names}
         try:
             with np.errstate(all="ignore"):
-                result = eval(self._code, _NAMESPACE, scope)  # the tree has passed _parse
+                for name, constant in self._defined:
+                    scope[name] = constant.within(scope)
+                return self.within(scope)
         except ZeroDivisionError:
             raise ExpressionError(f"{self._shown}divides by zero") from None
-        return result
+
+    def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
+        """Return the value, finite or not, where every name in its text has one."""
+        if self._code is None:
+            return self._constant
+        return eval(self._code, _NAMESPACE, scope)  # the tree has passed _parse
 
     @property
     def _shown(self) -> str:
@@ -193,7 +228,9 @@ class Expression:
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.source!r})"
 
-    def __reduce__(self) -> tuple[type[Self], tuple[float | str]]:
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._defined:
+            return _restored, (type(self), self.source, self._defined)
         return type(self), (self.source,)  # code cannot be pickled
 
     @classmethod
@@ -218,8 +255,8 @@ class Expression:
     def __get_pydantic_json_schema__(
         cls, _: CoreSchema, __: GetJsonSchemaHandler
     ) -> JsonSchemaValue:
-        over = f"a formula over the parameters and {cls.variable}"
-        what = over if cls.variable else "an expression"
+        over = f"a formula over the parameters and {', '.join(cls.variables)}"
+        what = over if cls.variables else "an expression"
         return {
             "type": ["number", "string"],
             "maxLength": MAX_LENGTH,
@@ -234,6 +271,15 @@ class Expression:
         if cls.least or not cls.bounds:
             said["minimum"] = cls.least or -cls.most
         return said
+
+
+Definitions = tuple[tuple[str, Expression], ...]
+"""Constants by their names, each after those that it uses."""
+
+
+def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expression:
+    """Return an expression that has been pickled together with its constants."""
+    return kind(source).taking(defined)
 
 
 class Positive(Expression):
@@ -272,11 +318,53 @@ class Fraction(Expression):
         return 0 <= value <= 1
 
 
-class Formula(Expression):
+class Function(Expression):
+    """An expression over variables of its own, beside the parameters."""
+
+    __slots__ = ()
+
+    def at(self, values: Values, variables: Mapping[str, Array]) -> Array:
+        """Return the value for some variables; where there is none, it is not finite.
+
+        Parameters
+        ----------
+        values
+            The level's parameters.
+        variables
+            By their names; arrays that go together, whose shape the result has, or a part of it.
+        """
+        result = self._evaluate({**values, **variables}) if self._code else self._constant
+        return np.asarray(result, dtype=float)
+
+    def slope(self, variable: str) -> "Function":
+        """Return the derivative with respect to one of the names in it.
+
+        Raises
+        ------
+        ExpressionError
+            If that is nested too deeply.
+        """
+        derived = object.__new__(Function)
+        derived.source, derived._constant = f"d({self.source})/d{variable}", None
+        derived._code, derived.written = _differentiated(str(self.source), variable)
+        return derived.taking(self._defined)
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether it is made of nothing that jumps or has a corner."""
+        return is_smooth(str(self.source))
+
+
+class Formula(Function):
     """An expression that may also use the time ``t``, at one instant or over many at once."""
 
     __slots__ = ()
-    variable = "t"
+    variables = ("t",)
+
+    @property
+    def variable(self) -> str:
+        """What the formula is over: the time, if it is not said."""
+        return self.variables[0]
 
     def over(self, values: Values, t: Array) -> Array:
         """Return the value at each time; where there is none, it is not finite.
@@ -288,8 +376,7 @@ class Formula(Expression):
         t
             Times [s], any shape; the result has the same.
         """
-        result = self._evaluate({**values, self.variable: t}) if self._code else self._constant
-        found = np.asarray(result, dtype=float)
+        found = self.at(values, {self.variable: t})
         return found if found.shape == np.shape(t) else np.broadcast_to(found, np.shape(t))
 
 
@@ -297,14 +384,18 @@ class Curve(Formula):
     """A coordinate of a curve: a formula over ``s``, which runs along it, instead of the time."""
 
     __slots__ = ()
-    variable = "s"
+    variables = ("s",)
 
 
 class Profile(Formula):
     """A formula over a place ``x`` [m] instead of the time."""
 
     __slots__ = ()
-    variable = "x"
+    variables = ("x",)
+
+
+VARIABLES = frozenset(name for kind in (Formula, Curve, Profile) for name in kind.variables)
+"""What some formulas may use beside the parameters."""
 
 
 def _number(source: float) -> float:
@@ -319,6 +410,20 @@ def _compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of an expression that has been checked, and the names that it uses."""
     if len(source) > MAX_LENGTH:
         raise ExpressionError(f"is longer than {MAX_LENGTH} characters")
+    return _made(source)
+
+
+@lru_cache(maxsize=200)
+def _differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]]:
+    """Return the code of the derivative of an expression, and the names that it uses."""
+    try:
+        return _made(derivative(source, variable))
+    except (RecursionError, ExpressionError):
+        told = f"'{brief(source)}' is nested too deeply to be differentiated"
+        raise ExpressionError(told) from None
+
+
+def _made(source: str) -> tuple[CodeType, frozenset[str]]:
     rewrite = _Rewrite()
     try:
         with warnings.catch_warnings():

@@ -11,14 +11,15 @@ from typing import Any
 
 from sandbox.model.level import Level
 from sandbox.model.locating import TOKEN
+from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100
 """Columns: what stands a line a member is put on one line if it fits in so many."""
 
 _INDENT = "  "
-_ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
+_ORDER = order(known.alias or name for name, known in Level.model_fields.items())
 
-_NAMED = ("parameters", "bodies", "joints", "checks", "ghosts")
+NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
 """The parts whose members come and go, so that each may have a line of its own, however short."""
 
 
@@ -120,7 +121,7 @@ def _written(level: _Part) -> str:
     level.members.sort(key=lambda part: _ORDER.index(part.name))
     for part in level.members:
         part.broken = True
-        if part.name in _NAMED and not chosen:  # nobody has said where lines are to end
+        if part.name in NAMED and not chosen:  # nobody has said where lines are to end
             for member in part.members:
                 member.broken = True
     return _said(level, 0) + "\n"
@@ -142,6 +143,6 @@ def _said(part: _Part, depth: int) -> str:
 
 def _is_short(part: _Part, depth: int) -> bool:
     """Whether a part that is written a line a member belongs on one line."""
-    if not part.a_line_each or depth == 0 or (depth == 1 and part.name in _NAMED):
+    if not part.a_line_each or depth == 0 or (depth == 1 and part.name in NAMED):
         return False
     return len(_INDENT) * depth + len(part.line) + len(",") <= WIDTH

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
 from sandbox.model.parts import Fault, instants
+from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
@@ -14,9 +15,9 @@ MAX_PAIRS_OF_EDGES = 10_000_000
 """How many pairs of edges polygons may have: to look at so many takes a second."""
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
-    "dynamic": (),
+    "dynamic": ("motion",),
     "kinematic": ("mass", "moment"),
-    "static": ("mass", "moment", "velocity", "angular_velocity"),
+    "static": ("mass", "moment", "velocity", "angular_velocity", "motion"),
 }
 """The fields that a type of body cannot have."""
 
@@ -30,6 +31,21 @@ def fields_fit(level: Level) -> Iterator[Fault]:
         for field in _FORBIDDEN[body.type]:
             if given(body, field):
                 yield Fault((*path, field), f"a {body.type} body has no {field.replace('_', ' ')}")
+
+
+def motions_fit(level: Level) -> Iterator[Fault]:
+    """Refuse a motion that is told twice, or in which nothing else moves."""
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name, body in level.bodies.items():
+        if body.motion is None:
+            continue
+        for field in ("velocity", "angular_velocity"):
+            if given(body, field):
+                told = "the 'motion' says how fast the body is at every time; leave it out"
+                yield Fault(("bodies", name, field), told)
+        if not dynamic:
+            told = "a body follows a 'motion' among dynamic bodies only; add one"
+            yield Fault(("bodies", name, "motion"), told)
 
 
 def rise_and_fall(level: Level) -> Iterator[Fault]:
@@ -78,3 +94,11 @@ def _pieces(shape: Shape) -> int:
         case Polygon(vertices=corners):
             return len(corners) - 2
     return 1
+
+
+def points_fit(level: Level) -> Iterator[Fault]:
+    """Points of bodies have names that no quantity has."""
+    for body, said in level.bodies.items():
+        for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
+            rule = f"'{name}' is what is measured of the body itself; choose another name"
+            yield Fault(("bodies", body, "points", name), rule)

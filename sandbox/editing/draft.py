@@ -1,0 +1,211 @@
+"""A level under edit: its text, what it loads as, its undo, and its file."""
+
+import codecs
+from collections import deque
+from pathlib import Path
+
+from sandbox.editing.steps import Step, step
+from sandbox.model import templates
+from sandbox.model.errors import LevelError, Mistake, SandboxError
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
+from sandbox.model.loading import content, decoded, parse, read
+
+MOST_STEPS = 1000
+"""How many steps can be undone."""
+
+NEW = "<new level>"
+"""Where a level comes from that has no file."""
+
+
+class Draft:
+    """A level under edit.
+
+    Parameters
+    ----------
+    text
+        Its JSON, which may have mistakes.
+    path
+        Its file, if it has one.
+    held
+        What the file holds, if it has one.
+
+    Attributes
+    ----------
+    text
+        As it is now.
+    path
+        Its file, None if it has none yet.
+    saved
+        What its file holds, or what it began with.
+    """
+
+    def __init__(self, text: str, path: Path | None = None, held: bytes = b"") -> None:
+        self.text = text
+        self.path = path
+        self.saved = text
+        self._held = held
+        self._done: deque[Step] = deque(maxlen=MOST_STEPS)
+        self._undone: list[Step] = []
+        self._merge: str | None = None
+        self._loaded: tuple[str, Level | None, tuple[Mistake, ...]] | None = None
+
+    @classmethod
+    def empty(cls) -> "Draft":
+        """Begin with the ground, and nothing on it yet."""
+        return cls(read(templates.path("empty")))
+
+    @classmethod
+    def of(cls, text: str) -> "Draft":
+        """Begin with the text of a level that has no file of its own."""
+        return cls(text)
+
+    @classmethod
+    def open(cls, path: Path) -> "Draft":
+        """Begin with a file.
+
+        Raises
+        ------
+        LevelError
+            If it cannot be read, or holds no text.
+        """
+        held = content(path)
+        return cls(decoded(held, str(path)), path, held)
+
+    @property
+    def source(self) -> str:
+        """Where it comes from, as messages begin."""
+        return NEW if self.path is None else str(self.path)
+
+    @property
+    def level(self) -> Level | None:
+        """The level as it loads now; None if it does not."""
+        return self._now()[0]
+
+    @property
+    def mistakes(self) -> tuple[Mistake, ...]:
+        """Why it does not load."""
+        return self._now()[1]
+
+    @property
+    def changed(self) -> bool:
+        """Whether it differs from what is saved, or from what it began with."""
+        return self.text != self.saved
+
+    @property
+    def undoes(self) -> str | None:
+        """What would be undone next, in words."""
+        return self._done[-1].said if self._done else None
+
+    @property
+    def redoes(self) -> str | None:
+        """What would be redone next, in words."""
+        return self._undone[-1].said if self._undone else None
+
+    def change(self, text: str, said: str, merge: str | None = None) -> None:
+        """Go over to another text, by one step of undo.
+
+        Parameters
+        ----------
+        text
+            The new text.
+        said
+            What was done, in words.
+        merge
+            Changes that follow each other with the same key are one step: those of a drag, say.
+        """
+        if text == self.text:
+            return
+        before = self.text
+        if merge is not None and merge == self._merge:
+            before = self._done.pop().undone(before)
+        if text != before:
+            self._done.append(step(before, text, said))
+        self._undone.clear()
+        self.text, self._merge = text, merge if text != before else None
+
+    def undo(self) -> str | None:
+        """Take the last step back; return what it was, None if there is none."""
+        self._merge = None
+        if not self._done:
+            return None
+        last = self._done.pop()
+        self._undone.append(last)
+        self.text = last.undone(self.text)
+        return last.said
+
+    def redo(self) -> str | None:
+        """Take the step again that was taken back last; return what it was, None if none was."""
+        self._merge = None
+        if not self._undone:
+            return None
+        following = self._undone.pop()
+        self._done.append(following)
+        self.text = following.done(self.text)
+        return following.said
+
+    def save(self, path: Path | None = None, *, overwrite: bool = False) -> None:
+        """Write its file; what was never changed is written byte for byte as it was read.
+
+        Parameters
+        ----------
+        path
+            Where, from now on; to its own file if left out.
+        overwrite
+            Whether to write over what somebody else has written since, or over another file.
+
+        Raises
+        ------
+        SandboxError
+            If it has no file yet, the file is not as it was read, or it cannot be written.
+        """
+        target = path or self.path
+        if target is None:
+            raise SandboxError("the level has no file yet; say where to save it")
+        if not overwrite:
+            self._refuse_to_overwrite(target)
+        mark = codecs.BOM_UTF8 if self._held.startswith(codecs.BOM_UTF8) else b""
+        held = mark + self.text.encode()
+        write_atomically(target, held)
+        self.path, self._held, self.saved = target, held, self.text
+        self._merge = self._loaded = None
+
+    def changed_outside(self) -> bool:
+        """Whether somebody else has written its file since it was read; one that is gone is not."""
+        if self.path is None or not self.path.exists():
+            return False
+        try:
+            return content(self.path) != self._held
+        except LevelError:  # it is a folder now, or cannot be read
+            return True
+
+    def reload(self) -> None:
+        """Take over what its file holds now, as a step that can be undone.
+
+        Raises
+        ------
+        SandboxError
+            If it has no file, or the file cannot be read.
+        """
+        if self.path is None:
+            raise SandboxError("the level has no file yet; there is nothing to read again")
+        held = content(self.path)
+        text = decoded(held, str(self.path))
+        self.change(text, "read the file again")
+        self._held, self.saved = held, text
+
+    def _refuse_to_overwrite(self, target: Path) -> None:
+        if target != self.path:
+            if target.exists():
+                raise SandboxError(f"{target} is there already; choose another name")
+        elif self.changed_outside():
+            rule = "was changed outside since it was read; read it again, or overwrite it"
+            raise SandboxError(f"{target} {rule}")
+
+    def _now(self) -> tuple[Level | None, tuple[Mistake, ...]]:
+        if self._loaded is None or self._loaded[0] != self.text:
+            try:
+                self._loaded = self.text, parse(self.text, self.source), ()
+            except LevelError as error:
+                self._loaded = self.text, None, error.mistakes
+        return self._loaded[1:]

@@ -1,0 +1,165 @@
+"""New bodies, as they are drawn, and bodies taken out.
+
+A body is drawn of one material: 10 kg on each square metre. What it needs to act is declared with
+it: gravity and contact where nothing is declared yet, and a coefficient where every body has one.
+"""
+
+from collections.abc import Mapping, Sequence
+from math import pi
+
+import numpy as np
+
+from sandbox.editing.edits.made import Made, new_name
+from sandbox.editing.layout import Json, plain
+from sandbox.editing.mending import COEFFICIENTS, first_that_loads, without_meaning
+from sandbox.editing.outlines import centroid, simplified
+from sandbox.editing.patches import put, put_all, remove
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+DENSITY = 10.0
+"""kg/m², of what is drawn: a box of 0.3 m weighs about 1 kg."""
+
+SMALLEST = 1e-12
+"""m, what is drawn smaller is a click, and no body."""
+
+CLOSES = 0.1
+"""The share of its size within which a stroke comes back to its beginning, and is closed."""
+
+GRAVITY: Json = {"acceleration": [0, -9.81]}
+
+
+def add_disc(text: str, level: Level, center: XY, rim: XY) -> Made:
+    """Return a level with a disc more, about a point and through another."""
+    radius = _size(abs(complex(*rim) - complex(*center)))
+    shape: Json = {"type": "disc", "radius": radius}
+    return _add_dynamic(text, level, "disc", shape, center, pi * radius**2)
+
+
+def add_box(text: str, level: Level, corner: XY, opposite: XY) -> Made:
+    """Return a level with a box more, from one corner to the opposite one."""
+    (x, y), (u, v) = corner, opposite
+    width, height = _size(abs(u - x)), _size(abs(v - y))
+    shape: Json = {"type": "box", "width": width, "height": height}
+    return _add_dynamic(text, level, "box", shape, ((x + u) / 2, (y + v) / 2), width * height)
+
+
+def add_polygon(text: str, level: Level, points: Sequence[XY]) -> Made:
+    """Return a level with a polygon more, through at least three points in order.
+
+    Raises
+    ------
+    SandboxError
+        If it has no area.
+    """
+    area, center = centroid(points)
+    if area <= SMALLEST**2:
+        raise SandboxError("a polygon needs three corners that are not in one line")
+    # from its first corner, which keeps numbers short: a body that moves is about its own centre
+    shape: Json = {"type": "polygon", "vertices": _about(points, points[0])}
+    return _add_dynamic(text, level, "polygon", shape, center, area)
+
+
+def add_surface(text: str, level: Level, points: Sequence[XY]) -> Made:
+    """Return a level with a line more that stands still: a floor, a slope, a wall.
+
+    Raises
+    ------
+    SandboxError
+        If it has no length.
+    """
+    if len(points) < 2 or max(abs(complex(*p) - complex(*points[0])) for p in points) <= SMALLEST:
+        raise SandboxError("a surface needs two points that are apart")
+    middle = (float(np.mean([x for x, _ in points])), float(np.mean([y for _, y in points])))
+    local = _about(points, middle)
+    shape: dict[str, Json] = {"type": "polyline", "points": local}
+    if len(points) == 2:
+        shape = {"type": "segment", "start": local[0], "end": local[1]}
+    body: dict[str, Json] = {"type": "static", "shape": shape, "position": list(middle)}
+    return _add(text, level, "surface", body)
+
+
+def add_curve(text: str, level: Level, points: Sequence[XY], tolerance: float) -> Made:
+    """Return a level with what a stroke of the hand draws: a polygon if it is closed, else a line.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    points
+        Of the stroke.
+    tolerance
+        By how much the corners that are left may be off it [m]: a pixel or two.
+    """
+    size = float(np.ptp(np.array(points), axis=0).max())
+    open_ends = abs(complex(*points[-1]) - complex(*points[0]))
+    if len(points) > 3 and open_ends <= max(CLOSES * size, tolerance):
+        return add_polygon(text, level, simplified(points, tolerance, closed=True))
+    return add_surface(text, level, simplified(points, tolerance, closed=False))
+
+
+def take_out(text: str, level: Level, names: Sequence[str]) -> str:
+    """Return a level without some bodies or joints, and without what only they gave a meaning.
+
+    Joints that hold a body go with it, and so do the checks, the effects and the parameters that
+    are about nothing any more.
+
+    Raises
+    ------
+    SandboxError
+        If no body would be left.
+    """
+    if not set(level.bodies).difference(names):
+        raise SandboxError("a level needs a body; draw another one first")
+    for name in names:
+        text = remove(text, ("bodies" if name in level.bodies else "joints", name))
+    return without_meaning(text)
+
+
+def _add_dynamic(text: str, level: Level, kind: str, shape: Json, center: XY, area: float) -> Made:
+    body = {"shape": shape, "mass": drawn_mass(area), "position": list(center)}
+    return _add(text, level, kind, body)
+
+
+def drawn_mass(area: float) -> float:
+    """Return the mass of what is drawn so large [kg], to three digits."""
+    return plain(float(f"{DENSITY * area:.3g}"))
+
+
+def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
+    name = new_name(kind, level)
+    text = put(text, ("bodies", name), {**body, **_coefficients(level)})
+    return Made(first_that_loads(_declaring(text, level), text), name)
+
+
+def _coefficients(level: Level) -> dict[str, Json]:
+    """Return the coefficients that every body of a level needs; 1 leaves the other body's."""
+    return {kind: 1 for kind in COEFFICIENTS if getattr(level.effects, kind)}
+
+
+def _declaring(text: str, level: Level) -> list[str]:
+    """Return what may be declared with a new body, the most first.
+
+    Gravity where nothing moves or acts yet, and contact with it, or where nothing else was there
+    to be touched.
+    """
+    missing: dict[str, Json] = {}
+    still = all(body.type != "dynamic" for body in level.bodies.values())
+    fresh = still and not level.effects.declared
+    if fresh:
+        missing["gravity"] = GRAVITY
+    if level.effects.contact is None and (fresh or len(level.bodies) == 1):
+        missing["contact"] = {}
+    told = [(("effects", name), said) for name, said in missing.items()]
+    return [put_all(text, dict(told[:count])) for count in range(len(told), 0, -1)]
+
+
+def _about(points: Sequence[XY], center: XY) -> list[list[float]]:
+    return [[x - center[0], y - center[1]] for x, y in points]
+
+
+def _size(value: float) -> float:
+    if value <= SMALLEST:
+        raise SandboxError("drag to give it a size")
+    return float(plain(value))

@@ -1,0 +1,120 @@
+"""Bodies copied, with the joints among them, into the same level or another one."""
+
+import json
+from collections.abc import Collection, Mapping
+from functools import reduce
+from typing import Any, NamedTuple, cast
+
+from pydantic import ValidationError
+
+from sandbox.editing.attached import shifted_point
+from sandbox.editing.edits.made import new_name
+from sandbox.editing.mending import without_meaning
+from sandbox.editing.patches import Changes, put_all
+from sandbox.model.consistency.mentions import mentions
+from sandbox.model.errors import SandboxError
+from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
+from sandbox.model.level import Level
+from sandbox.model.parts import names_in
+from sandbox.model.shapes import XY, Point
+
+Data = dict[str, Any]
+"""A JSON object."""
+
+
+class Pasted(NamedTuple):
+    """A text with copies in it."""
+
+    text: str
+    names: tuple[str, ...]
+    """Of the bodies that are new."""
+
+
+def copy(text: str, level: Level, names: Collection[str]) -> str:
+    """Return bodies as the text of a level that has nothing else but what belongs to them.
+
+    Those are the joints that hold no other bodies, and the parameters that they use.
+
+    Raises
+    ------
+    SandboxError
+        If there are none.
+    """
+    if not names:
+        raise SandboxError("choose the bodies first")
+    data = json.loads(text)
+    joints = [
+        name
+        for name, joint in level.joints.items()
+        if (held := set(bodies_of(joint))) and held <= set(names)
+    ]
+    parts = [level.bodies[name] for name in names], [level.joints[name] for name in joints]
+    used = names_in((*parts[0], *parts[1]))
+    return json.dumps(
+        {
+            "format": 1,
+            "title": "copied",
+            "parameters": {n: data["parameters"][n] for n in level.parameters if n in used},
+            "bodies": {name: data["bodies"][name] for name in names},
+            "joints": {name: data["joints"][name] for name in joints},
+        },
+        ensure_ascii=False,
+    )
+
+
+def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Pasted:
+    """Return a level with copies of bodies in it, so far away, under names of their own.
+
+    What the level says nothing of, such as friction where none is declared, is left out of them. A
+    parameter that the level has is its own; one that it has not comes along.
+
+    Raises
+    ------
+    SandboxError
+        If what was copied is no bodies.
+    """
+    try:
+        source, data = Level.model_validate_json(copied), json.loads(copied)
+    except ValidationError:
+        raise SandboxError("what was copied is not of a level") from None
+    names = _new_names(source, level)
+    changes = Changes()
+    for name, body in source.bodies.items():
+        position = shifted_point(body.position, complex(*by))
+        changes["bodies", names[name]] = {**data["bodies"][name], "position": position}
+    for name, joint in source.joints.items():
+        told = _joint(joint, data["joints"][name], names, complex(*by))
+        changes["joints", names[name]] = told
+    for name in source.parameters.keys() - level.parameters.keys():
+        changes["parameters", name] = data["parameters"][name]
+    pasted = without_meaning(put_all(text, changes))
+    return Pasted(pasted, tuple(names[name] for name in source.bodies))
+
+
+def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Pasted:
+    """Return a level with bodies of it a second time, so far away."""
+    return paste(text, level, copy(text, level, names), by)
+
+
+def _new_names(source: Level, level: Level) -> Mapping[str, str]:
+    """Return what the copies are called: `left` becomes `left1`, and `box1` the next box."""
+    names = dict[str, str]()
+    for name in (*source.bodies, *source.joints):
+        names[name] = new_name(name.rstrip("0123456789")[:28], level, besides=names.values())
+    return names
+
+
+def _joint(joint: Joint, said: Data, names: Mapping[str, str], by: complex) -> Data:
+    """Return what is said of a joint of the copies."""
+    for path, body, _ in mentions(joint):
+        _inside(said, path[:-1])[path[-1]] = names[body]
+    for path, end in ends_of(joint):
+        if body_of(end) is None:
+            _inside(said, path[:-1])[path[-1]] = shifted_point(cast("Point", end), by)
+    if isinstance(joint, Wire):
+        said["curve"] = shifted_point(joint.curve, by)
+    return said
+
+
+def _inside(said: Data, path: tuple[str | int, ...]) -> Any:  # noqa: ANN401 (an object or a list)
+    return reduce(lambda part, step: part[step], path, cast("Any", said))

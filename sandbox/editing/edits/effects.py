@@ -1,0 +1,94 @@
+"""Effects declared and dropped, and what they cost."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sandbox.editing.mending import COEFFICIENTS, accepted, without_meaning
+from sandbox.editing.patches import Changes, put, put_all, remove
+from sandbox.model.effects import EFFECTS
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.suggest import suggestion
+from sandbox.model.variants import DEFAULTS, including, without
+from sandbox.physics.run import costs
+
+COEFFICIENT = 0.5
+"""What a body that moves gets where none is said; what stands still leaves it as it is, with 1."""
+
+
+def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:
+    """Return a level that declares an effect, and what that needs: contact, coefficients.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    effect
+        Its name in the manifest. Of one that may be said several times, another is added.
+    settings
+        Its fields, as in a file; what is tried in the app if left out.
+
+    Raises
+    ------
+    SandboxError
+        If there is no such effect, it has to be told more, or the level contradicts it.
+    """
+    if effect not in EFFECTS:
+        raise SandboxError(f"unknown effect '{effect}'{suggestion(effect, EFFECTS, most=20)}")
+    said = getattr(level.effects, effect)
+    if said is not None and not isinstance(said, tuple):
+        raise SandboxError(f"the level declares '{effect}' already")
+    if settings is None and effect not in DEFAULTS:
+        raise SandboxError(f"'{effect}' has to be told what it is")
+    fields = settings if settings is not None else _trial(effect)
+    place = ("effects", effect)
+    entry = put(text, (*place, len(said or ())), fields)
+    forms = [entry] if said else [put(text, place, fields), entry]
+    forms = [_with_coefficients(form, level, effect) for form in forms]
+    return accepted(*forms, *(put(form, ("effects", "contact"), {}) for form in forms))
+
+
+def drop(text: str, level: Level, effect: str) -> str:
+    """Return a level without an effect, and without what only that gave a meaning.
+
+    Raises
+    ------
+    SandboxError
+        If the level does not declare it.
+    """
+    if effect not in level.effects.declared:
+        hint = suggestion(effect, level.effects.declared)
+        raise SandboxError(f"the level declares no effect '{effect}'{hint}")
+    return without_meaning(remove(text, ("effects", effect)))
+
+
+def cost(level: Level, effect: str, values: Values | None = None) -> str:
+    """Say in words what an effect costs, or would cost; measured, so not in the midst of a drag.
+
+    Raises
+    ------
+    SandboxError
+        If the level makes no sense without it, or with it, or cannot be run.
+    """
+    declared = effect in level.effects.declared
+    other = without(level, effect)[0] if declared else including(level, effect, {})
+    pair = (other, level) if declared else (level, other)
+    before, after = costs(pair, level.defaults if values is None else values)
+    more = f"{(after - before) * 1e6:+.2g} µs".replace("-", "−")
+    return f"{more} a step, of {after * 1e6:.2g} µs with it"
+
+
+def _trial(effect: str) -> dict[str, Any]:
+    """Return what is said of an effect where nothing is; its coefficient is the bodies'."""
+    return {key: said for key, said in DEFAULTS[effect].items() if key != "coefficient"}
+
+
+def _with_coefficients(text: str, level: Level, effect: str) -> str:
+    """Return a level in which every body has the coefficient that an effect needs."""
+    if effect not in COEFFICIENTS:
+        return text
+    changes = Changes()
+    for name, body in level.bodies.items():
+        changes["bodies", name, effect] = COEFFICIENT if body.type == "dynamic" else 1
+    return put_all(text, changes)

@@ -1,0 +1,175 @@
+"""Any field of a level set to what was typed, and any number made a parameter."""
+
+import json
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from math import floor, isfinite, log10
+
+from sandbox.editing.layout import Json, plain
+from sandbox.editing.mending import accepted
+from sandbox.editing.patches import PatchError, put, put_all, remove, shown, type_in, value_at
+from sandbox.model.errors import LevelError, Mistake, SandboxError
+from sandbox.model.expressions import Expression, Fraction
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+from sandbox.model.locating import Path
+from sandbox.model.parts import expressions
+
+_NUMBER = re.compile(r"-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?")
+"""A number as JSON writes it."""
+
+_DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
+
+
+def set_field(text: str, path: Path, typed: str) -> str:
+    """Return a level in which a field says what was typed; nothing typed leaves the field out.
+
+    What is a number stands as it was typed; what is none is a formula, or a word where the field
+    takes words; a list, an object, true and false are written as in JSON.
+
+    Parameters
+    ----------
+    text
+        Of a level, which may have mistakes elsewhere.
+    path
+        Of the field, there or not.
+    typed
+        By a person.
+
+    Raises
+    ------
+    LevelError
+        If that is a mistake; it is told in the loader's own words.
+    """
+    before = _mistakes(text)
+    changed = [_typed_in(text, path, token) for token in _readings(typed.strip())]
+    if not typed.strip():
+        changed = [_without(text, path)]
+    found = [(one, _mistakes(one)) for one in changed]
+    known = {(mistake.path, mistake.rule) for mistake in before}
+    for one, mistakes in found:
+        if all((mistake.path, mistake.rule) in known for mistake in mistakes):
+            return one
+    place = shown(path)
+    mistakes = found[0][1]
+    raise LevelError(tuple(m for m in mistakes if m.path.startswith(place)) or mistakes)
+
+
+def make_parameter(text: str, path: Path, name: str) -> str:
+    """Return a level in which a number is a parameter, and its field a formula of that.
+
+    Its range goes from a fifth of it to five times as much, or less where the level is impossible
+    with that. What is negative is the opposite of its parameter, and an angle in degrees stays one.
+
+    Parameters
+    ----------
+    text
+        Of a level that loads.
+    path
+        Of the number.
+    name
+        Of the parameter.
+
+    Raises
+    ------
+    SandboxError
+        If there is no number, or it cannot be a formula, or the name cannot be had.
+    """
+    level, said = parse(text), value_at(text, path)
+    expression = dict(expressions(level)).get(path)
+    if expression is None or expression.names:
+        what = "is a formula already" if expression else "cannot be a formula"
+        raise SandboxError(f"{shown(path)} {what}")
+    if name in level.parameters:
+        raise SandboxError(f"there is a parameter '{name}' already; choose another name")
+    value, formula, unit = _parameter(said, expression, name)
+    about = {"unit": unit} if unit else {}
+    ranges = _ranges(value, in_degrees=unit == "deg", share=isinstance(expression, Fraction))
+    told: list[dict[str, Json]] = [
+        {"value": value, "min": plain(low), "max": plain(high), **about, "label": _label(path)}
+        for low, high in ranges
+    ]
+    return accepted(*(put_all(text, {path: formula, ("parameters", name): one}) for one in told))
+
+
+def parameter_name(level: Level, path: Path) -> str:
+    """Return a name for what a number would be as a parameter: of its field, and of its body."""
+    words = [str(step) for step in path if isinstance(step, str)]
+    names = [words[-1], "_".join(words[-2:]), "_".join((words[-1], *words[1:2]))]
+    numbered = (f"{words[-1]}{number}" for number in range(2, 1000))
+    taken = set(level.parameters)
+    return next(name[:31] for name in (*names, *numbered) if name[:31] not in taken)
+
+
+def _readings(typed: str) -> list[str]:
+    """Return what is typed as JSON, in the ways in which it can be read."""
+    word = json.dumps(typed, ensure_ascii=False)
+    if _NUMBER.fullmatch(typed):
+        return [typed, word]
+    with suppress(ValueError):
+        if isfinite(float(typed)) and "_" not in typed:
+            return [json.dumps(plain(float(typed))), word]
+    if typed[:1] in ("[", "{") or typed in ("true", "false"):
+        with suppress(ValueError):
+            json.loads(typed)
+            return [typed, word]
+    return [word]
+
+
+def _typed_in(text: str, path: Path, token: str) -> str:
+    return type_in(put(text, path, None), path, token)
+
+
+def _without(text: str, path: Path) -> str:
+    with suppress(PatchError):
+        return remove(text, path)
+    return text
+
+
+def _mistakes(text: str) -> tuple[Mistake, ...]:
+    try:
+        parse(text)
+    except LevelError as error:
+        return error.mistakes
+    return ()
+
+
+def _parameter(said: Json, expression: Expression, name: str) -> tuple[float, str, str]:
+    """Return the value of a parameter, the formula that uses it, and its unit."""
+    degrees = _DEGREES.fullmatch(said) if isinstance(said, str) else None
+    value = float(degrees[1]) if degrees else expression({})
+    formula = f"{name}*deg" if degrees else name
+    if value < 0:
+        formula = f"-{formula}"
+    return plain(abs(value)), formula, "deg" if degrees else expression.unit
+
+
+def _ranges(value: float, *, in_degrees: bool, share: bool) -> Iterator[tuple[float, float]]:
+    """Yield ranges of a parameter, the widest first."""
+    if share:
+        yield 0, 1
+    if in_degrees and value <= 90:
+        yield 0, 90
+    if not value:
+        yield -10, 10
+        yield 0, 1
+    else:
+        for factor in (5, 2, 1.2):
+            yield _round(value / factor), max(_round(value * factor), value)
+    yield value, value
+
+
+def _round(value: float) -> float:
+    """Return a number of one digit, or two, that is not larger."""
+    unit = 10.0 ** (floor(log10(value)) - 1)
+    return plain(floor(value / unit + 1e-9) * unit)
+
+
+def _label(path: Path) -> str:
+    """Return what a number is, in a few words."""
+    words = [str(step).replace("_", " ") for step in path if isinstance(step, str)]
+    owner = f" of {words[1]}" if path[0] in ("bodies", "joints") else ""
+    component = f", {'xy'[path[-1]]}" if path[-1] in (0, 1) and path[0] != "checks" else ""
+    field = next(word for word in reversed(words))
+    return f"{field}{component}{owner}"

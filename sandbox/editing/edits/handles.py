@@ -1,0 +1,198 @@
+"""Bodies made larger or smaller, by the handles of their shapes.
+
+A disc has one on its rim; a box one at each corner and in the middle of each side, and what lies
+opposite stays; lines and polygons have one at each corner. A body whose mass is that which it was
+drawn with keeps its density; any other keeps its mass.
+"""
+
+from collections.abc import Sequence
+
+from sandbox.editing.attached import attached, shifted_point
+from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
+from sandbox.editing.formulas import scaled, towards
+from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.placed import Placed, placed, xy
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.locating import Path
+from sandbox.model.shapes import (
+    XY,
+    Arc,
+    Box,
+    Curve,
+    Disc,
+    Hoop,
+    Polygon,
+    Polyline,
+    Segment,
+    points_of,
+)
+
+_SIDES = (-1 - 1j, 0 - 1j, 1 - 1j, 1 + 0j, 1 + 1j, 0 + 1j, -1 + 1j, -1 + 0j)
+"""Where on a box its handles are, in halves of its sides, counter-clockwise from the lower left."""
+
+
+def handles(level: Level, name: str, values: Values | None = None) -> list[XY]:
+    """Return where the handles of a body are in the plane; a curve has none."""
+    return [xy(where) for where in _handles(placed(level, values)[name])]
+
+
+def drag_handle(
+    text: str, level: Level, name: str, index: int, to: XY, values: Values | None = None
+) -> str:
+    """Return a level in which a handle of a body lies elsewhere, as far as its shape allows.
+
+    Parameters
+    ----------
+    text, level, name
+        Which body of which level.
+    index
+        Of the handle, as in `handles`.
+    to
+        Where it is dragged [m].
+    values
+        The parameters' values.
+
+    Raises
+    ------
+    SandboxError
+        If that would leave nothing of the body.
+    """
+    body = placed(level, values)[name]
+    changed = put_all(text, _dragged(body, index, complex(*to)))
+    lines = isinstance(body.body.shape, Polygon | Segment | Polyline)
+    return _settled(changed, level, body, int(index == 0) if lines else None)
+
+
+def scale(text: str, level: Level, name: str, factor: float, values: Values | None = None) -> str:
+    """Return a level in which a body is so many times as large, about its centre.
+
+    Raises
+    ------
+    SandboxError
+        If that would leave nothing of the body, or it is a curve, which its formulas say.
+    """
+    body = placed(level, values)[name]
+    if factor <= SMALLEST:
+        raise SandboxError("that would leave nothing of it")
+    return _settled(put_all(text, _scaled(body, factor)), level, body, None)
+
+
+def _handles(body: Placed) -> Sequence[complex]:
+    match body.body.shape:
+        case Disc() | Hoop():
+            return [body.outside(complex(body.radius))]
+        case Box():
+            half = body.local[2]
+            return [body.outside(_of(side, half)) for side in _SIDES]
+        case Polygon() | Segment() | Polyline():
+            return body.corners
+        case Arc():
+            return [body.corners[len(body.corners) // 2]]
+        case Curve():
+            return []
+
+
+def _of(side: complex, half: complex) -> complex:
+    return complex(side.real * half.real, side.imag * half.imag)
+
+
+def _dragged(body: Placed, index: int, to: complex) -> Changes:
+    """Return what a handle that is dragged changes."""
+    match body.body.shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return {_radius(body): towards(radius, _size(abs(to - body.center)), body.values)}
+        case Box() as box:
+            return _box(body, box, _SIDES[index], body.inside(to))
+        case Polygon() | Segment() | Polyline():
+            return _corner(body, index, to)
+        case Arc(radius=radius):
+            half = _handles(body)[0]
+            factor = _size(abs(to - body.center)) / max(abs(half - body.center), SMALLEST)
+            return {_radius(body): scaled(radius, factor)}
+        case Curve():
+            raise SandboxError("a curve has the shape that its formulas say")
+
+
+def _box(body: Placed, box: Box, side: complex, to: complex) -> Changes:
+    """Return a box with one corner or side elsewhere; the opposite one stays."""
+    half = body.local[2]
+    away = to + _of(side, half)  # from the side opposite
+    path = ("bodies", body.name, "shape")
+    changes, middle = Changes(), 0j
+    if side.real:
+        width = _size(side.real * away.real)
+        changes[*path, "width"] = towards(box.width, width, body.values)
+        middle += side.real * (width / 2 - half.real)
+    if side.imag:
+        height = _size(side.imag * away.imag)
+        changes[*path, "height"] = towards(box.height, height, body.values)
+        middle += 1j * side.imag * (height / 2 - half.imag)
+    by = body.turn * middle
+    changes["bodies", body.name, "position"] = shifted_point(body.body.position, by)
+    return changes
+
+
+def _corner(body: Placed, index: int, to: complex) -> Changes:
+    """Return a shape with one corner elsewhere."""
+    shape = body.body.shape
+    assert isinstance(shape, Polygon | Segment | Polyline)
+    by = body.inside(to) - body.local[index]
+    return {_paths(body)[index]: shifted_point(points_of(shape)[index], by)}
+
+
+def _paths(body: Placed) -> list[Path]:
+    """Return where the corners of a body stand in its level."""
+    path = ("bodies", body.name, "shape")
+    match body.body.shape:
+        case Polygon(vertices=corners):
+            return [(*path, "vertices", index) for index in range(len(corners))]
+        case Polyline(points=corners):
+            return [(*path, "points", index) for index in range(len(corners))]
+    return [(*path, "start"), (*path, "end")]
+
+
+def _radius(body: Placed) -> Path:
+    return ("bodies", body.name, "shape", "radius")
+
+
+def _size(value: float) -> float:
+    if value <= SMALLEST:
+        raise SandboxError("that would leave nothing of it")
+    return value
+
+
+def _scaled(body: Placed, factor: float) -> Changes:
+    """Return what makes a body so many times as large."""
+    path = ("bodies", body.name, "shape")
+    match body.body.shape:
+        case Disc(radius=radius) | Hoop(radius=radius) | Arc(radius=radius):
+            return {_radius(body): scaled(radius, factor)}
+        case Box(width=width, height=height):
+            return {
+                (*path, "width"): scaled(width, factor),
+                (*path, "height"): scaled(height, factor),
+            }
+        case Polygon() | Segment() | Polyline() as drawn:
+            told = zip(_paths(body), points_of(drawn), strict=True)
+            return {place: [scaled(c, factor) for c in point] for place, point in told}
+        case Curve():
+            raise SandboxError("a curve has the shape that its formulas say")
+
+
+def _settled(text: str, before: Level, body: Placed, fixed: int | None) -> str:
+    """Return a level in which a body of another shape lies where it should, as heavy as it should.
+
+    A corner that is fixed stays in the plane, though the centre of mass is elsewhere in the shape.
+    """
+    level = Level.model_validate_json(text)
+    other = Placed(body.name, level.bodies[body.name], body.values)
+    changes = Changes()
+    if fixed is not None and (drift := body.local[fixed] - other.local[fixed]):
+        position = shifted_point(other.body.position, body.turn * drift)
+        changes["bodies", body.name, "position"] = position
+    mass = body.body.mass
+    if mass is not None and body.area and mass.source == drawn_mass(body.area):
+        changes["bodies", body.name, "mass"] = drawn_mass(other.area)
+    return attached(put_all(text, changes), before, [body.name], body.values)

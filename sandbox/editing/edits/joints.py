@@ -1,0 +1,160 @@
+"""New joints, of every kind that there is, from what is picked on the stage.
+
+How long a joint is, it is left to the level, which takes the distance at the start.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from math import pi
+from typing import NamedTuple
+
+from sandbox.editing.edits.made import Made, new_name
+from sandbox.editing.layout import Json, plain
+from sandbox.editing.mending import accepted
+from sandbox.editing.patches import put
+from sandbox.editing.placed import Placed, placed, xy
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.joints import KINDS
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+from sandbox.model.suggest import suggestion
+
+CENTRAL = 1e-9
+"""m, within which a point of a body is its centre."""
+
+FREQUENCY = 1.0
+"""Hz, at which a body swings on a new spring."""
+
+TURNS = 1.0
+"""rad/s, how fast a new motor turns."""
+
+
+class Pick(NamedTuple):
+    """A point that was picked on the stage."""
+
+    point: XY
+    """In the plane [m]."""
+    body: str | None = None
+    """Whose point it is; the plane's if left out."""
+
+
+Bodies = Mapping[str, Placed]
+
+
+def picks(kind: str) -> int:
+    """Return how many points a kind of joint is made from; a string may run over more pegs."""
+    return 3 if kind == "pulley" else 2
+
+
+def add_joint(
+    text: str, level: Level, kind: str, chosen: Sequence[Pick], values: Values | None = None
+) -> Made:
+    """Return a level with a joint more.
+
+    Parameters
+    ----------
+    text, level
+        Of the level.
+    kind
+        As in a level's file.
+    chosen
+        Its two ends, in order; of a pulley, the pegs between them; of a pin, what it goes through,
+        the first one's point being where; of a rail, what runs on it and what it goes through; of
+        a winding, the string's end and the wheel, on the side on which the string leaves it; of a
+        wire, its bead and a point that it goes through.
+    values
+        The parameters' values.
+
+    Raises
+    ------
+    SandboxError
+        If there is no such kind, or these points cannot be joined so.
+    """
+    if kind not in KINDS:
+        raise SandboxError(f"there is no joint '{kind}'{suggestion(kind, KINDS, most=len(KINDS))}")
+    if len(chosen) < picks(kind):
+        raise SandboxError(f"a {kind} needs {picks(kind)} points; {len(chosen)} are picked")
+    where = placed(level, values)
+    said = _MADE.get(kind, _line)(list(chosen), where)
+    name = new_name(kind, level)
+    added = put(text, ("joints", name), {"type": kind, **said})
+    return Made(accepted(added, put(added, ("effects", "rotation"), {})), name)
+
+
+def end(pick: Pick, where: Bodies) -> Json:
+    """Return what a level's file says of an end: a body, a point of one, or a point [x, y]."""
+    if pick.body is None:
+        return list(pick.point)
+    at = where[pick.body].inside(complex(*pick.point))
+    return pick.body if abs(at) <= CENTRAL else {"body": pick.body, "at": list(xy(at))}
+
+
+def _line(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    return {"ends": [end(pick, where) for pick in chosen[:2]]}
+
+
+def _pulley(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    first, *pegs, last = [end(pick, where) for pick in chosen]
+    return {"ends": [first, last], "over": pegs}
+
+
+def _pin(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a pin where the first was picked."""
+    return _line([chosen[0], chosen[1]._replace(point=chosen[0].point)], where)
+
+
+def _motor(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a motor whose second end is a body, which it drives against the first."""
+    pin = _pin(chosen, where)
+    if chosen[1].body is None:
+        pin = _pin([chosen[1]._replace(point=chosen[0].point), chosen[0]], where)
+    return {**pin, "rate": TURNS}
+
+
+def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    way = complex(*chosen[1].point) - complex(*chosen[0].point)
+    return {**_line(chosen, where), "direction": list(xy(way)) if abs(way) > CENTRAL else [1, 0]}
+
+
+def _winding(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    wheel = chosen[1].body
+    if wheel is None:
+        raise SandboxError("a string is wound on a body; pick the wheel as the second point")
+    center = where[wheel].center
+    tied, side = complex(*chosen[0].point) - center, complex(*chosen[1].point) - center
+    right = (tied.conjugate() * side).imag < 0  # as seen along the string, towards its end
+    return {
+        "ends": [end(chosen[0], where), wheel],
+        "radius": plain(where[wheel].radius or abs(side)),
+        "unwinds": "counterclockwise" if right else "clockwise",
+    }
+
+
+def _spring(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    masses = [where[pick.body].body.mass for pick in chosen if pick.body]
+    lightest = min((mass(next(iter(where.values())).values) for mass in masses if mass), default=1)
+    stiffness = lightest * (2 * pi * FREQUENCY) ** 2
+    return {**_line(chosen, where), "stiffness": plain(float(f"{stiffness:.2g}"))}
+
+
+def _wire(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a straight wire, as long beyond the bead as before it."""
+    start = complex(*chosen[0].point)
+    way = complex(*chosen[1].point) - start
+    formulas: list[Json] = [
+        f"{plain(begin)!r} + {plain(along)!r}*s"
+        for begin, along in zip(xy(start), xy(way), strict=True)
+    ]
+    return {"bead": end(chosen[0], where), "curve": formulas, "s": [-1, 1]}
+
+
+_MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
+    "pulley": _pulley,
+    "pivot": _pin,
+    "motor": _motor,
+    "rail": _rail,
+    "winding": _winding,
+    "spring": _spring,
+    "wire": _wire,
+}
+"""What is not just two ends; a new kind of joint that is needs nothing here."""

@@ -1,0 +1,29 @@
+"""What an edit has made, and what it is called."""
+
+from collections.abc import Container
+from itertools import count
+from typing import NamedTuple
+
+from sandbox.model.level import Level
+
+
+class Made(NamedTuple):
+    """A text with something new in it."""
+
+    text: str
+    name: str
+    """Of the body, joint or parameter that was made."""
+
+
+def new_name(kind: str, level: Level, besides: Container[str] = ()) -> str:
+    """Return the first of `box1`, `box2` and so on that nothing in a level is called."""
+    return next(
+        name
+        for number in count(1)
+        if not taken(name := f"{kind}{number}", level) and name not in besides
+    )
+
+
+def taken(name: str, level: Level) -> bool:
+    """Whether a body or a joint of a level is called that."""
+    return name in level.bodies or name in level.joints

@@ -1,0 +1,145 @@
+"""Bodies seen in a mirror: their places, shapes and motions, and the joints among them."""
+
+from collections.abc import Collection
+from typing import Literal
+
+from sandbox.editing.attached import attached
+from sandbox.editing.formulas import negative, shifted
+from sandbox.editing.layout import Json
+from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.placed import around, placed
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.joints import Held, Joint, Motor, Rail, Winding, Wire, bodies_of, ends_of
+from sandbox.model.level import Body, Level
+from sandbox.model.locating import Path
+from sandbox.model.shapes import Arc, Curve, Polygon, Polyline, Segment, points_of
+
+Pair = tuple[Expression, Expression]
+
+
+def mirror(
+    text: str,
+    level: Level,
+    names: Collection[str],
+    axis: Literal["x", "y"] = "x",
+    values: Values | None = None,
+) -> str:
+    """Return a level in which bodies are mirrored about their own middle.
+
+    Parameters
+    ----------
+    text, level, names
+        Which bodies of which level.
+    axis
+        Along which left and right, or above and below, change places.
+    values
+        The parameters' values.
+
+    Raises
+    ------
+    SandboxError
+        If there are none.
+    """
+    if not names:
+        raise SandboxError("choose the bodies first")
+    where = placed(level, values)
+    low, high = around([where[name] for name in names])
+    mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)
+    changes = Changes()
+    for name in names:
+        changes |= mirror.body(("bodies", name), level.bodies[name])
+    for name, joint in level.joints.items():
+        if (held := set(bodies_of(joint))) and held <= set(names):
+            changes |= mirror.joint(("joints", name), joint)
+        elif held:
+            changes |= mirror.held(("joints", name), joint, names)
+    chosen = level.defaults if values is None else values
+    return attached(put_all(text, changes), level, names, chosen)
+
+
+class _Mirror:
+    """A mirror along an axis: a coordinate c becomes total − c, and all that has a hand the other.
+
+    A body at c, turned by R(θ), with a point p of it: F (c + R(θ) p) = F c + R(−θ) F p.
+    """
+
+    def __init__(self, axis: Literal["x", "y"], total: float) -> None:
+        self._index = "xy".index(axis)
+        self._total = total
+
+    def body(self, path: Path, body: Body) -> Changes:
+        """Return what changes of a body."""
+        changes: Changes = {(*path, "position"): self._place(body.position)}
+        if _is_given(body.velocity[self._index]):
+            changes[*path, "velocity"] = self._flipped(body.velocity)
+        for field in ("angle", "angular_velocity"):
+            if _is_given(said := getattr(body, field)):
+                changes[*path, field] = negative(said)
+        return changes | self._shape((*path, "shape"), body)
+
+    def joint(self, path: Path, joint: Joint) -> Changes:
+        """Return what changes of a joint of which all bodies are mirrored."""
+        changes = self.held(path, joint, set(bodies_of(joint)))
+        for step, end in ends_of(joint):
+            if isinstance(end, tuple):
+                changes[*path, *step] = self._place(end)
+        match joint:
+            case Rail(direction=direction):
+                changes[*path, "direction"] = self._flipped(direction)
+            case Motor(rate=rate):
+                changes[*path, "rate"] = negative(rate)
+            case Winding(unwinds=way):
+                other = "clockwise" if way == "counterclockwise" else "counterclockwise"
+                changes[*path, "unwinds"] = other
+            case Wire(curve=curve):
+                changes[*path, "curve"] = self._place(curve)
+        return changes
+
+    def held(self, path: Path, joint: Joint, names: Collection[str]) -> Changes:
+        """Return what changes of the points that a joint holds of mirrored bodies."""
+        return {
+            (*path, *step, "at"): self._flipped(end.at)
+            for step, end in ends_of(joint)
+            if isinstance(end, Held) and end.body in names
+        }
+
+    def _shape(self, path: Path, body: Body) -> Changes:
+        match body.shape:
+            case Polygon() as shape:
+                return {(*path, "vertices"): list(map(self._flipped, points_of(shape)))}
+            case Polyline() as shape:
+                return {(*path, "points"): list(map(self._flipped, points_of(shape)))}
+            case Segment(start=start, end=end):
+                return {
+                    (*path, "start"): self._flipped(start),
+                    (*path, "end"): self._flipped(end),
+                }
+            case Curve(curve=curve):
+                return {(*path, "curve"): self._flipped(curve)}
+            case Arc(start=first, end=last):
+                return {
+                    (*path, "start"): self._direction(last),
+                    (*path, "end"): self._direction(first),
+                }
+        return {}
+
+    def _place(self, point: Pair) -> list[Json]:
+        flipped = type(point[self._index])(negative(point[self._index]))
+        return self._with(point, shifted(flipped, self._total))
+
+    def _flipped(self, vector: Pair) -> list[Json]:
+        return self._with(vector, negative(vector[self._index]))
+
+    def _with(self, pair: Pair, coordinate: Json) -> list[Json]:
+        told: list[Json] = [expression.source for expression in pair]
+        told[self._index] = coordinate
+        return told
+
+    def _direction(self, angle: Expression) -> Json:
+        """Return a direction: π − θ if left and right change places, else −θ."""
+        return negative(angle) if self._index else f"pi - ({angle.source})"
+
+
+def _is_given(expression: Expression) -> bool:
+    return expression.source != 0

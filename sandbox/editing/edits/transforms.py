@@ -1,0 +1,137 @@
+"""Bodies moved, turned, aligned and mirrored, one or many, with what hangs on them.
+
+Formulas stay formulas: a position `r` that is moved becomes `r + 0.5`. What is pinned to a body
+moves along, and so do the pins that it turns about; a rod is as long as its ends are then apart.
+"""
+
+from cmath import rect
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Literal
+
+from sandbox.editing.attached import attached, pinned, shifted_point
+from sandbox.editing.formulas import turned
+from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.placed import Placed, around, placed
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.joints import Wire, body_of
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+from sandbox.physics.geometry.distance import dot
+
+Side = Literal["left", "right", "top", "bottom", "center-x", "center-y"]
+"""What bodies are aligned at; `center-x` puts their centres above each other."""
+
+Box = tuple[complex, complex]
+
+_SIDES: Mapping[Side, Callable[[Box], complex]] = {
+    "left": lambda box: complex(box[0].real),
+    "right": lambda box: complex(box[1].real),
+    "bottom": lambda box: complex(0, box[0].imag),
+    "top": lambda box: complex(0, box[1].imag),
+    "center-x": lambda box: complex((box[0].real + box[1].real) / 2),
+    "center-y": lambda box: complex(0, (box[0].imag + box[1].imag) / 2),
+}
+
+
+def move(
+    text: str, level: Level, names: Collection[str], by: XY, values: Values | None = None
+) -> str:
+    """Return a level in which bodies, and what is pinned to them, lie elsewhere at the start."""
+    return shift(text, level, dict.fromkeys(pinned(level, names), complex(*by)), values)
+
+
+def shift(
+    text: str, level: Level, ways: Mapping[str, complex], values: Values | None = None
+) -> str:
+    """Return a level in which each of some bodies lies elsewhere, by a way of its own [m].
+
+    The wire that a bead is on goes with it.
+    """
+    changes = Changes()
+    for name, by in ways.items():
+        if by:
+            changes["bodies", name, "position"] = shifted_point(level.bodies[name].position, by)
+    for name, joint in level.joints.items():
+        if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
+            changes["joints", name, "curve"] = shifted_point(joint.curve, way)
+    return attached(put_all(text, changes), level, ways, _chosen(level, values))
+
+
+def turn(
+    text: str,
+    level: Level,
+    names: Collection[str],
+    angle: float,
+    about: XY | None = None,
+    values: Values | None = None,
+) -> str:
+    """Return a level in which bodies are turned together.
+
+    Parameters
+    ----------
+    text, level, names
+        Which bodies of which level.
+    angle
+        rad, counter-clockwise.
+    about
+        The point about which [m]; the middle of the bodies if left out.
+    values
+        The parameters' values.
+    """
+    where = _of(level, names, values)
+    low, high = around(where.values())
+    middle = where[next(iter(names))].center if len(names) == 1 else (low + high) / 2
+    center = middle if about is None else complex(*about)
+    changes = Changes()
+    for name, body in where.items():
+        by = (body.center - center) * (rect(1, angle) - 1)
+        changes["bodies", name, "angle"] = turned(body.body.angle, angle)
+        if by:
+            changes["bodies", name, "position"] = shifted_point(body.body.position, by)
+    return attached(put_all(text, changes), level, names, _chosen(level, values))
+
+
+def align(
+    text: str, level: Level, names: Collection[str], side: Side, values: Values | None = None
+) -> str:
+    """Return a level in which bodies are in line, at the outermost of their sides."""
+    where, at = _of(level, names, values), _SIDES[side]
+    line = at(around(where.values()))
+    return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()}, values)
+
+
+def distribute(
+    text: str,
+    level: Level,
+    names: Sequence[str],
+    axis: Literal["x", "y"],
+    values: Values | None = None,
+) -> str:
+    """Return a level in which there is the same gap between each body and the next along an axis.
+
+    The outermost stay where they are.
+    """
+    where = _of(level, names, values)
+    unit = 1 + 0j if axis == "x" else 1j
+    spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}
+    ordered = sorted(spans, key=lambda name: sum(spans[name]))
+    low, high = min(span[0] for span in spans.values()), max(span[1] for span in spans.values())
+    gap = (high - low - sum(b - a for a, b in spans.values())) / max(len(ordered) - 1, 1)
+    ways = dict[str, complex]()
+    for name in ordered:
+        a, b = spans[name]
+        ways[name] = (low - a) * unit
+        low += b - a + gap
+    return shift(text, level, ways, values)
+
+
+def _of(level: Level, names: Collection[str], values: Values | None) -> dict[str, Placed]:
+    if not names:
+        raise SandboxError("choose the bodies first")
+    where = placed(level, values)
+    return {name: where[name] for name in names}
+
+
+def _chosen(level: Level, values: Values | None) -> Values:
+    return level.defaults if values is None else values

@@ -1,0 +1,104 @@
+"""Numbers and formulas, changed so that what was typed can still be read in them."""
+
+import ast
+import re
+from math import degrees
+
+from sandbox.editing.layout import plain
+from sandbox.model.expressions import Expression, Values
+
+_LOOSE = (ast.IfExp, ast.Compare, ast.BoolOp, ast.UnaryOp)
+"""What is put in brackets before something is added: it binds less than a sum, or might."""
+
+_TIGHT = (ast.Name, ast.Call, ast.Constant)
+"""What needs no brackets, whatever is done to it."""
+
+ROUND = 10
+"""Decimals of an angle in degrees: a rounding of 2e-12 rad."""
+
+
+def shifted(expression: Expression, by: float) -> float | str:
+    """Return a number that is larger by so much, or a formula: `r` becomes `r + 0.5`.
+
+    A number that the formula ends with takes it up: `r + 0.5` becomes `r + 0.7`.
+    """
+    source = expression.source
+    if not by:
+        return source
+    if not isinstance(source, str) or not expression.names:
+        return plain(expression({}) + by)
+    base, constant = _apart(source.strip())
+    total = plain(constant + by)
+    return f"{base} {'-' if total < 0 else '+'} {abs(total)!r}" if total else base
+
+
+def scaled(expression: Expression, by: float) -> float | str:
+    """Return a number that is so many times as large, or a formula: `r` becomes `1.5*r`."""
+    source = expression.source
+    if by == 1:
+        return source
+    if not isinstance(source, str) or not expression.names:
+        return plain(expression({}) * by)
+    return f"{plain(by)!r}*{_bracketed(source.strip())}"
+
+
+def negative(expression: Expression) -> float | str:
+    """Return the opposite of a number, or of a formula: `-g` becomes `g`."""
+    source = expression.source
+    if not isinstance(source, str):
+        return plain(-source)
+    tree = _tree(source.strip())
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub):
+        return _unbracketed(source.strip()[1:].strip())
+    return f"-{_bracketed(source.strip())}"
+
+
+def towards(expression: Expression, value: float, values: Values) -> float | str:
+    """Return a number, or in the place of a formula the formula shifted to it."""
+    if not expression.names:
+        return plain(value)
+    return shifted(expression, value - expression(values))
+
+
+def turned(angle: Expression, by: float) -> float | str:
+    """Return an angle that is larger by so much [rad], as a formula of degrees."""
+    if angle.names:
+        return shifted(angle, by)
+    told = plain(round(degrees(angle({}) + by), ROUND))
+    return f"{told!r}*deg" if told else 0
+
+
+def renamed(source: str, name: str, new: str) -> str:
+    """Return a formula in which a parameter has another name."""
+    return re.sub(rf"(?<![\w.]){re.escape(name)}(?!\w)", new, source)
+
+
+def _apart(source: str) -> tuple[str, float]:
+    """Return a formula without the number that is added to it at its end, and that number."""
+    tree = _tree(source)
+    if isinstance(tree, ast.BinOp) and isinstance(last := tree.right, ast.Constant):
+        before, behind = source[: last.col_offset].rstrip(), source[last.end_col_offset :]
+        if before.endswith(("+", "-")) and not behind.strip():  # neither is in brackets
+            sign = -1 if isinstance(tree.op, ast.Sub) else 1
+            return before[:-1].rstrip(), sign * float(str(last.value))
+    return (f"({source})" if isinstance(tree, _LOOSE) else source), 0.0
+
+
+def _tree(source: str) -> ast.expr:
+    return ast.parse(source, mode="eval").body
+
+
+def _bracketed(source: str) -> str:
+    return source if isinstance(_tree(source), _TIGHT) else f"({source})"
+
+
+def _unbracketed(source: str) -> str:
+    """Return a formula without the brackets around the whole of it."""
+    inner = source[1:-1]
+    if source.startswith("(") and source.endswith(")"):
+        try:
+            same = ast.dump(_tree(inner)) == ast.dump(_tree(source))
+        except SyntaxError:
+            same = False
+        return inner if same else source
+    return source

@@ -1,0 +1,116 @@
+"""What an edit leaves without meaning goes with it, and what it may declare is tried."""
+
+import json
+from collections.abc import Iterable, Iterator
+
+from sandbox.editing.patches import put_all, remove
+from sandbox.editing.spans import Spans
+from sandbox.model.effects import EFFECTS
+from sandbox.model.errors import LevelError
+from sandbox.model.loading import parse
+from sandbox.model.locating import Path
+
+COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coefficient)
+"""What every body needs where it is declared; 1 leaves that of the other body as it is."""
+
+ROUNDS = 20
+"""How often it is looked for what has lost its meaning; each time another part may."""
+
+_LISTS = ("pairs", "located", "bodies")
+"""What an effect names bodies in, of which one may go and leave the others."""
+
+
+def loads(text: str) -> bool:
+    """Whether a text is a level without mistakes."""
+    try:
+        parse(text)
+    except LevelError:
+        return False
+    return True
+
+
+def first_that_loads(texts: Iterable[str], otherwise: str) -> str:
+    """Return the first of some texts that is a level without mistakes."""
+    return next(filter(loads, texts), otherwise)
+
+
+def accepted(*texts: str) -> str:
+    """Return the first of some texts that is a level without mistakes.
+
+    Raises
+    ------
+    LevelError
+        If none is; its mistakes are those of the first.
+    """
+    found = first_that_loads(texts, "")
+    if not found:
+        parse(texts[0])
+    return found
+
+
+def without_meaning(text: str) -> str:
+    """Return a level without whatever names what is not there, or is declared for nothing.
+
+    Those are the joints, effects, checks, ghosts, goals and parameters at which it has a mistake.
+    Where that does not mend it, the rest of the mistakes stay.
+    """
+    for _ in range(ROUNDS):
+        try:
+            parse(text)
+            break
+        except LevelError as error:
+            found = Spans(text)
+            places = [_place(mistake.path, found) for mistake in error.mistakes]
+        units = {unit for place in places if (unit := _unit(place))}
+        bare = {bare: 1 for place in places for bare in _missing(place, text)}
+        if not (units or bare):
+            break
+        text = put_all(text, bare)
+        for unit in sorted(units, key=_backwards, reverse=True):
+            if unit in Spans(text):  # it may have gone with another
+                text = remove(text, unit)
+    return text
+
+
+def _place(told: str, found: Spans) -> Path:
+    """Return the path that a mistake tells."""
+    path: Path = ()
+    for step in told.split("."):
+        index = int(step) if step.isdecimal() else -1
+        path = (*path, index if (*path, index) in found else step)
+    return path
+
+
+def _unit(path: Path) -> Path | None:
+    """Return what goes where something at a path has lost its meaning; None if nothing may."""
+    match path:
+        case ("parameters" | "checks" | "ghosts" | "joints" | "view", _, *_):
+            return path[:2]
+        case ("bodies", _, _, *_):
+            return path[:3]
+        case ("challenge", str(), str() | int(), *_):
+            return path[:3]
+        case ("challenge", *_):
+            return path[:1]
+        case ("effects", _, str() as part, int(), *_) if part in _LISTS:
+            return path[:4]
+        case ("effects", _, int(), *_):
+            return path[:3]
+        case ("effects", _, *_):
+            return path[:2]
+    return None
+
+
+def _missing(path: Path, text: str) -> Iterator[Path]:
+    """Yield the coefficients that a body had with another one only, and now needs by itself."""
+    if len(path) == 2 and path[0] == "bodies":
+        data = json.loads(text)
+        body = data["bodies"][path[1]]
+        yield from (
+            (*path, kind) for kind in COEFFICIENTS if kind in data["effects"] and kind not in body
+        )
+
+
+def _backwards(path: Path) -> tuple[tuple[bool, str | int], ...]:
+    """Return a key that puts the later items of a list behind the earlier ones."""
+    return tuple((isinstance(step, int), step) for step in path)

@@ -1,0 +1,136 @@
+"""Where the bodies of a level are at the start, and what their outlines are there."""
+
+from cmath import rect
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+from math import pi
+
+import numpy as np
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import (
+    XY,
+    Arc,
+    Box,
+    Curve,
+    Disc,
+    Hoop,
+    Polygon,
+    Polyline,
+    Segment,
+    evaluate,
+)
+from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
+
+Core = tuple[complex, ...]
+"""A point, a line or a convex polygon, counter-clockwise [m]."""
+
+
+@dataclass(frozen=True)
+class Placed:
+    """A body at the start of a run.
+
+    Attributes
+    ----------
+    name, body
+        Which.
+    values
+        The parameters' values.
+    """
+
+    name: str
+    body: Body
+    values: Values
+
+    @cached_property
+    def center(self) -> complex:
+        """Its position [m]."""
+        return complex(*evaluate(self.body.position, self.values))
+
+    @cached_property
+    def turn(self) -> complex:
+        """The unit vector along its own x axis."""
+        return rect(1, self.body.angle(self.values))
+
+    @cached_property
+    def local(self) -> tuple[complex, ...]:
+        """Its corners in its own axes [m]; those of a disc are none."""
+        return tuple(complex(*point) for point in local_points(self.body, self.values))
+
+    @cached_property
+    def corners(self) -> tuple[complex, ...]:
+        """Its corners in the plane [m]."""
+        return tuple(map(self.outside, self.local))
+
+    @cached_property
+    def radius(self) -> float:
+        """How far its outline is from its centre, or from its line [m]."""
+        match self.body.shape:
+            case Disc(radius=radius) | Hoop(radius=radius):
+                return radius(self.values)
+            case Box() | Polygon():
+                return 0.0
+            case Segment() | Polyline() | Arc() | Curve() as line:
+                return line.thickness(self.values) / 2
+
+    @cached_property
+    def cores(self) -> tuple[Core, ...]:
+        """The convex cores that its outline is `radius` away from, in the plane [m]."""
+        match self.body.shape:
+            case Disc() | Hoop():
+                return ((self.center,),)
+            case Box():
+                return (self.corners,)
+            case Polygon():
+                parts = convex_parts([xy(point) for point in self.local])
+                return tuple(tuple(self.outside(complex(*p)) for p in part) for part in parts)
+        return tuple(pairwise(self.corners))
+
+    @property
+    def area(self) -> float:
+        """What it covers [m²]; nothing if it is a line."""
+        match self.body.shape:
+            case Disc(radius=radius):
+                return pi * radius(self.values) ** 2
+            case Box() | Polygon():
+                return abs(twice_area(np.array([xy(point) for point in self.local]))) / 2
+        return 0.0
+
+    @property
+    def bounds(self) -> tuple[complex, complex]:
+        """The lower left and the upper right corner of the upright box around it [m]."""
+        points = self.corners or (self.center,)
+        left, right = min(p.real for p in points), max(p.real for p in points)
+        low, high = min(p.imag for p in points), max(p.imag for p in points)
+        reach = complex(self.radius, self.radius)
+        return complex(left, low) - reach, complex(right, high) + reach
+
+    def outside(self, point: complex) -> complex:
+        """Return where in the plane a point of it is [m]."""
+        return self.center + self.turn * point
+
+    def inside(self, point: complex) -> complex:
+        """Return where in its own axes a point of the plane is [m]."""
+        return (point - self.center) / self.turn
+
+
+def placed(level: Level, values: Values | None = None) -> dict[str, Placed]:
+    """Return all bodies of a level where they start."""
+    chosen = level.defaults if values is None else values
+    return {name: Placed(name, body, chosen) for name, body in level.bodies.items()}
+
+
+def around(bodies: Iterable[Placed]) -> tuple[complex, complex]:
+    """Return the lower left and the upper right corner of the upright box around bodies [m]."""
+    boxes = [body.bounds for body in bodies]
+    low = complex(min(a.real for a, _ in boxes), min(a.imag for a, _ in boxes))
+    return low, complex(max(b.real for _, b in boxes), max(b.imag for _, b in boxes))
+
+
+def xy(point: complex) -> XY:
+    """Return the coordinates of a point."""
+    return point.real, point.imag

@@ -1,0 +1,139 @@
+"""What was drawn and not saved, kept for the next time should the window end by itself.
+
+Each draft has a file of its own in the user's data folder, whole or not there at all. It goes when
+the draft is saved or closed. What a process has left that is no more can be recovered.
+"""
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from uuid import uuid4
+
+from pydantic import BaseModel, ValidationError
+
+from sandbox.editing.draft import Draft
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import data_folder, lives, make_folder, read_ordinary, write_atomically
+
+LARGEST = 20_000_000
+"""Bytes of a file: what is larger was not written here."""
+
+_ENDING = ".draft.json"
+_OPEN = set[str]()
+"""The names of what this process keeps."""
+
+
+def folder() -> Path:
+    """Return where drafts are kept; it need not be there."""
+    return data_folder() / "drafts"
+
+
+class Kept(BaseModel):
+    """A draft, as it is kept."""
+
+    process: int
+    """of the window in which it was drawn"""
+    path: Path | None
+    """of its file, if it has one"""
+    saved: str
+    """what that holds, or what it began with"""
+    text: str
+    """what it had become"""
+    when: float
+    """s, since 1970"""
+
+
+class Recovery:
+    """Keeps one draft, for as long as it differs from what is saved."""
+
+    def __init__(self) -> None:
+        self._name = f"{uuid4().hex}{_ENDING}"
+        self._text: str | None = None
+
+    def keep(self, draft: Draft) -> str:
+        """Keep a draft as it is now; return why it cannot be kept, if so.
+
+        What is saved is not kept, and what is kept already is not written again, so this may be
+        called as often as one likes.
+        """
+        if not draft.changed:
+            self.forget()
+        elif draft.text != self._text:
+            try:
+                make_folder(folder())
+                _OPEN.add(self._name)
+                write_atomically(folder() / self._name, _said(draft), follow=False)
+            except SandboxError as error:
+                return f"what you draw is not kept should this window end: {error}"
+            self._text = draft.text
+        return ""
+
+    def forget(self) -> None:
+        """Keep nothing any more: the draft was saved, or closed on purpose."""
+        with suppress(OSError):
+            (folder() / self._name).unlink(missing_ok=True)
+        self._text = None
+        _OPEN.discard(self._name)
+
+
+class Recoverable:
+    """A draft that a process has left."""
+
+    def __init__(self, file: Path, kept: Kept) -> None:
+        self._file = file
+        self._kept = kept
+
+    @property
+    def path(self) -> Path | None:
+        """Of the file that it was to be saved to, if it had one."""
+        return self._kept.path
+
+    @property
+    def when(self) -> float:
+        """When it was kept [s, since 1970]."""
+        return self._kept.when
+
+    def draft(self) -> Draft:
+        """Return it as it was, as a change that can be undone of what was saved.
+
+        Where its file has changed since, or is gone, the draft has no file, so that neither is
+        lost.
+        """
+        kept = self._kept
+        if kept.path is not None:
+            with suppress(SandboxError):
+                draft = Draft.open(kept.path)
+                if draft.text == kept.saved:
+                    draft.change(kept.text, "recover what was drawn")
+                    return draft
+        draft = Draft.of(kept.saved)
+        draft.change(kept.text, "recover what was drawn")
+        return draft
+
+    def forget(self) -> None:
+        """Do not offer it again."""
+        with suppress(OSError):
+            self._file.unlink(missing_ok=True)
+
+
+def recoverable() -> list[Recoverable]:
+    """Return the drafts that processes have left that are no more, the newest first."""
+    return sorted(_left(), key=lambda one: -one.when)
+
+
+def _left() -> Iterator[Recoverable]:
+    for file in folder().glob(f"*{_ENDING}"):
+        if file.name in _OPEN:
+            continue
+        with suppress(OSError, ValidationError):  # what something else has written is left alone
+            kept = Kept.model_validate_json(read_ordinary(file, LARGEST) or b"")
+            if kept.process == os.getpid() or not lives(kept.process):
+                yield Recoverable(file, kept)
+
+
+def _said(draft: Draft) -> str:
+    return Kept(
+        process=os.getpid(), path=draft.path, saved=draft.saved, text=draft.text, when=time.time()
+    ).model_dump_json()

@@ -1,0 +1,97 @@
+"""A body, a joint or a parameter gets another name, everywhere in its level."""
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+
+from sandbox.editing.formulas import renamed
+from sandbox.editing.mending import accepted
+from sandbox.editing.patches import spliced
+from sandbox.editing.spans import Spans
+from sandbox.model.consistency.mentions import mentions
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expressions import RESERVED
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+from sandbox.model.locating import Path
+from sandbox.model.parts import expressions
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
+
+
+def rename(text: str, path: Path, name: str) -> str:
+    """Return a level in which a body, a joint or a parameter is called otherwise.
+
+    Whatever mentions it follows: the ends of joints, effects, quantities, ghosts; of a parameter
+    formulas and the challenge. Sentences stay as they are.
+
+    Parameters
+    ----------
+    text
+        Of a level that loads.
+    path
+        Such as `("bodies", "box1")`.
+    name
+        The new one.
+
+    Raises
+    ------
+    LevelError
+        If the level has mistakes, or has them by its new name.
+    SandboxError
+        If there is nothing of the old name, or something of the new one, or it is no name.
+    """
+    level = parse(text)
+    part, old = path
+    if part not in ("bodies", "joints", "parameters") or old not in getattr(level, str(part)):
+        raise SandboxError(f"there is no {'.'.join(map(str, path))} to be renamed")
+    if name == old:
+        return text
+    _refuse_taken(level, str(part), name)
+    told = dict(_told(level, str(part), str(old), name))
+    return accepted(_replaced(text, {path: name, **told}, name))
+
+
+def _refuse_taken(level: Level, part: str, name: str) -> None:
+    if not NAME.fullmatch(name):
+        raise SandboxError(f"'{brief(name)}' is no name: a letter, then letters, digits or _")
+    among = level.parameters if part == "parameters" else {**level.bodies, **level.joints}
+    if name in among or (part == "parameters" and name in RESERVED):
+        raise SandboxError(f"the name '{name}' is taken; choose another one")
+
+
+def _told(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:
+    """Yield where a name is mentioned, and what stands there afterwards."""
+    for path, value, mention in mentions(level):
+        texts = [(path, value)]
+        if not isinstance(value, str):
+            texts = [((*path, index), item) for index, item in enumerate(value)]
+        of = "parameters" if mention.of == "parameter" else "bodies"
+        for place, text in texts:
+            if mention.of == "quantity":
+                subject, dot, rest = text.partition(".")
+                if subject == old and part != "parameters":
+                    yield place, name + dot + rest
+            elif (of, text) == (part, old):
+                yield place, name
+    if part == "parameters":
+        yield from _in_formulas(level, old, name)
+
+
+def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]]:
+    yield ("challenge", "solution", old), name
+    for path, expression in expressions(level):
+        if old in expression.names:
+            yield path, renamed(str(expression.source), old, name)
+
+
+def _replaced(text: str, told: Mapping[Path, str], name: str) -> str:
+    """Return a text with other words at some paths; where no word stands, it is the key."""
+    found, pieces = Spans(text), []
+    for path in filter(found.__contains__, told):
+        span = found[path]
+        is_word = text.startswith('"', span.begin)
+        start = span.begin if is_word else span.start
+        end = json.JSONDecoder().raw_decode(text, start)[1]
+        pieces.append((start, end, json.dumps(told[path] if is_word else name)))
+    return spliced(text, pieces)

@@ -1,0 +1,47 @@
+"""Known set-ups, recognised in a level, and the closed forms that it may be held against.
+
+A module a set-up; each has a function from a `Scene` to suggestions, and stands in the list here.
+Nothing is suggested that the scene does not keep: where something is in the way, a check is about
+a time before it is met.
+"""
+
+from collections.abc import Callable, Iterator
+
+from sandbox.editing.mending import accepted
+from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
+from sandbox.editing.suggest.scene import Scene, Suggestion
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+
+_KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
+    atwood.suggestions,
+    incline.suggestions,
+    pendulum.suggestions,
+    collision.suggestions,
+    projectile.suggestions,
+    oscillator.suggestions,
+)
+
+
+def suggestions(level: Level, values: Values | None = None) -> list[Suggestion]:
+    """Return the closed forms of the known set-ups that a level is, and does not check yet."""
+    scene = Scene(level, level.defaults if values is None else values)
+    checked = {check.quantity for check in level.checks}
+    found = (one for known in _KNOWN for one in known(scene))
+    return [one for one in found if not {c["quantity"] for c in one.checks} <= checked]
+
+
+def take(text: str, level: Level, suggestion: Suggestion) -> str:
+    """Return a level with the checks of a suggestion, and with the rate that they need.
+
+    Raises
+    ------
+    LevelError
+        If the loader refuses it.
+    """
+    count = len(level.checks)
+    changes: Changes = {("checks", count + i): c for i, c in enumerate(suggestion.checks)}
+    if level.stepping.accuracy is None and level.stepping.rate < suggestion.rate:
+        changes["stepping", "rate"] = suggestion.rate
+    return accepted(put_all(text, changes))

@@ -1,0 +1,145 @@
+"""A block on a slope: a = g (sin θ − μ cos θ) if tan θ > μ, else it holds; N = m g cos θ."""
+
+from cmath import phase
+from collections.abc import Callable, Iterator
+from math import cos, sin
+
+import numpy as np
+
+from sandbox.editing.layout import plain
+from sandbox.editing.placed import Core, Placed
+from sandbox.editing.suggest.scene import (
+    SAFE,
+    SAMPLES,
+    TOUCHING,
+    Scene,
+    Suggestion,
+    check,
+    instant,
+    moved,
+    opposite,
+    said,
+)
+from sandbox.model.expressions import Expression
+from sandbox.model.parts import names_in
+from sandbox.model.shapes import Box, Polygon
+from sandbox.physics.geometry.distance import Gap, gap
+
+EXACT = 1e-9
+"""Of the closed form: a uniform acceleration is exact to rounding."""
+
+LEAST, MOST = 0.01, 1.5
+"""rad, of a slope."""
+
+HAIR = 1e-9
+"""m, by which what overlaps by rounding is held apart to find the side that it touches with."""
+
+FLAT = 1e-7
+"""rad, by which an angle may be off that of the slope."""
+
+HALF = 0.6
+"""The share of its side that must lie on the slope, so that it does not tip over the end."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the closed forms of the blocks that lie flat on a slope."""
+    if scene.fall is None or not scene.only("gravity", "contact", "friction", "rotation"):
+        return
+    if scene.level.effects.contact is None:
+        return
+    for name in scene.dynamic:
+        block = scene.where[name]
+        if scene.joints[name] or not isinstance(block.body.shape, Box | Polygon):
+            continue
+        found = [(s, n) for s in scene.where for n in _lies_on(scene, block, s)]
+        if len(found) == 1 and scene.rests(name):
+            yield from _of(scene, name, *found[0])
+
+
+def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
+    """Yield the normal of a slope that stands still and that a block lies flat on."""
+    under = scene.where[slope]
+    if under.name == block.name or under.body.type != "static":
+        return
+    for core in under.cores:
+        for own in block.cores:
+            found = _side(own, core, under.radius)
+            if abs(found.distance) < TOUCHING and len(found.points) == 2:
+                yield -found.normal
+
+
+def _side(own: Core, core: Core, radius: float) -> Gap:
+    """Return the gap with both ends of the side, which are told only of what does not overlap."""
+    found = gap(own, core, radius)
+    return found if found.distance > 0 else gap(moved(own, -HAIR * found.normal), core, radius)
+
+
+def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion]:
+    fall, angle = scene.fall, abs(phase(up / 1j))
+    mu, theta = _friction(scene, name, slope), _theta(scene, name, slope, angle)
+    if fall is None or not LEAST < angle < MOST or mu is None or theta is None:
+        return
+    rubs = Expression(mu)(scene.values)
+    along = -fall(scene.values) * (sin(angle) - rubs * cos(angle))
+    down = up * (-1j if (up * 1j).imag > 0 else 1j)
+    g, weight = opposite(fall), f"{scene.mass(name)}*{opposite(fall)}"
+    normal = f"{weight}*cos({theta})"
+    if along <= 0:
+        holds = f"{weight}*sin({theta})"
+        held = (
+            check("normal force", f"{name}.contact.normal", normal, EXACT),
+            check("friction, holding", f"{name}.contact.friction", holds, EXACT),
+        )
+        yield Suggestion("block that a slope holds", (name, slope), held)
+        return
+    until = _until(scene, name, slope, lambda t: down * along * t * t / 2)
+    at = None if until == scene.lasts else instant(SAFE * until)
+    pull = f"sin({theta})" if mu == "0" else f"(sin({theta}) - {mu}*cos({theta}))"
+    checks = (
+        check("acceleration", f"{name}.acceleration", f"{g}*{pull}", EXACT, at=at, scale=g),
+        check("speed", f"{name}.speed", f"{g}*{pull}*t", EXACT, at=at),
+        check("normal force", f"{name}.contact.normal", normal, EXACT, at=at),
+    )
+    yield Suggestion("block on a slope", (name, slope), checks)
+
+
+def _theta(scene: Scene, name: str, slope: str, angle: float) -> str | None:
+    """Return the slope's angle, as the block's own formula if that says it; None if none does."""
+    own, under = scene.level.bodies[name].angle, scene.level.bodies[slope]
+    if own.names and abs(own(scene.values) - angle) < FLAT:
+        return str(own.source)
+    return None if names_in((under.shape, under.angle)) else repr(plain(angle))
+
+
+def _friction(scene: Scene, name: str, slope: str) -> str | None:
+    """Return the coefficient of the pair as a formula; None if it sticks more than it rubs."""
+    effect = scene.level.effects.friction
+    if effect is None:
+        return "0"
+    if any(pair for pair in effect.pairs if set(pair.bodies) == {name, slope}):
+        return None
+    bodies = [scene.level.bodies[one] for one in (name, slope)]
+    if any(body.static_friction is not None for body in bodies):
+        return None
+    own = [body.friction for body in bodies if body.friction is not None]
+    return "*".join(said(coefficient) for coefficient in own if coefficient.source != 1) or "1"
+
+
+def _until(scene: Scene, name: str, slope: str, way: Callable[[float], complex]) -> float:
+    """Return when the block comes to the end of its slope, or meets something else [s]."""
+    free = scene.free_until(name, way, (slope,))
+    whole = _length(scene, name, slope, 0j)
+    for t in np.linspace(0, free, SAMPLES).tolist():
+        if _length(scene, name, slope, way(t)) < HALF * whole:
+            return t - free / (SAMPLES - 1)
+    return free
+
+
+def _length(scene: Scene, name: str, slope: str, way: complex) -> float:
+    """Return how long the side is with which a block that was moved lies on its slope [m]."""
+    block, under = scene.where[name], scene.where[slope]
+    found = [
+        _side(moved(own, way), core, under.radius) for own in block.cores for core in under.cores
+    ]
+    nearest = min(found, key=lambda one: one.distance)
+    return abs(nearest.points[-1] - nearest.points[0])

@@ -1,0 +1,85 @@
+"""A body on a spring: s(t) = s0 cos ωt + v0/ω sin ωt about its place of rest, ω = √(k/m)."""
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+import numpy as np
+
+from sandbox.editing.layout import plain
+from sandbox.editing.suggest.scene import TOUCHING, Scene, Suggestion, check, rate_of, said
+from sandbox.model.expressions import Expression, Formula
+from sandbox.model.joints import End, Spring, body_of
+from sandbox.model.level import place
+from sandbox.physics.geometry.distance import dot
+
+NEAR = 1e-4
+"""Of the closed form at the rate below: the leapfrog is second order."""
+
+FEW = 40
+"""Steps of an oscillation at the least, however short the run."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the closed forms of the bodies that swing along a spring."""
+    if not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
+        return
+    for joint in scene.level.joints.values():
+        if isinstance(joint, Spring) and (bob := _bob(scene, joint)):
+            yield from _along(scene, joint, bob)
+
+
+def _bob(scene: Scene, joint: Spring) -> str | None:
+    """Return the body that a spring without a damper holds by its centre at the plane."""
+    held = [end for end in joint.ends if body_of(end)]
+    if len(held) != 1 or not isinstance(bob := held[0], str):
+        return None
+    alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
+    simple = not joint.pushes_only and joint.damping(scene.values) == 0
+    return bob if alone and simple and joint.stiffness(scene.values) > 0 else None
+
+
+def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
+    """Yield the closed form of a motion along one of the axes."""
+    values, body, fall = scene.values, scene.level.bodies[bob], scene.level.effects.gravity
+    first, second = joint.ends
+    end = second if body_of(first) else first
+    peg = place(end, scene.level.bodies, values)
+    way = scene.where[bob].center - peg
+    if not way or (way.real and way.imag):
+        return
+    index = 1 if way.imag else 0
+    pull = complex(*(a(values) for a in fall.acceleration)) if fall else 0j
+    k, m = said(joint.stiffness), scene.mass(bob)
+    start, speed = said(body.position[index]), said(body.velocity[index])
+    slack = start
+    if joint.length is not None:
+        sign = "+" if way.real + way.imag > 0 else "-"
+        slack = f"({said(_point(end)[index])} {sign} {said(joint.length)})"
+    rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
+    beat = f"sqrt({k}/{m})"
+    form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
+    omega, motion = sqrt(Expression(f"{k}/{m}")(values)), Formula(form)
+    times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
+    swing = motion.over(values, times) - (peg.imag if index else peg.real)
+    unit = 1j if index else 1 + 0j
+    across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
+    if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:
+        return
+    ways = [unit * (s - dot(way, unit)) for s in swing.tolist()]
+    others = [name for name in scene.where if name != bob and scene.level.effects.contact]
+    if any(scene.distance(bob, by, other) < TOUCHING for by in ways for other in others):
+        return
+    axis, most = "xy"[index], plain(float(f"{np.ptp(swing) / 2:.3g}"))
+    checks = check("place", f"{bob}.position.{axis}", form, NEAR, scale=most)
+    yield Suggestion("oscillator", (bob,), (checks,), rate_of(_rate(omega, scene.lasts)))
+
+
+def _point(end: End) -> tuple[Expression, Expression]:
+    """Return an end that is a point of the plane."""
+    assert isinstance(end, tuple)
+    return end
+
+
+def _rate(omega: float, lasts: float) -> float:
+    """Return the rate at which the phase is late by half the bound at the end: ω³ dt² t / 24."""
+    return max(sqrt(omega**3 * lasts / 24 / (NEAR / 2)), omega * FEW / (2 * pi))

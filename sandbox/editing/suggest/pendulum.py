@@ -1,0 +1,94 @@
+"""A bob let go on a rod or string: its energy, and T/4 = π/2 √(L/g) / M(1, cos(θ0/2)).
+
+M is the arithmetic-geometric mean, of Gauss.
+"""
+
+from cmath import phase, rect
+from collections.abc import Iterator
+from math import cos, pi, sqrt
+from typing import Any
+
+import numpy as np
+
+from sandbox.editing.layout import plain
+from sandbox.editing.suggest.scene import (
+    TOUCHING,
+    Scene,
+    Suggestion,
+    check,
+    opposite,
+    rate_of,
+    said,
+)
+from sandbox.model.joints import Joint, Rod, Rope, body_of
+from sandbox.model.level import place
+from sandbox.model.parts import names_in
+
+NEAR = 1e-4
+"""Of the closed form at the rate below: the leapfrog is second order."""
+
+STEPS = 400
+"""Of a period."""
+
+LARGEST, SMALLEST = 2.5, 1e-3
+"""rad, between which a swing has a closed form that is good enough, and is one."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the closed forms of the pendulums."""
+    fall = scene.fall
+    if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
+        return
+    for name, joint in scene.level.joints.items():
+        bob = _bob(scene, joint)
+        if bob is None or not isinstance(joint, Rod | Rope):
+            continue
+        first, second = (place(end, scene.level.bodies, scene.values) for end in joint.ends)
+        center = scene.where[bob].center
+        way = center - (first if second == center else second)
+        length, angle = abs(way), abs(phase(way * 1j))
+        if not SMALLEST < angle < LARGEST or not _clear(scene, bob, way):
+            continue
+        mean = _mean(1.0, cos(angle / 2))
+        quarter = pi / 2 * sqrt(length / -fall(scene.values)) / mean
+        g, (x, y) = opposite(fall), scene.level.bodies[bob].position
+        energy = f"{scene.mass(bob)}*{g}*{said(y)}"
+        checks: list[dict[str, Any]] = [
+            check("energy", f"{bob}.energy", energy, NEAR, scale=f"{scene.mass(bob)}*{g}")
+        ]
+        if not names_in((x, y, joint)):
+            checks.append(check("length", f"{name}.length", f"{plain(length)!r}", 1e-10))
+            if scene.lasts > quarter:
+                form = f"pi/2*sqrt({plain(length)!r}/{g})/{plain(mean)!r}"
+                at = dict[str, Any](event="crossing", quantity=f"{bob}.position.x")
+                at["value"] = plain((center - way).real)
+                checks.append(check("quarter of a period", "t", form, NEAR, at=at))
+        yield Suggestion("pendulum", (bob,), tuple(checks), rate_of(STEPS / (4 * quarter)))
+
+
+def _bob(scene: Scene, joint: Joint) -> str | None:
+    """Return the body that hangs at rest by its centre from a point of the plane, if one does."""
+    if not isinstance(joint, Rod | Rope) or joint.length is not None:
+        return None
+    held = [end for end in joint.ends if body_of(end)]
+    if len(held) != 1 or not isinstance(bob := held[0], str):
+        return None
+    alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
+    return bob if alone and scene.rests(bob) else None
+
+
+def _clear(scene: Scene, bob: str, way: complex) -> bool:
+    """Whether nothing is in the way of the swing, and the string stays taut."""
+    start = phase(way * 1j)
+    if scene.level.effects.contact is None:
+        return True
+    swing = [rect(abs(way), turn) / 1j - way for turn in np.linspace(start, -start, 100)]
+    others = [name for name in scene.where if name != bob]
+    return all(scene.distance(bob, by, o) > TOUCHING for by in swing for o in others)
+
+
+def _mean(one: float, other: float) -> float:
+    """Return the arithmetic-geometric mean of two numbers."""
+    for _ in range(6):
+        one, other = (one + other) / 2, sqrt(one * other)
+    return one

@@ -1,0 +1,39 @@
+"""A thrown body: x = x0 + vx t, y = y0 + vy t − g t²/2, until it meets something."""
+
+from collections.abc import Iterator
+
+from sandbox.editing.suggest.scene import SAFE, Scene, Suggestion, check, instant, opposite, said
+
+EXACT = 1e-10
+"""Of the closed form: a uniform acceleration is exact to rounding."""
+
+SHORTEST = 0.05
+"""s, of a flight that is worth a check."""
+
+
+def suggestions(scene: Scene) -> Iterator[Suggestion]:
+    """Yield the closed forms of the bodies that fly freely."""
+    fall = scene.fall
+    if fall is None or not scene.only("gravity", "contact", "friction", "restitution", "rotation"):
+        return
+    half = complex(0, fall(scene.values) / 2)
+    for name in scene.dynamic:
+        if scene.joints[name]:
+            continue
+        v = scene.velocity(name)
+        free = scene.free_until(name, lambda t, v=v: v * t + half * t * t)  # type: ignore[misc]
+        if free < SHORTEST:
+            continue
+        body, at = scene.level.bodies[name], None if free == scene.lasts else instant(SAFE * free)
+        x, y = map(said, body.position)
+        u, w = map(said, body.velocity)
+        g = opposite(fall)
+        yield Suggestion(
+            "thrown body" if v else "falling body",
+            (name,),
+            (
+                check("distance", f"{name}.position.x", f"{x} + {u}*t", EXACT, at=at),
+                check("height", f"{name}.position.y", f"{y} + {w}*t - {g}*t**2/2", EXACT, at=at),
+                check("rise", f"{name}.velocity.y", f"{w} - {g}*t", EXACT, at=at),
+            ),
+        )

@@ -1,0 +1,182 @@
+"""A level as those look at it who recognise set-ups in it."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from sandbox.editing.layout import plain
+from sandbox.editing.placed import Core, Placed, placed
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.joints import Joint, bodies_of
+from sandbox.model.level import Level
+from sandbox.physics.geometry.distance import gap
+
+Check = Mapping[str, Any]
+"""As it stands in a level's file."""
+
+TOUCHING = 1e-6
+"""m, within which two bodies touch."""
+
+RATES = (60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0)
+"""Hz, that levels have."""
+
+SAFE = 0.9
+"""The share of the time until something is met, at which a check asks."""
+
+SAMPLES = 400
+"""At how many times it is looked for what is in the way."""
+
+
+@dataclass(frozen=True)
+class Suggestion:
+    """A known set-up, and the checks that hold it against its closed form.
+
+    Attributes
+    ----------
+    setup
+        What it is: `Atwood machine`, say.
+    about
+        The bodies that it is made of.
+    checks
+        As they stand in a level's file.
+    rate
+        Hz, that they need at the least.
+    """
+
+    setup: str
+    about: tuple[str, ...]
+    checks: tuple[Check, ...]
+    rate: float = 60.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A level, with the values of its parameters."""
+
+    level: Level
+    values: Values
+
+    @cached_property
+    def where(self) -> Mapping[str, Placed]:
+        """All bodies where they start."""
+        return placed(self.level, self.values)
+
+    @cached_property
+    def joints(self) -> Mapping[str, list[str]]:
+        """The joints that hold each body."""
+        held: dict[str, list[str]] = {name: [] for name in self.level.bodies}
+        for name, joint in self.level.joints.items():
+            for body in set(bodies_of(joint)):
+                held[body].append(name)
+        return held
+
+    @property
+    def dynamic(self) -> list[str]:
+        """The bodies that forces move."""
+        return [name for name, body in self.level.bodies.items() if body.type == "dynamic"]
+
+    def only(self, *effects: str) -> bool:
+        """Whether nothing else acts than that."""
+        return set(self.level.effects.declared) <= set(effects)
+
+    @property
+    def fall(self) -> Expression | None:
+        """What the acceleration of gravity is along y, if it acts and points straight down."""
+        gravity = self.level.effects.gravity
+        if gravity is None or gravity.acceleration[0](self.values) != 0:
+            return None
+        return gravity.acceleration[1] if gravity.acceleration[1](self.values) < 0 else None
+
+    def mass(self, name: str) -> str:
+        """Return the mass of a dynamic body, as a formula."""
+        mass = self.level.bodies[name].mass
+        assert mass is not None
+        return said(mass)
+
+    def velocity(self, name: str) -> complex:
+        """Return the velocity of a body at the start [m/s]."""
+        return complex(*(v(self.values) for v in self.level.bodies[name].velocity))
+
+    def rests(self, *names: str) -> bool:
+        """Whether bodies neither move nor turn at the start."""
+        bodies = [self.level.bodies[name] for name in names]
+        spins = [body.angular_velocity(self.values) for body in bodies]
+        return not any(map(self.velocity, names)) and not any(spins)
+
+    @property
+    def lasts(self) -> float:
+        """How long a run is [s]."""
+        return self.level.duration(self.values)
+
+    def distance(self, name: str, way: complex, other: str) -> float:
+        """Return how far a body that was moved would be from another one [m]."""
+        one, rest = self.where[name], self.where[other]
+        radii = one.radius + rest.radius
+        return min(
+            gap(moved(core, way), against, radii).distance
+            for core in one.cores
+            for against in rest.cores
+        )
+
+    def free_until(
+        self, name: str, way: Callable[[float], complex], besides: Sequence[str] = ()
+    ) -> float:
+        """Return for how long a body would go its way without meeting another [s].
+
+        Others that move are where they start. Without contact nothing is ever met.
+        """
+        if self.level.effects.contact is None:
+            return self.lasts
+        others = [other for other in self.where if other not in (name, *besides)]
+        for t in np.linspace(0, self.lasts, SAMPLES)[1:].tolist():
+            if any(self.distance(name, way(t), other) < TOUCHING for other in others):
+                return t - self.lasts / (SAMPLES - 1)
+        return self.lasts
+
+    def joint(self, name: str) -> Joint:
+        """Return a joint."""
+        return self.level.joints[name]
+
+
+def moved(core: Core, way: complex) -> Core:
+    """Return a core elsewhere."""
+    return tuple(point + way for point in core)
+
+
+def said(expression: Expression) -> str:
+    """Return a number or a formula such that it can be multiplied: `m`, `2.5`, `(m + 1)`."""
+    source = expression.source
+    if not isinstance(source, str):
+        return f"{plain(source)!r}" if source >= 0 else f"({plain(source)!r})"
+    return source if source.isidentifier() else f"({source})"
+
+
+def opposite(expression: Expression) -> str:
+    """Return what is subtracted if it is added: of `-g` it is `g`."""
+    source = expression.source
+    if not isinstance(source, str):
+        return f"{plain(-source)!r}"
+    inner = source.strip().removeprefix("-").strip()
+    return inner if source.strip().startswith("-") and inner.isidentifier() else f"(-({source}))"
+
+
+def instant(time: float) -> float:
+    """Return a time of two digits, not after another one [s]."""
+    digits = float(f"{time:.1e}")
+    return plain(digits if digits <= time else float(f"{time * 0.95:.1e}"))
+
+
+def check(
+    label: str, quantity: str, formula: str, tolerance: float, **more: object
+) -> dict[str, Any]:
+    """Return a check as it stands in a level's file."""
+    told = {"label": label, "quantity": quantity, "formula": formula, "tolerance": tolerance}
+    return told | {key: value for key, value in more.items() if value is not None}
+
+
+def rate_of(least: float) -> float:
+    """Return the first of the usual rates that is high enough [Hz]."""
+    return next((rate for rate in RATES if rate >= least), RATES[-1])

@@ -1,0 +1,87 @@
+"""Copies and mirror images: new names, the joints among them, and levels that load."""
+
+import pytest
+
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits.copying import copy, duplicate, paste
+from sandbox.editing.edits.mirroring import mirror
+from sandbox.editing.placed import around, placed
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.joints import bodies_of
+from sandbox.model.loading import parse, read
+from sandbox.physics.run import build
+
+LEVELS = [
+    *catalog.textbook()[::3],
+    *(f"machines/{n}" for n in ("ragdoll", "scissor-lift", "crane")),
+]
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
+    text = read(catalog.find(name))
+    level = parse(text)
+    pasted = duplicate(text, level, list(level.bodies), (100, 0))
+    after = parse(pasted.text)
+    assert len(after.bodies) == 2 * len(level.bodies)
+    assert set(pasted.names) == set(after.bodies) - set(level.bodies)
+    free = sum(not set(bodies_of(joint)) for joint in level.joints.values())
+    assert len(after.joints) == 2 * len(level.joints) - free
+    old, new = placed(level), placed(after)
+    for one, other in zip(level.bodies, pasted.names, strict=True):
+        assert new[other].center == pytest.approx(old[one].center + 100)
+
+
+def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
+    text = read(catalog.find("newton/atwood"))
+    level = parse(text)
+    after = parse(duplicate(text, level, ["left", "right"], (3, 0)).text)
+    (new,) = set(after.joints) - set(level.joints)
+    assert set(bodies_of(after.joints[new])) == {"left1", "right1"}
+    assert after.joints["string"] == level.joints["string"]
+    alone = parse(duplicate(text, level, ["left"], (3, 0)).text)
+    assert list(alone.joints) == ["string"]
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
+    text = read(catalog.find(name))
+    level = parse(text)
+    empty = Draft.empty().text
+    pasted = paste(empty, parse(empty), copy(text, level, list(level.bodies)))
+    after = parse(pasted.text)
+    assert len(after.bodies) == len(level.bodies) + 1
+
+
+@pytest.mark.parametrize("copied", ["", "{}", "[1]", '{"bodies": 3}', "hello"])
+def test_what_is_no_level_is_not_pasted(copied: str) -> None:
+    empty = Draft.empty().text
+    with pytest.raises(SandboxError, match="not of a level"):
+        paste(empty, parse(empty), copied)
+
+
+@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("axis", ["x", "y"])
+def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str, axis: str) -> None:
+    text = read(catalog.find(name))
+    level = parse(text)
+    once = mirror(text, level, list(level.bodies), axis)  # type: ignore[arg-type]
+    image = parse(once)
+    box = around(placed(level).values())
+    assert around(placed(image).values()) == pytest.approx(box, abs=1e-9)
+    twice = parse(mirror(once, image, list(level.bodies), axis))  # type: ignore[arg-type]
+    for body, one in placed(twice).items():
+        other = placed(level)[body]
+        assert one.center == pytest.approx(other.center, abs=1e-9)
+        assert one.corners == pytest.approx(other.corners, abs=1e-9)
+
+
+def test_a_mirrored_run_is_the_mirror_image_of_the_run() -> None:
+    text = read(catalog.find("machines/trebuchet"))
+    level = parse(text)
+    image = parse(mirror(text, level, list(level.bodies)))
+    low, high = around(placed(level).values())
+    one, other = (build(scene).advance(30).position for scene in (level, image))
+    assert other[:, 0] == pytest.approx((low + high).real - one[:, 0], abs=1e-6)
+    assert other[:, 1] == pytest.approx(one[:, 1], abs=1e-6)

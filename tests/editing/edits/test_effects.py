@@ -1,0 +1,64 @@
+"""Effects: declared with what they need, and dropped with what needs them."""
+
+import re
+from typing import Any
+
+import pytest
+
+from sandbox.editing.edits.effects import COEFFICIENT, cost, declare, drop
+from sandbox.editing.patches import value_at
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import parse, read
+from sandbox.model.variants import DEFAULTS
+
+ATWOOD = read(catalog.find("newton/atwood"))
+SETTINGS: dict[str, dict[str, Any]] = {
+    "attraction": {"mu": 1, "center": [0, 5]},
+    "force": {"body": "left", "force": [1, "sin(t)"]},
+}
+
+
+TRIED = sorted({*DEFAULTS, *SETTINGS} - {"gravity"})
+
+
+@pytest.mark.parametrize("effect", TRIED)
+def test_an_effect_that_can_be_is_declared_and_dropped_again(effect: str) -> None:
+    text = declare(ATWOOD, parse(ATWOOD), effect, SETTINGS.get(effect))
+    level = parse(text)
+    assert effect in level.effects.declared
+    without = parse(drop(text, level, effect))
+    assert effect not in without.effects.declared
+    assert without.checks == parse(ATWOOD).checks
+
+
+def test_friction_brings_contact_and_coefficients() -> None:
+    text = declare(ATWOOD, parse(ATWOOD), "friction")
+    assert parse(text).effects.contact is not None
+    assert value_at(text, ("bodies", "left", "friction")) == COEFFICIENT
+    less = parse(drop(text, parse(text), "contact"))
+    assert less.effects.declared == ("gravity",)
+    assert less.bodies["left"].friction is None
+
+
+def test_another_force_is_added_to_the_first() -> None:
+    once = declare(ATWOOD, parse(ATWOOD), "force", SETTINGS["force"])
+    twice = declare(once, parse(once), "force", SETTINGS["force"])
+    assert len(parse(twice).effects.force or ()) == 2
+
+
+@pytest.mark.parametrize("effect", ["gravity", "gravty", "force"])
+def test_what_cannot_be_declared_is_refused(effect: str) -> None:
+    with pytest.raises(SandboxError, match=r"already|did you mean 'gravity'|told"):
+        declare(ATWOOD, parse(ATWOOD), effect)
+
+
+def test_what_is_not_declared_is_not_dropped() -> None:
+    with pytest.raises(SandboxError, match="no effect 'drag'"):
+        drop(ATWOOD, parse(ATWOOD), "drag")
+
+
+@pytest.mark.parametrize("effect", ["gravity", "drag"])
+def test_a_cost_is_told_in_words(effect: str) -> None:
+    told = cost(parse(ATWOOD), effect)
+    assert re.fullmatch(r"[+−]\S+ µs a step, of \S+ µs with it", told)

@@ -1,0 +1,173 @@
+"""Known set-ups are recognised, and what is suggested of them holds in a run."""
+
+from cmath import rect
+
+import pytest
+
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits.bodies import add_box, add_disc, add_surface
+from sandbox.editing.edits.effects import declare
+from sandbox.editing.edits.fields import make_parameter
+from sandbox.editing.edits.joints import Pick, add_joint
+from sandbox.editing.edits.transforms import move, turn
+from sandbox.editing.patches import put_all, remove
+from sandbox.editing.suggest import suggestions, take
+from sandbox.model import catalog
+from sandbox.model.loading import parse, read
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
+
+EMPTY = Draft.empty().text
+
+
+def disc(text: str, x: float, y: float, radius: float = 0.25) -> str:
+    return add_disc(text, parse(text), (x, y), (x + radius, y)).text
+
+
+def atwood(one: float, other: float) -> str:
+    text = disc(disc(EMPTY, -1, 3), 1, 3)
+    pegs = Pick((-1, 6)), Pick((1, 6))
+    chosen = [Pick((-1, 3), "disc1"), *pegs, Pick((1, 3), "disc2")]
+    text = add_joint(text, parse(text), "pulley", chosen).text
+    return put_all(text, {("bodies", "disc1", "mass"): one, ("bodies", "disc2", "mass"): other})
+
+
+def incline(angle: float, friction: float | None = None, *, turns: bool = False) -> str:
+    text = add_surface(EMPTY, parse(EMPTY), [(-6, 6), (6, 6)]).text
+    text = turn(text, parse(text), ["surface1"], angle)
+    at = 6j + (rect(2, angle) if angle > 0 else rect(-2, angle)) + 0.25j * rect(1, angle)
+    low, high = at - 0.5 - 0.25j, at + 0.5 + 0.25j
+    text = add_box(text, parse(text), (low.real, low.imag), (high.real, high.imag)).text
+    text = turn(text, parse(text), ["box1"], angle)
+    if friction is not None:
+        text = declare(text, parse(text), "friction")
+        text = put_all(text, {("bodies", "box1", "friction"): friction})
+    return declare(text, parse(text), "rotation") if turns else text
+
+
+def pendulum(kind: str, x: float, y: float) -> str:
+    text = disc(EMPTY, x, y)
+    return add_joint(text, parse(text), kind, [Pick((0, 7)), Pick((x, y), "disc1")]).text
+
+
+def oscillator(x: float, y: float, length: float, *, falls: bool) -> str:
+    text = disc(EMPTY, x, y)
+    text = add_joint(text, parse(text), "spring", [Pick((0, 7)), Pick((x, y), "disc1")]).text
+    text = put_all(text, {("joints", "spring1", "length"): length})
+    return text if falls else remove(text, ("effects", "gravity"))
+
+
+def collision(m1: float, v1: float, m2: float, v2: float, e: float | None) -> str:
+    text = remove(disc(disc(EMPTY, -2, 4), 1, 4, 0.4), ("effects", "gravity"))
+    if e is not None:
+        text = declare(text, parse(text), "restitution")
+        text = put_all(text, {("bodies", f"disc{i}", "restitution"): e for i in (1, 2)})
+    masses = {("bodies", f"disc{i}", "mass"): m for i, m in ((1, m1), (2, m2))}
+    return put_all(
+        text, masses | {("bodies", f"disc{i}", "velocity"): [v, 0] for i, v in ((1, v1), (2, v2))}
+    )
+
+
+def thrown(x: float, y: float, u: float, v: float) -> str:
+    return put_all(disc(EMPTY, x, y), {("bodies", "disc1", "velocity"): [u, v]})
+
+
+MADE = {
+    "Atwood machine": [atwood(2, 3.7), atwood(5, 0.3), atwood(1, 1), atwood(1e3, 1)],
+    "block on a slope": [
+        incline(0.5),
+        incline(-0.7),
+        incline(0.6, 0.2),
+        incline(-1.2, 0.7),
+        incline(0.4, turns=True),
+    ],
+    "block that a slope holds": [incline(0.2, 0.5), incline(-0.3, 0.9)],
+    "pendulum": [
+        pendulum("rod", 1.5, 6),
+        pendulum("rod", -0.2, 5),
+        pendulum("rope", 1, 5.5),
+        pendulum("rod", 1.5, 8),
+    ],
+    "oscillator": [
+        oscillator(2, 7, 1.5, falls=False),
+        oscillator(-3, 7, 3.5, falls=False),
+        oscillator(0, 5, 2, falls=True),
+        oscillator(0, 4.5, 2, falls=True),
+    ],
+    "collision": [
+        collision(1, 3, 2, 0, None),
+        collision(3, 2, 0.4, -1, 1),
+        collision(1, 5, 7, 2, 0.8),
+    ],
+    "thrown body": [thrown(0, 3, 2, 4), thrown(-3, 1, 7, 0.5), thrown(0, 9, -1, -1)],
+    "falling body": [disc(EMPTY, 0, 5), disc(EMPTY, 3, 1)],
+}
+
+
+@pytest.mark.parametrize(
+    ("setup", "text"), [(setup, text) for setup, texts in MADE.items() for text in texts]
+)
+def test_a_set_up_is_recognised_and_its_checks_pass_on_a_run(setup: str, text: str) -> None:
+    level = parse(text)
+    found = [one for one in suggestions(level) if one.setup == setup]
+    assert len(found) == 1, [one.setup for one in suggestions(level)]
+    checked = parse(take(text, level, found[0]))
+    results = grade(simulate(checked))
+    assert len(results) == len(found[0].checks)
+    for result in results:
+        assert result.verdict == "passed", (result.check, result)
+
+
+def test_a_check_fails_where_the_scene_is_another_one() -> None:
+    """What is suggested of masses 2 and 3.7 does not hold of 2 and 3.8."""
+    text = atwood(2, 3.7)
+    checked = take(text, parse(text), suggestions(parse(text))[0])
+    other = put_all(checked, {("bodies", "disc2", "mass"): 3.8})
+    assert {result.verdict for result in grade(simulate(parse(other)))} == {"failed"}
+
+
+def test_a_suggestion_follows_the_parameters() -> None:
+    text = make_parameter(atwood(2, 3), ("bodies", "disc1", "mass"), "m1")
+    text = make_parameter(text, ("effects", "gravity", "acceleration", 1), "g")
+    level = parse(text)
+    checked = parse(take(text, level, suggestions(level)[0]))
+    results = grade(simulate(checked, {**checked.defaults, "m1": 2.2, "g": 9.0}))
+    assert {result.verdict for result in results} == {"passed"}
+
+
+def test_what_is_checked_already_is_not_suggested_again() -> None:
+    text = atwood(2, 3)
+    level = parse(text)
+    taken = take(text, level, suggestions(level)[0])
+    assert suggestions(parse(taken)) == []
+
+
+@pytest.mark.parametrize("name", catalog.textbook()[::5])
+def test_what_is_suggested_of_a_level_that_ships_can_be_taken(name: str) -> None:
+    text = read(catalog.find(name))
+    level = parse(text)
+    for one in suggestions(level):
+        assert len(parse(take(text, level, one)).checks) == len(level.checks) + len(one.checks)
+
+
+@pytest.mark.parametrize(
+    ("name", "setup"),
+    [
+        ("newton/atwood", "Atwood machine"),
+        ("newton/incline", "block on a slope"),
+        ("newton/incline-that-holds", "block that a slope holds"),
+        ("lagrange/simple-pendulum", "pendulum"),
+        ("energy/spring-oscillator", "oscillator"),
+        ("kinematics/free-fall", "falling body"),
+    ],
+)
+def test_levels_that_ship_are_recognised_without_their_checks(name: str, setup: str) -> None:
+    level = parse(read(catalog.find(name)))
+    bare = level.model_copy(update={"checks": ()})
+    assert setup in [one.setup for one in suggestions(bare)]
+
+
+def test_a_block_that_was_moved_off_its_slope_is_none_any_more() -> None:
+    text = incline(0.5)
+    away = move(text, parse(text), ["box1"], (0, 0.5))
+    assert [one.setup for one in suggestions(parse(away))] == ["falling body"]
