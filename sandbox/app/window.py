@@ -27,6 +27,7 @@ from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
 from sandbox.app.watching import FileWatch
+from sandbox.app.widgets.opening import SMALLEST
 from sandbox.app.widgets.parameters import Change
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
@@ -138,6 +139,10 @@ class Window:
 
     def _ask_for_file(self) -> None:
         """Let a person choose a file of their own, at first where the last one was."""
+        if any(have < least for have, least in zip(self.surface.size, SMALLEST, strict=True)):
+            least = " × ".join(map(str, SMALLEST))
+            self._banner.tell(f"Make the window larger for that: {least} px are enough.")
+            return
         last = self._recent.paths[0].parent if self._recent.paths else Path.home()
         self.panels.ask_for_file(last)
 

@@ -191,6 +191,26 @@ def test_the_dialog_leaves_the_locale_alone(
     assert locale.setlocale(locale.LC_ALL) == before
 
 
+def test_letters_without_width_are_not_taken(person: Person, own: Path) -> None:
+    dialog(person, own.parent)
+    shown = person.window.panels.dialog
+    assert shown is not None
+    before = shown.file_path_text_line.get_text()
+    person.click(shown.file_path_text_line.rect)
+
+    person.press(0, "\u200b")
+
+    assert shown.file_path_text_line.get_text() == before
+
+
+def test_in_a_tiny_window_it_is_told_what_is_missing(person: Person) -> None:
+    person.resize((320, 200))
+    person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)
+
+    assert person.window.panels.dialog is None
+    assert "Make the window larger" in person.window._banner._note
+
+
 @pytest.mark.parametrize("size", [(480, 300), (900, 600)])
 def test_the_dialog_has_room_in_a_small_window(
     person: Person, own: Path, size: tuple[int, int]

@@ -16,6 +16,7 @@ from pygame_gui import (
 from pygame_gui.windows import UIFileDialog
 
 from sandbox.app.text import legible
+from sandbox.app.widgets.field import Field
 
 SIZE = 560, 460  # px, if there is room
 SMALLEST = 260, 300  # px, as pygame_gui asks for
@@ -31,11 +32,21 @@ class OpenDialog(UIFileDialog):
         rect.center = stage.center
         with _as_before():
             super().__init__(
-                rect, manager, "Open a level", {".json"}, str(folder),
+                rect, manager, "Open a level", {".json"}, str(_nameable(folder)),
                 allow_existing_files_only=True,
             )  # fmt: skip
+        self._take_letters_that_can_be_drawn(manager)
         self.delete_button.hide()  # type: ignore[no-untyped-call]
         self.set_blocking(True)
+
+    def _take_letters_that_can_be_drawn(self, manager: UIManager) -> None:
+        """Put a field of the app's own in the place of pygame_gui's."""
+        line = self.file_path_text_line
+        self.file_path_text_line = Field(
+            line.relative_rect, manager, container=self, initial_text=line.get_text(),
+            anchors={"left": "left", "right": "right", "top": "top", "bottom": "top"},
+        )  # fmt: skip
+        line.kill()  # type: ignore[no-untyped-call]
 
     def picked(self, event: pygame.event.Event) -> Path | None:
         """Return the file that was chosen: by the button, by Enter, or by a second click."""
@@ -60,6 +71,12 @@ class OpenDialog(UIFileDialog):
             for each in self.current_file_list
             if each[0] == legible(each[0]) and not each[0].startswith(".")
         ]
+
+
+def _nameable(folder: Path) -> Path:
+    """Return a folder, or the one above it whose name can be drawn."""
+    shown = (each for each in (folder, *folder.parents) if str(each) == legible(str(each)))
+    return next(shown, Path("/"))
 
 
 @contextmanager
