@@ -138,6 +138,7 @@ class Session:
         self.looking = Looking(level)
         self.earlier: tuple[Earlier, ...] = ()
         self._begin(*self._built(self.level, (), level.defaults if values is None else values))
+        self._opened = self.level, self.values
 
     def _begin(
         self, world: World, companions: Sequence[Companion], setting: Setting | None
@@ -187,6 +188,12 @@ class Session:
     def at_end(self) -> bool:
         """Whether the run stands where its level says that it is complete."""
         return self.world.steps == self.end
+
+    @property
+    def touched(self) -> bool:
+        """Whether a person has changed anything since the level was opened."""
+        changed = self.companions or self.earlier or self.actions
+        return bool(changed) or (self.level, self.values) != self._opened
 
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Start anew, with some parameters changed.
@@ -298,6 +305,10 @@ class Session:
             self.failure, self.advice, self.trying = None, None, False
             self.books.restart()
         self.playing = not self.playing and self.failure is None
+
+    def pause(self) -> None:
+        """Let no more time pass by itself."""
+        self.playing = False
 
     def step(self) -> None:
         """Pause, and take a single step."""
