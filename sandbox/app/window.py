@@ -346,14 +346,14 @@ class Window:
             self._set(change)
 
     def _set(self, change: Change) -> None:
-        """Change a parameter, which starts the run anew; a value that cannot be is told."""
+        """Change a parameter, from the start or from now on; what cannot be is told."""
         assert self.session is not None
         assert self.panels.side is not None
         if change.value is None:
             self._banner.tell(f"'{change.typed}' is not a number")
         elif change.value != self.session.values[change.name]:
             try:
-                self.session.restart({change.name: change.value})
+                self.session.change({change.name: change.value}, otherwise=change.shifted)
                 self._banner.tell("")
             except SandboxError as error:
                 self._banner.tell(str(error))

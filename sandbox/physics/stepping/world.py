@@ -38,14 +38,28 @@ class World:
     kicks
         Takes the drifts and kicks of a step, counts steps, and times what is called in them.
     disturbed
-        Whether a hand has touched the scene, so that no formula for it holds any more.
+        Whether a hand has touched the scene, or a parameter was changed on the way, so that no
+        formula for it holds any more.
+
+    Parameters
+    ----------
+    level, values, stepping
+        As above.
+    before
+        Another world of the level, from whose state this one begins; see `branching.py`.
     """
 
-    def __init__(self, level: Level, values: Values, stepping: Stepping) -> None:
+    def __init__(
+        self, level: Level, values: Values, stepping: Stepping, before: "World | None" = None
+    ) -> None:
         self.level, self.values, self.stepping = level, values, stepping
-        self.scene, self.disturbed = make_scene(level, values, stepping), False
+        self.scene, self.disturbed = make_scene(level, values, stepping), before is not None
         self._setup = set_up(level, values, stepping, self.scene)
         self.kicks = self._setup.kicks
+        if before is not None:
+            from sandbox.physics.stepping.branching import take_over
+
+            take_over(self._setup, before.snapshot, before.steps, before.scene.joints)
         self._stages = Stages(list(declared(self._setup)), self.kicks)
         self._observer = Observer(self._setup, self._stages)
         self._ended: Exception | None = None
