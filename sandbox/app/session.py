@@ -170,6 +170,12 @@ class Session:
         return self.end * self.world.dt
 
     @property
+    def remaining(self) -> float | None:
+        """How long the rest of the run takes as slowly as it goes; None if it keeps up [s]."""
+        pace = self.pace.reduced if self.playing else None
+        return max(self.duration - self.t, 0.0) / pace if pace else None
+
+    @property
     def at_end(self) -> bool:
         """Whether the run stands where its level says that it is complete."""
         return self.world.steps == self.end
