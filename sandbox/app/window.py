@@ -8,7 +8,7 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import legend, theme
+from sandbox.app import legend, probe, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.commands import command
@@ -455,6 +455,8 @@ class Window:
             self.stage.asked = page(self.panels.page).overlay if side else ""
             earlier = [run.trail for run in session.earlier]
             self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+            x, y = pygame.mouse.get_pos()
+            probe.draw(view, self.stage.view, session, (x - area.x, y - area.y))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)

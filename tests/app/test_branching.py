@@ -4,8 +4,10 @@ from pathlib import Path
 
 import pygame
 import pytest
+from pygame_gui.elements import UIButton
 
 from sandbox.app import runfile
+from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.session import Session
 from sandbox.model import catalog
 from sandbox.model.branching import obstacle
@@ -133,6 +135,14 @@ def drag(person: Person, name: str, by: int) -> None:
     person.wait()
 
 
+def switch(person: Person) -> UIButton:
+    assert person.window.panels.side
+    page = person.window.panels.side.page
+    assert isinstance(page, LevelPage)
+    assert page.onwards is not None
+    return page.onwards
+
+
 def test_shift_and_the_switch_decide_where_a_change_acts_from(
     person: Person, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -154,9 +164,7 @@ def test_shift_and_the_switch_decide_where_a_change_acts_from(
     drag(person, "g", 30)
     assert person.session.world.steps == steps
 
-    page = person.window.panels.side.page  # type: ignore[union-attr]
-    person.click(page.onwards.rect)  # type: ignore[attr-defined]
-    assert not person.session.branches
+    person.click(switch(person).rect)
     drag(person, "g", -30)
     assert person.session.world.steps == 0
 
