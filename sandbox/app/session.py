@@ -240,7 +240,8 @@ class Session:
             why = "other runs go beside it" if self.companions else "it had to stop"
             raise SandboxError(f"this run cannot go on with other parameters: {why}")
         self.release()
-        again = self._fork is not None and self._fork.steps == self.world.steps
+        last = self.actions[-1] if self.actions else None
+        again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
         before = self._fork if again and self._fork else self.world
         values = choose(self.level, {**self.values, **settings})
         changed = {name: v for name, v in values.items() if v != before.values[name]}

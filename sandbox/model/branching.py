@@ -25,6 +25,7 @@ def obstacle(level: Level, changed: Collection[str]) -> str | None:
             _fits(level),
             "says how things were put together at the start, and joints keep that",
         ),
+        (_driven(level), "says where a body is moved to, which would jump"),
         (_flows(level), "has made the masses what they are by now"),
     )
     for names, reason in reasons:
@@ -50,6 +51,10 @@ def _fits(level: Level) -> frozenset[str]:
     return names_in((places, fixed))
 
 
+def _driven(level: Level) -> frozenset[str]:
+    return names_in(tuple(body.motion for body in level.bodies.values()))
+
+
 def _flows(level: Level) -> frozenset[str]:
     """Return what says how masses change with time."""
     flowing = (name for name, effect in EFFECTS.items() if effect.changes_mass)
@@ -69,7 +74,7 @@ def _parts(joint: Joint, *, free: bool) -> Iterator[object]:
     """Yield the fields of a joint that may change while it holds, or the others."""
     changeable: tuple[str, ...] = ()
     if isinstance(joint, Spring):
-        changeable = "stiffness", "damping", "length"
+        changeable = "stiffness", "damping", "length", "law"
     elif isinstance(joint, Motor):
         changeable = ("rate",)
     yield from (part for name, part in vars(joint).items() if (name in changeable) == free)

@@ -179,3 +179,16 @@ def test_what_cannot_be_changed_on_the_way_is_told_in_the_window(person: Person)
     assert "only how the run starts" in person.window._banner._note
     assert person.session.world.steps == 5
     assert person.session.values["speed"] == 25
+
+
+def test_a_body_put_elsewhere_between_two_branches_stays_there() -> None:
+    session = played("kinematics/projectile", 20)
+    session.branch({"g": 5.0})
+    session.grab("ball", (0.0, 0.0))
+    session.drag((1.0, 1.0))
+    session.release()
+    placed = session.world.snapshot.position.copy()
+    session.branch({"g": 3.0})
+
+    assert [action.kind for action in session.actions] == ["branch", "place", "branch"]
+    assert session.world.snapshot.position.tolist() == placed.tolist()

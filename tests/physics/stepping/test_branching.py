@@ -101,6 +101,7 @@ def test_a_motor_goes_on_from_where_it_has_turned_to() -> None:
         ("kinematics/projectile", "speed", "only how the run starts"),
         ("lagrange/simple-pendulum", "L", "put together at the start"),
         ("newton/incline", "angle", "part of a shape"),
+        ("machines/cam", "n", "says where a body is moved to"),
         ("newton/rocket", "burn", "has made the masses what they are"),
     ],
 )
