@@ -7,7 +7,7 @@ from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.loading import choose
-from sandbox.physics.stepping.making import branch
+from sandbox.physics.stepping.branching import branch
 from sandbox.physics.stepping.world import World
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]

@@ -2,16 +2,14 @@
 
 import numpy as np
 
-from sandbox.model.branching import obstacle
-from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import World
+from sandbox.physics.stepping.world import Begin, World
 
 
 def make_world(
-    level: Level, values: Values, stepping: Stepping, before: World | None = None
+    level: Level, values: Values, stepping: Stepping, begin: Begin | None = None
 ) -> World:
     """Make the world of a level at a rate that is chosen.
 
@@ -21,8 +19,8 @@ def make_world(
         What to simulate, and its parameters.
     stepping
         How time advances; no accuracy, which `build` finds a setting for.
-    before
-        Another world of the level, from whose state this one begins; from the start if left out.
+    begin
+        Puts it where it begins, if that is not the start.
 
     Raises
     ------
@@ -41,32 +39,13 @@ def make_world(
 
             require(level, stepping.scheme)
         with np.errstate(all="ignore"):  # what is not finite is told by name
-            return World(level, values, stepping, before)
+            return World(level, values, stepping, begin)
     except Exception as error:  # whatever it is, whoever builds gets an answer
         from sandbox.physics.stepping.failures import explained
 
-        told = explained(error, list(level.bodies), before.t if before else 0.0, stepping.rate)
+        told = explained(error, list(level.bodies), 0.0, stepping.rate)
         if isinstance(told, SimulationError):
             told.refuse(level)
         if told is error:
             raise
         raise told from error
-
-
-def branch(world: World, values: Values) -> World:
-    """Make a world that goes on from the state of another with other parameters, in the same steps.
-
-    The other one stays as it is. Of a parameter that is the same in both, nothing changes but
-    rounding, and what a solver remembers of the last step.
-
-    Raises
-    ------
-    SandboxError
-        If a parameter that has changed cannot be while a run goes on; the message says why.
-    SimulationError
-        If the world cannot go on from there.
-    """
-    changed = [name for name in values if values[name] != world.values[name]]
-    if changed and (why := obstacle(world.level, changed)):
-        raise SandboxError(why)
-    return make_world(world.level, values, world.stepping, world)

@@ -4,7 +4,7 @@ A step is a drift and a kick (`kicks.py`). What only some levels call for takes 
 stage: `stage.py` says how, and `stages/declared.py` lists them.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
@@ -16,7 +16,7 @@ from sandbox.physics.guarding.watch import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.observer import Observer
-from sandbox.physics.stepping.stage import Stages, set_up
+from sandbox.physics.stepping.stage import Setup, Stages, set_up
 from sandbox.physics.stepping.stages.declared import declared
 from sandbox.physics.stepping.start import start
 
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord
 
 Pair = frozenset[str]
+Begin = Callable[[Setup], bool]
+"""Puts a scene that has just been made where its run begins; returns whether that was changed."""
 
 
 class World:
@@ -38,28 +40,18 @@ class World:
     kicks
         Takes the drifts and kicks of a step, counts steps, and times what is called in them.
     disturbed
-        Whether a hand has touched the scene, or a parameter was changed on the way, so that no
-        formula for it holds any more.
-
-    Parameters
-    ----------
-    level, values, stepping
-        As above.
-    before
-        Another world of the level, from whose state this one begins; see `branching.py`.
+        Whether somebody has touched the scene, or changed a parameter on the way: then no formula
+        for it holds any more.
     """
 
     def __init__(
-        self, level: Level, values: Values, stepping: Stepping, before: "World | None" = None
+        self, level: Level, values: Values, stepping: Stepping, begin: Begin | None = None
     ) -> None:
         self.level, self.values, self.stepping = level, values, stepping
-        self.scene, self.disturbed = make_scene(level, values, stepping), before is not None
+        self.scene = make_scene(level, values, stepping)
         self._setup = set_up(level, values, stepping, self.scene)
         self.kicks = self._setup.kicks
-        if before is not None:
-            from sandbox.physics.stepping.branching import take_over
-
-            take_over(self._setup, before.snapshot, before.steps, before.scene.joints)
+        self.disturbed = bool(begin and begin(self._setup))
         self._stages = Stages(list(declared(self._setup)), self.kicks)
         self._observer = Observer(self._setup, self._stages)
         self._ended: Exception | None = None

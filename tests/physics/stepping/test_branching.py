@@ -8,7 +8,7 @@ from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load
 from sandbox.physics.run import build
-from sandbox.physics.stepping.making import branch
+from sandbox.physics.stepping.branching import branch
 from sandbox.physics.stepping.world import World
 
 SAME = [
