@@ -27,4 +27,6 @@ def branch(world: World, values: Values) -> World:
     if changed and (why := obstacle(world.level, changed)):
         raise SandboxError(why)
     begin = partial(take_over, now=world.snapshot, steps=world.steps, joints=world.scene.joints)
-    return make_world(world.level, values, world.stepping, begin)
+    branched = make_world(world.level, values, world.stepping, begin)
+    branched.disturbed = True
+    return branched

@@ -5,12 +5,11 @@ import numpy as np
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.world import Begin, World
+from sandbox.physics.stepping.stage import Begin
+from sandbox.physics.stepping.world import World
 
 
-def make_world(
-    level: Level, values: Values, stepping: Stepping, begin: Begin | None = None
-) -> World:
+def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = None) -> World:
     """Make the world of a level at a rate that is chosen.
 
     Parameters

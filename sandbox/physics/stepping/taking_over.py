@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from sandbox.physics.joints.joints import Joints
 
 
-def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> bool:
-    """Put a scene that has not begun into a state; return that it is not the level's start.
+def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> None:
+    """Put a scene that has not begun into a state.
 
     Parameters
     ----------
@@ -43,7 +43,6 @@ def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> bool
         together.go_on(clock.after(0))
     if scene.direct:
         scene.direct.go_on(clock.after(0))
-    return True
 
 
 def _weld(setup: Setup, before: "Joints") -> None:

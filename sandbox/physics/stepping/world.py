@@ -4,7 +4,7 @@ A step is a drift and a kick (`kicks.py`). What only some levels call for takes 
 stage: `stage.py` says how, and `stages/declared.py` lists them.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NoReturn
 
 import numpy as np
@@ -16,7 +16,7 @@ from sandbox.physics.guarding.watch import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.observer import Observer
-from sandbox.physics.stepping.stage import Setup, Stages, set_up
+from sandbox.physics.stepping.stage import Begin, Stages, set_up
 from sandbox.physics.stepping.stages.declared import declared
 from sandbox.physics.stepping.start import start
 
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from sandbox.physics.energy.step_record import StepRecord
 
 Pair = frozenset[str]
-Begin = Callable[[Setup], bool]
-"""Puts a scene that has just been made where its run begins; returns whether that was changed."""
 
 
 class World:
@@ -40,18 +38,14 @@ class World:
     kicks
         Takes the drifts and kicks of a step, counts steps, and times what is called in them.
     disturbed
-        Whether somebody has touched the scene, or changed a parameter on the way: then no formula
-        for it holds any more.
+        Whether the run was touched on its way, so that no formula for it holds any more.
     """
 
-    def __init__(
-        self, level: Level, values: Values, stepping: Stepping, begin: Begin | None = None
-    ) -> None:
+    def __init__(self, level: Level, values: Values, stepping: Stepping, begin: Begin) -> None:
         self.level, self.values, self.stepping = level, values, stepping
-        self.scene = make_scene(level, values, stepping)
-        self._setup = set_up(level, values, stepping, self.scene)
+        self.scene, self.disturbed = make_scene(level, values, stepping), False
+        self._setup = set_up(level, values, stepping, self.scene, begin)
         self.kicks = self._setup.kicks
-        self.disturbed = bool(begin and begin(self._setup))
         self._stages = Stages(list(declared(self._setup)), self.kicks)
         self._observer = Observer(self._setup, self._stages)
         self._ended: Exception | None = None
