@@ -56,8 +56,10 @@ MOUSE = (
     ("drag the tip of a force", "change it; the run starts anew"),
     ("click on a body", "look at it: its forces are told on the page for that"),
     ("drag a body", "pull it, or put it elsewhere while paused"),
+    ("Shift and drag a slider", "change it from now on, or from the start: the other way"),
     ("drag the stage", "move the view; the wheel zooms"),
-    ("Shift and drag", "measure a distance"),
+    ("Shift and drag", "measure a distance; then Ctrl, Shift and drag: an angle at its end"),
+    ("rest on a trail", "when it was there, where, and how fast"),
     ("click on the time's bar", "go there, back or ahead; drag along it to look through the run"),
     ("drop a file", "open a level of your own"),
 )

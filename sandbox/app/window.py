@@ -8,7 +8,7 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import legend, theme
+from sandbox.app import legend, probe, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.commands import command
@@ -430,14 +430,14 @@ class Window:
             self._set(change)
 
     def _set(self, change: Change) -> None:
-        """Change a parameter, which starts the run anew; a value that cannot be is told."""
+        """Change a parameter, from the start or from now on; what cannot be is told."""
         assert self.session is not None
         assert self.panels.side is not None
         if change.value is None:
             self._banner.tell(f"'{change.typed}' is not a number")
         elif change.value != self.session.values[change.name]:
             try:
-                self.session.restart({change.name: change.value})
+                self.session.change({change.name: change.value}, otherwise=change.shifted)
                 self._banner.tell("")
             except SandboxError as error:
                 self._banner.tell(str(error))
@@ -543,6 +543,8 @@ class Window:
             self.stage.asked = page(self.panels.page).overlay if side else ""
             earlier = [run.trail for run in session.earlier]
             self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+            x, y = pygame.mouse.get_pos()
+            probe.draw(view, self.stage.view, session, (x - area.x, y - area.y))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)

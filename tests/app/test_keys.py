@@ -42,7 +42,8 @@ def test_every_command_has_a_key_and_says_what_it_does() -> None:
         (pygame.K_F1, "", "help"),
         (pygame.K_s, "s", "race page"),
         (pygame.K_s, "S", "race"),
-        (pygame.K_o, "O", "level page"),  # which leaves the capital letter free
+        (pygame.K_o, "O", "branch"),
+        (pygame.K_m, "M", "momentum page"),  # which leaves the capital letter free
         (pygame.K_F9, "", None),
     ],
 )
