@@ -153,7 +153,8 @@ class _Scaled:
         """Return that everything holds that asks for something, as in a pile that rests.
 
         Where nothing is known yet, only its lowest layer is seen to meet what is below it, and each
-        mending would let but one more hold. A rope that is slack in an impact asks for nothing.
+        mending would let but one more hold. In an impact what is slack asks for nothing, nor does
+        what is yet to strike.
         """
         on = self._problem.free | self._problem.pushes
         on[self._row] = True

@@ -130,7 +130,7 @@ def test_the_least_impulses_do_not_depend_on_the_axes(
 
 @given(seed=SEEDS, count=st.integers(4, 12))
 def test_a_row_that_asks_for_nothing_gives_nothing(seed: int, count: int) -> None:
-    """A slack rope is no way out of an impact, however long the search for one is."""
+    """Neither a slack rope nor what is yet to strike is a way out, however long one is sought."""
     matrix, rate = contacts(count, 2, np.random.default_rng(seed))
     rows = np.arange(2 * count)
     problem = Problem(np.zeros_like(rows, dtype=bool), rows % 3 > 0, NO_FRICTION)
