@@ -7,6 +7,7 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 from cmath import rect
 from collections.abc import Mapping
 from itertools import pairwise
+from math import ceil
 from typing import Annotated, Literal, Self, cast
 
 from pydantic import (
@@ -92,6 +93,9 @@ MAX_POINTS = 100
 
 MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
+
+ROUNDING = 1e-12
+"""The share of a duration that a product with the rate may be off by."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
@@ -214,6 +218,10 @@ class Stepping(Model):
         """
         chosen = {"iterations": self.iterations, "scheme": self.scheme, "rate": rate}
         return Stepping.model_validate(chosen)
+
+    def steps(self, duration: float) -> int:
+        """Return how many steps reach a duration [s]; what is one but for rounding is no more."""
+        return ceil(duration * self.rate * (1 - ROUNDING))
 
     @model_serializer(mode="wrap")
     def _said(self, serialize: SerializerFunctionWrapHandler) -> dict[str, object]:

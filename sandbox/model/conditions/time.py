@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from functools import partial
-from math import ceil
 
 import numpy as np
 
@@ -46,8 +45,8 @@ def _formulas(level: Level) -> Iterator[tuple[Path, Formula]]:
 
 
 def _times(level: Level, values: Values) -> Array:
-    duration = level.duration(values)
-    steps = ceil(min(duration * level.stepping.rate * (1 - 1e-9), MOST))
+    duration, stepping = level.duration(values), level.stepping
+    steps = stepping.steps(min(duration, MOST / stepping.rate))
     return np.linspace(0.0, duration, steps + 1)
 
 
