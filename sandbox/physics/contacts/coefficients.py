@@ -4,7 +4,7 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Values
+from sandbox.model.expressions import Array, NonNegative, Values
 from sandbox.model.level import Body, Level
 
 Rub = Literal["friction", "restitution"]
@@ -25,7 +25,7 @@ def pair_coefficients(level: Level, values: Values, kind: Rub) -> Array:
 
 def own_coefficient(body: Body, values: Values, kind: Rub) -> float:
     """Return a body's factor in the coefficients of its pairs; 0 if it has none."""
-    coefficient = getattr(body, kind)
+    coefficient: NonNegative | None = getattr(body, kind)
     return coefficient(values) if coefficient else 0.0
 
 

@@ -9,6 +9,7 @@ laws, less what the ground under the body holds up.
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import point_velocity
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
@@ -79,8 +80,7 @@ def touching(contacts: Contacts, place: Array) -> Array:
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
     """Return how fast velocities, or accelerations, take pairs apart where they touch: (k, 2)."""
     rates = rate[contacts.bodies][:, None]
-    turning = rates[..., 2:] * np.stack((-arms[..., 1], arms[..., 0]), axis=-1)
-    here, there = np.moveaxis(rates[..., :2] + turning, 2, 0)
+    here, there = np.moveaxis(point_velocity(rates, arms), 2, 0)
     parting: Array = np.sum((there - here) * contacts.direction[:, None], axis=2)
     return parting
 

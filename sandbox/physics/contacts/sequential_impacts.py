@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
@@ -200,11 +201,7 @@ class _Points(NamedTuple):
 
     def over(self, count: int) -> Array:
         """Return the Jacobian over all bodies: (k, n, 3)."""
-        whole = np.zeros((len(self.bodies), count, 3))
-        rows = np.arange(len(self.bodies))
-        for side in range(2):
-            whole[rows, self.bodies[:, side]] = self.jacobian[:, side]
-        return whole
+        return over_bodies(self.jacobian, self.bodies, count)
 
 
 def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
@@ -217,11 +214,7 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     partner[two], partner[count:] = count + np.arange(len(two)), two
     bodies, direction = contacts.bodies[pair], contacts.direction[pair]
     arm = contacts.points[pair, which][:, None] - place[bodies]
-    jacobian = np.empty((len(pair), 2, 3))
-    jacobian[:, :, :2] = direction[:, None]
-    jacobian[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
-    jacobian[:, 0] *= -1
-    return _Points(bodies, jacobian, partner)
+    return _Points(bodies, pair_jacobian(arm, direction), partner)
 
 
 def _allowed(points: _Points, parts: Array, gives: Array) -> Array:

@@ -30,6 +30,8 @@ from sandbox.physics.joints.exact.constraints import (
     Equation,
     Rows,
     angles,
+    inertia_of,
+    kinetic_energy,
     order,
     planes,
 )
@@ -116,8 +118,7 @@ class ExactJoints:
         self.inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
-        some = self.inverse > 0
-        self._inertia = np.where(some, 1 / np.where(some, self.inverse, 1.0), 0.0)
+        self._inertia = inertia_of(self.inverse)
         self._order = order(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate((self._order, self._order + start), axis=1).ravel()
@@ -476,15 +477,15 @@ class ExactJoints:
         JointFailure
             If they do; it names the one that gave most.
         """
-        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2
+        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2 / 2
         if self._driven(free):
             return
         if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
             raise self.lost(int(np.argmax(work)))
 
     def kinetic(self, motion: Array) -> float:
-        """Return twice the kinetic energy of velocities (3 N,) [J]."""
-        return float((motion * motion).dot(self._inertia))
+        """Return the kinetic energy of velocities (3 N,) [J]."""
+        return float(kinetic_energy(self._inertia, motion))
 
     def lengths(self, t: float) -> Array:
         """Return what each equation keeps at a time [s]: (m,) [m, rad]."""
