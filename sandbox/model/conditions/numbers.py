@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from functools import partial
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.expressions import Expression, ExpressionError, Formula, Values
+from sandbox.model.expressions import Expression, Formula, Values
 from sandbox.model.level import Level
 from sandbox.model.parts import expressions
 

@@ -5,9 +5,10 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import Rod
 from sandbox.model.level import Level
 from sandbox.model.locating import Path

@@ -5,7 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Expression, ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import (
     ApexEvent,
     Check,
