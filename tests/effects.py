@@ -35,8 +35,16 @@ def examples(effect: str, number: float = 1.0) -> Iterator[Any]:
     for name, inside in _fields(part).items():
         for choice in inside.get("enum", ()):
             yield _with(_value(part, number, full=True), name, choice)
-        if "over the parameters and t" in _comments(inside):
+        if "over the parameters and t." in _comments(inside):
             yield _with(_value(part, number, full=True), name, [f"{number}*sin(9*t)", "t"])
+        if "over the parameters and x, y, vx, vy, t" in _comments(inside):
+            formulas = [f"-{number}*vx*(2 + sin(y))", "cos(x)*sin(t)"]
+            yield _with(_value(part, number, full=True), name, formulas)
+        if "over the parameters and theta, omega, t" in _comments(inside):
+            formula = f"{number}*sin(t) - omega/5 - sin(theta)"
+            yield _with(_value(part, number, full=False), name, formula)
+        if "over the parameters and x, y." in _comments(inside):
+            yield _with(_value(part, number, full=True), name, f"{number}*sin(x + y**2/5)*x")
 
 
 def idle(effect: str) -> Any:  # noqa: ANN401 (whatever JSON holds)
@@ -63,6 +71,12 @@ def _with(said: Any, name: str, value: object) -> Any:  # noqa: ANN401 (whatever
     return [changed] if isinstance(said, list) else changed
 
 
+def _two_bodies(found: Part) -> Part:
+    """Return the second of two bodies that are named, another one than the first."""
+    named = [name for name, value in found.items() if value == BODIES[0]]
+    return dict(zip(named[1:], BODIES[1:], strict=False))
+
+
 def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (whatever JSON holds)
     """Return a value that a part of the schema allows."""
     part = resolved(part)
@@ -72,7 +86,8 @@ def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (wh
         return _value(part["oneOf"][0], number, full=full)
     if part["type"] == "object":
         names = part["properties"] if full else part.get("required", ())
-        return {name: _value(part["properties"][name], number, full=full) for name in names}
+        found = {name: _value(part["properties"][name], number, full=full) for name in names}
+        return {**found, **_two_bodies(found)}
     if part["type"] == "array":
         if part.get(NAMES) in ("bodies", "couple"):
             return list(BODIES[: max(part.get("minItems", 1), 1)])
@@ -80,4 +95,6 @@ def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (wh
         return [_value(item, number, full=full) for item in items]
     if part["type"] == "boolean":
         return False
+    if number and "over the parameters and x, y." in part.get("$comment", ""):
+        return f"{number}*x"  # a potential that is the same everywhere gives no force
     return BODIES[0] if part.get(NAMES) == "body" else number

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from sandbox.model.derivatives import derivative
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.suggest import suggestion
 
@@ -85,6 +86,20 @@ def compiled(source: str) -> tuple[CodeType, frozenset[str]]:
     """Return the code of an expression that has been checked, and the names that it uses."""
     if len(source) > MAX_LENGTH:
         raise ExpressionError(f"is longer than {MAX_LENGTH} characters")
+    return _made(source)
+
+
+@lru_cache(maxsize=200)
+def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]]:
+    """Return the code of the derivative of an expression, and the names that it uses."""
+    try:
+        return _made(derivative(source, variable))
+    except (RecursionError, ExpressionError):
+        told = f"'{brief(source)}' is nested too deeply to be differentiated"
+        raise ExpressionError(told) from None
+
+
+def _made(source: str) -> tuple[CodeType, frozenset[str]]:
     rewrite = _Rewrite()
     try:
         with warnings.catch_warnings():

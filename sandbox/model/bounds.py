@@ -7,7 +7,7 @@ times masses, stay within the range of a float. Whether a rate is high enough fo
 question, and asked elsewhere.
 """
 
-from sandbox.model.expressions import Expression, Formula, NonNegative, Positive
+from sandbox.model.expressions import Expression, Formula, Function, NonNegative, Positive
 
 MOST_FORCES = 2000
 """How many forces, belts, rockets or centres of attraction a level may name, each."""
@@ -124,6 +124,20 @@ class Power(Expression):
     most = 10.0
 
 
+class Density(NonNegative):
+    """A mass for an area of the plane."""
+
+    __slots__ = ()
+    most, unit = 1e30, "kg/m²"
+
+
+class Pull(NonNegative):
+    """An acceleration downwards."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m/s²"
+
+
 class Flow(Positive):
     """A mass for a time."""
 
@@ -152,8 +166,54 @@ class LengthOverTime(Formula):
     most, unit = 1e15, "m"
 
 
+class AngleOverTime(Formula):
+    """An angle over the time."""
+
+    __slots__ = ()
+    most, unit = 1e9, "rad"
+
+
 class SpinOverTime(Formula):
     """An angular velocity over the time."""
 
     __slots__ = ()
     most, unit = 1e12, "rad/s"
+
+
+class ForceInField(Function):
+    """A force along an axis, over where a body is, how it moves, and the time."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N"
+    variables = ("x", "y", "vx", "vy", "t")
+
+
+class EnergyInField(Function):
+    """A potential energy, over where a body is."""
+
+    __slots__ = ()
+    most, unit = 1e60, "J"
+    variables = ("x", "y")
+
+
+class TorqueOfTurning(Function):
+    """A torque, over how a body is turned, how fast it turns, and the time."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N·m"
+    variables = ("theta", "omega", "t")
+
+
+class Twist(NonNegative):
+    """How hard a torsion spring turns back for its angle."""
+
+    __slots__ = ()
+    most, unit = 1e30, "N·m/rad"
+
+
+class SpringLaw(Function):
+    """The force with which a spring pulls, over how far it is stretched."""
+
+    __slots__ = ()
+    most, unit = 1e40, "N"
+    variables = ("x",)

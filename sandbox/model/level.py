@@ -24,10 +24,12 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import (
     LARGEST_PARAMETER,
     Angle,
+    AngleOverTime,
     Coefficient,
     Coordinate,
     Duration,
     Extent,
+    LengthOverTime,
     Mass,
     Moment,
     Speed,
@@ -122,6 +124,15 @@ class Parameter(Model):
     """what the number is, in a few words"""
 
 
+class Motion(Model):
+    """How a kinematic body moves, whatever meets it: formulas of the time t, 0 at the start."""
+
+    displacement: tuple[LengthOverTime, LengthOverTime] = (LengthOverTime(0), LengthOverTime(0))
+    """[x, y] in m, from where it starts"""
+    turn: AngleOverTime = AngleOverTime(0)
+    """rad, counter-clockwise, from the angle at which it starts"""
+
+
 class Body(Model):
     """Something that moves, or that others move against."""
 
@@ -139,6 +150,8 @@ class Body(Model):
     """[x, y] in m/s, at the start"""
     angular_velocity: Spin = Spin(0)
     """rad/s, counter-clockwise, at the start"""
+    motion: Motion | None = None
+    """how a kinematic body moves, if not at a constant velocity"""
     friction: Coefficient | None = None
     """coefficient; a pair's is the product of its bodies' own"""
     static_friction: Coefficient | None = None

@@ -46,6 +46,9 @@ ActedOn = Annotated[str, Mention("body", acted_on=True)]
 ActedOnBodies = Annotated[tuple[ActedOn, ...], Mention("bodies")]
 """Bodies of the level that an effect acts on."""
 
+BodyNames = Annotated[tuple[BodyName, ...], Mention("bodies")]
+"""Bodies of the level, of any type."""
+
 Couple = Annotated[tuple[BodyName, BodyName], Mention("couple")]
 """Two bodies of the level, in any order."""
 

@@ -31,6 +31,10 @@ def _obstacles(level: Level) -> Iterator[str]:
     for effect in level.effects.told:
         if "fourth-order" in effect.excludes:
             yield f"the effect '{effect.name}'"
+    for potential in level.effects.potential or ():
+        if not potential.energy.is_smooth:
+            yield f"the effect 'potential', for '{brief(str(potential.energy.source))}' has corners"
+    yield from (f"the motion of '{brief(n)}'" for n, body in level.bodies.items() if body.motion)
     for name, joint in level.joints.items():
         if reason := _unsmooth_joint(joint, f"'{brief(name)}'"):
             yield reason
@@ -42,6 +46,8 @@ def _unsmooth_joint(joint: Joint, name: str) -> str | None:
         return f"the damping of {name}"
     if isinstance(joint, Spring) and joint.pushes_only:
         return f"that {name} lets go"
+    if isinstance(joint, Spring) and joint.law and not joint.law.is_smooth:
+        return f"that the law of {name} has corners"
     if kind.goes_slack:
         return f"the {joint.type} {name}, which can go slack"
     if kind.drives:

@@ -131,6 +131,9 @@ class Curve(Model):
     """m"""
 
 
+Area = Disc | Box | Polygon
+"""What covers a part of the plane."""
+
 Shape = Annotated[
     Disc | Hoop | Box | Polygon | Segment | Polyline | Arc | Curve, Field(discriminator="type")
 ]

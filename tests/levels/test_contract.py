@@ -187,7 +187,7 @@ def test_pays_only_for_what_it_declares(level: Level) -> None:
 
 
 def _is_plain(joint: Joint) -> bool:
-    return isinstance(joint, Spring) and not (damps(joint) or joint.pushes_only)
+    return isinstance(joint, Spring) and not (damps(joint) or joint.pushes_only or joint.law)
 
 
 def test_every_quantity_can_be_measured(level: Level) -> None:

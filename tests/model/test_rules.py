@@ -362,7 +362,7 @@ def test_every_expression_is_found_with_its_path() -> None:
 
     assert found["bodies", "ball", "mass"].source == "m"
     assert found["effects", "gravity", "acceleration", 1].source == "-g"
-    assert found["checks", 0, "formula"].variable == "t"
+    assert found["checks", 0, "formula"].variables == ("t",)
     assert found["ghosts", "ball", 1].names == {"g", "t"}
 
 

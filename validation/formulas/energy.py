@@ -251,3 +251,21 @@ def _gauss(count: int) -> tuple[Array, Array]:
     """Return the points of Gauss and Legendre between 0 and 1, and their weights."""
     node, weight = np.polynomial.legendre.leggauss(count)
     return (node + 1) / 2, weight / 2
+
+
+def morse_rate(mass: float, depth: float, steepness: float, share: float) -> float:
+    """Return the angular frequency in Morse's potential D (1 − e^(−a x))² [rad/s].
+
+    a √(2 D (1 − E/D) / m), with the energy E < D as a share of D (L. D. Landau, E. M. Lifshitz,
+    Mechanics, 12, problem 2).
+    """
+    return steepness * float(np.sqrt(2 * depth * (1 - share) / mass))
+
+
+def morse_place(steepness: float, share: float, turned: ArrayLike) -> Array:
+    """Return where a body in Morse's potential is [m], so far turned since it was pressed most.
+
+    From e^(a x) = (1 − √(E/D) cos φ) / (1 − E/D), φ [rad] at the rate of `morse_rate`.
+    """
+    cosine = np.cos(np.asarray(turned, dtype=float))
+    return np.asarray(np.log((1 - np.sqrt(share) * cosine) / (1 - share)) / steepness)

@@ -125,6 +125,17 @@ def oscillator_amplitude(mass: float, stiffness: float, speed: float) -> float:
     return float(speed * np.sqrt(mass / stiffness))
 
 
+def hardening_period(mass: float, stiffness: float, cubic: float, amplitude: float) -> float:
+    """Return the period of m x'' + k x + b x³ = 0 [s], Duffing's oscillator: 4 K(κ) / Ω.
+
+    Ω² = (k + b A²) / m, κ² = b A² / (2 (k + b A²)) (A. H. Nayfeh, D. T. Mook, Nonlinear
+    Oscillations, 2.1), and K(κ) = π / (2 agm(1, √(1 − κ²))); k, b >= 0.
+    """
+    steep = stiffness + cubic * amplitude**2
+    modulus = cubic * amplitude**2 / (2 * steep)
+    return float(2 * np.pi / agm(1.0, np.sqrt(1 - modulus)) * np.sqrt(mass / steep))
+
+
 def damped_oscillation(
     t: ArrayLike, mass: float, stiffness: float, damping: float, amplitude: float
 ) -> Array:

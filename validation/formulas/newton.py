@@ -335,3 +335,20 @@ def gravity_drift(mass: float, charge: float, field: float, g: float, t: ArrayLi
     turned = gyration_rate(mass, charge, field) * np.asarray(t, dtype=float)
     rolling = g / gyration_rate(mass, charge, field) ** 2
     return np.array([rolling * (turned - np.sin(turned)), -rolling * (1 - np.cos(turned))])
+
+
+def blown_way(mass: float, drag: float, wind: float, t: ArrayLike) -> Array:
+    """Return how far a wind has carried a body from rest, against a drag c (v − w) [m].
+
+    m dv/dt = c (w − v): w t − w τ (1 − e^(−t/τ)) with τ = m / c; c > 0.
+    """
+    time, settling = np.asarray(t, dtype=float), mass / drag
+    return np.asarray(wind * (time + settling * np.expm1(-time / settling)))
+
+
+def bobbing_rate(mass: float, density: float, width: float, g: float) -> float:
+    """Return the angular frequency of a box that bobs upright in a liquid [rad/s]: √(ρ g w / m).
+
+    Archimedes: for each metre deeper it displaces w more of a liquid of density ρ [kg/m²].
+    """
+    return float(np.sqrt(density * g * width / mass))

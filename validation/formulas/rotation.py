@@ -198,3 +198,15 @@ def driven_by_weight(mass: float, radius: float, moment: float, g: float) -> flo
     m g − T = m α r and T r = I α: m g r / (I + m r²).
     """
     return mass * g * radius / (moment + mass * radius**2)
+
+
+def limited_drive(moment: float, most: float, rate: float, hold: float, t: ArrayLike) -> Array:
+    """Return how fast a flywheel turns that a motor takes to a rate from rest [rad/s].
+
+    I dω/dt = min(T, K (Ω − ω)): T t / I until T / K is missing, and what is missing falls by
+    e^(−K t / I) from there on; K > T / Ω.
+    """
+    time, settling = np.asarray(t, dtype=float), moment / hold
+    full = moment * rate / most - settling
+    eased = rate - most / hold * np.exp(-np.maximum(time - full, 0.0) / settling)
+    return np.where(time < full, most * time / moment, eased)

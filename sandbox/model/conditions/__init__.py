@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from itertools import chain
 
 from sandbox.model.conditions import (
+    fields,
     friction,
     gravitation,
     joints,
@@ -17,7 +18,18 @@ from sandbox.model.conditions import (
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
 
-_TOPICS = (numbers, shapes, joints, landscape, friction, gravitation, massflow, time, wires)
+_TOPICS = (
+    numbers,
+    shapes,
+    joints,
+    landscape,
+    fields,
+    friction,
+    gravitation,
+    massflow,
+    time,
+    wires,
+)
 
 
 def conditions(level: Level) -> Iterator[Condition]:

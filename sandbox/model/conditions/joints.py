@@ -5,8 +5,10 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
+from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.joints import (
     Joint,
@@ -16,6 +18,7 @@ from sandbox.model.joints import (
     Rail,
     Rod,
     Rope,
+    Spring,
     Winding,
     Wire,
     bodies_of,
@@ -34,9 +37,12 @@ def conditions(level: Level) -> Iterator[Condition]:
         if isinstance(joint, Wire):
             continue
         held = [level.bodies[body] for body in bodies_of(joint)]
-        names = names_in((joint, *((b.position, b.angle) for b in held))) - {"t"}
+        used = names_in((joint, *((b.position, b.angle) for b in held)))
+        names = frozenset(used & level.parameters.keys())
         last = "ends" if joint.kind.points_meet else "length"
         yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+        if isinstance(joint, Spring) and joint.law:
+            yield Condition(("joints", name, "law"), names, partial(_law_fault, joint, level))
         yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
 
 
@@ -46,6 +52,22 @@ def _turning_fault(joint: Joint, level: Level, _values: Values) -> str | None:
     if level.effects.rotation or not (wheel or isinstance(joint, Motor)):
         return None
     return f"'{joint.type}' is used but the effect 'rotation' is not declared"
+
+
+def _law_fault(spring: Spring, level: Level, values: Values) -> str | None:
+    """Say that a spring's own law has no value where the spring is at the start, or no slope."""
+    assert spring.law
+    distance = span(spring, level.bodies, values)
+    slack = distance if spring.length is None else spring.length(values)
+    stretch = np.asarray(distance - slack)
+    try:
+        found = [f.at(values, {"x": stretch}) for f in (spring.law, spring.law.slope("x"))]
+    except ExpressionError as error:
+        return str(error)
+    if np.isfinite(found).all():
+        pull = float(found[0])
+        return f"is {pull:g} N, {beyond}" if (beyond := spring.law.beyond(pull)) else None
+    return f"'{brief(str(spring.law.source))}' has no finite value or slope at x = {stretch:g} m"
 
 
 def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:

@@ -5,7 +5,7 @@ from functools import partial
 
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.expressions import Expression, Formula, Values
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Level
 from sandbox.model.parts import expressions
 
@@ -16,7 +16,7 @@ MAX_STEPS = 10_000_000
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield what must hold of a level's numbers."""
     for path, expression in expressions(level):
-        if expression.written and not isinstance(expression, Formula):
+        if expression.written and not expression.variables:
             work = 3 + len(str(expression.source)) / 50
             yield Condition(path, expression.names, partial(_value_fault, expression), work)
     yield Condition(("duration",), level.duration.names, partial(_too_long, level))

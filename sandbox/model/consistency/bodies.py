@@ -15,9 +15,9 @@ MAX_PAIRS_OF_EDGES = 10_000_000
 """How many pairs of edges polygons may have: to look at so many takes a second."""
 
 _FORBIDDEN: Mapping[str, tuple[str, ...]] = {
-    "dynamic": (),
+    "dynamic": ("motion",),
     "kinematic": ("mass", "moment"),
-    "static": ("mass", "moment", "velocity", "angular_velocity"),
+    "static": ("mass", "moment", "velocity", "angular_velocity", "motion"),
 }
 """The fields that a type of body cannot have."""
 
@@ -31,6 +31,21 @@ def fields_fit(level: Level) -> Iterator[Fault]:
         for field in _FORBIDDEN[body.type]:
             if given(body, field):
                 yield Fault((*path, field), f"a {body.type} body has no {field.replace('_', ' ')}")
+
+
+def motions_fit(level: Level) -> Iterator[Fault]:
+    """Refuse a motion that is told twice, or in which nothing else moves."""
+    dynamic = any(body.type == "dynamic" for body in level.bodies.values())
+    for name, body in level.bodies.items():
+        if body.motion is None:
+            continue
+        for field in ("velocity", "angular_velocity"):
+            if given(body, field):
+                told = "the 'motion' says how fast the body is at every time; leave it out"
+                yield Fault(("bodies", name, field), told)
+        if not dynamic:
+            told = "a body follows a 'motion' among dynamic bodies only; add one"
+            yield Fault(("bodies", name, "motion"), told)
 
 
 def rise_and_fall(level: Level) -> Iterator[Fault]:

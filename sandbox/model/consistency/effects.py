@@ -10,6 +10,7 @@ from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault
+from sandbox.model.shapes import Area
 
 
 def laws_act(level: Level) -> Iterator[Fault]:
@@ -42,6 +43,18 @@ def effects_used(level: Level) -> Iterator[Fault]:
             yield from coefficients_fit(level, kind)
 
 
+def turned_apart(level: Level) -> Iterator[Fault]:
+    """Torques act on bodies that turn, and between two different ones."""
+    for effect, place, said in level.effects.said:
+        if effect.name not in ("torque", "torsion"):
+            continue
+        if said.against == said.body:
+            rule = f"'{brief(said.body)}' cannot be turned against itself"
+            yield Fault((*place, "against"), rule)
+        if level.effects.rotation is None:
+            yield undeclared(place, effect.name, "rotation")
+
+
 def rotation_used(level: Level) -> Iterator[Fault]:
     """Rotation: declared if a dynamic body is to turn, and only if something can turn one."""
     dynamic = {name: body for name, body in level.bodies.items() if body.type == "dynamic"}
@@ -58,13 +71,30 @@ def rotation_used(level: Level) -> Iterator[Fault]:
 
 
 def _levers(level: Level) -> bool:
-    """Whether a joint turns a body, or one or a force acts on it away from its centre."""
+    """Whether an effect or a joint turns a body, or acts on it away from its centre."""
+    if any(effect.twists for effect in level.effects.told):
+        return True
     if any(joint.kind.turns for joint in level.joints.values()):
         return True
     held = (end for joint in level.joints.values() for end in points(joint))
     points_of_bodies = [end.at for end in held if isinstance(end, Held)]
     points_of_bodies += [force.at for force in level.effects.force or ()]
     return any(point != Held.model_fields["at"].default for point in points_of_bodies)
+
+
+def liquid_fits(level: Level) -> Iterator[Fault]:
+    """Bodies that a liquid carries have an area that can be displaced."""
+    buoyancy = level.effects.buoyancy
+    if buoyancy is None:
+        return
+    for index, name in enumerate(buoyancy.bodies or ()):
+        if not isinstance(shape := level.bodies[name].shape, Area):
+            rule = f"'{brief(name)}' is a {shape.type}, which displaces no liquid"
+            yield Fault(("effects", "buoyancy", "bodies", index), rule)
+    dynamic = (body.shape for body in level.bodies.values() if body.type == "dynamic")
+    if not any(isinstance(shape, Area) for shape in dynamic):
+        rule = "nothing displaces the liquid: no dynamic disc, box or polygon"
+        yield Fault(("effects", "buoyancy"), rule)
 
 
 def landscape_fits(level: Level) -> Iterator[Fault]:

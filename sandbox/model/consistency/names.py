@@ -7,7 +7,7 @@ from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
 from sandbox.model.constants import circle
 from sandbox.model.errors import brief
-from sandbox.model.expressions import VARIABLES, Formula
+from sandbox.model.expressions import VARIABLES, Curve, Formula
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
@@ -68,7 +68,7 @@ def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and nothing has a name that is taken."""
     named = ((path, expression) for path, expression in expressions(level) if expression.written)
     for path, expression in named:
-        known = [*level.parameters, *level.constants, *filter(None, [expression.variable])]
+        known = [*level.parameters, *level.constants, *expression.variables]
         for name in sorted(expression.written.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
@@ -91,6 +91,18 @@ def no_circle(level: Level) -> Iterator[Fault]:
     if found := circle(level.constants):
         rule = f"leads back to itself: {' -> '.join(found)}; each may use only others"
         yield Fault(("constants", found[0]), rule)
+
+
+def variables_apart(level: Level) -> Iterator[Fault]:
+    """No parameter and no constant has the name of what a formula of the scene is over."""
+    for part in ("effects", "joints"):
+        for path, formula in expressions(getattr(level, part), (part,)):
+            own = () if isinstance(formula, Curve) else formula.variables
+            over = ", ".join(formula.variables)
+            told = f"'{'.'.join(map(str, path))}' is a formula over {over}; choose another name"
+            for kind in ("parameters", "constants"):
+                for name in sorted(getattr(level, kind).keys() & set(own)):
+                    yield Fault((kind, name), told)
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
+from sandbox.model.apart import apart
+from sandbox.model.bounds import MOST_PAIRS
 from sandbox.model.consistency.bodies import given
 from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, named_quantities
 from sandbox.model.effects.pair import Pair
@@ -77,6 +79,25 @@ def _static_alone(level: Level) -> Iterator[Fault]:
         if body.static_friction is not None and body.friction is None:
             rule = "needs 'friction' beside it, the coefficient while the body slips"
             yield Fault(("bodies", name, "static_friction"), rule)
+
+
+def apart_fits(level: Level) -> Iterator[Fault]:
+    """Pairs that never meet neither rub, bounce nor stick, and are no more than can be kept."""
+    contact = level.effects.contact
+    if contact is None:
+        return
+    if sum(len(group) ** 2 // 2 for group in contact.apart) > MOST_PAIRS:
+        rule = f"keep more than {MOST_PAIRS:,} pairs of bodies apart"
+        yield Fault(("effects", "contact", "apart"), rule)
+        return
+    never = apart(level)
+    for kind in ("friction", "restitution", "sticking"):
+        effect = getattr(level.effects, kind)
+        for index, pair in enumerate(effect.pairs if effect else ()):
+            one, other = sorted(pair.bodies)
+            if (one, other) in never:
+                rule = f"'{brief(one)}' and '{brief(other)}' never meet, as 'contact' says"
+                yield Fault(("effects", kind, "pairs", index), rule)
 
 
 def sticking_fits(level: Level) -> Iterator[Fault]:

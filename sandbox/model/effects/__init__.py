@@ -14,20 +14,25 @@ from sandbox.model.bounds import MOST_FORCES
 from sandbox.model.effects.accretion import Accretion
 from sandbox.model.effects.attraction import Attraction
 from sandbox.model.effects.belt import Belt
+from sandbox.model.effects.buoyancy import Buoyancy
 from sandbox.model.effects.centrifugal import Centrifugal
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Effect
 from sandbox.model.effects.drag import Drag
+from sandbox.model.effects.field import Field as ForceField
 from sandbox.model.effects.force import Force
 from sandbox.model.effects.friction import Friction
 from sandbox.model.effects.gravitation import Gravitation
 from sandbox.model.effects.gravity import Gravity
 from sandbox.model.effects.magnetic import Magnetic
+from sandbox.model.effects.potential import Potential
 from sandbox.model.effects.register import register
 from sandbox.model.effects.restitution import Restitution
 from sandbox.model.effects.rotation import Rotation
 from sandbox.model.effects.sticking import Sticking
 from sandbox.model.effects.thrust import Thrust
+from sandbox.model.effects.torque import Torque
+from sandbox.model.effects.torsion import Torsion
 from sandbox.model.locating import Path
 
 SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
@@ -58,8 +63,18 @@ class Effects(Model):
     """A fluid slows bodies down."""
     magnetic: Magnetic | None = None
     """A magnetic field turns charged bodies."""
+    buoyancy: Buoyancy | None = None
+    """A liquid carries bodies."""
+    potential: Annotated[tuple[Potential, ...], SEVERAL] | None = None
+    """Bodies have a potential energy that is given as a formula."""
+    field: Annotated[tuple[ForceField, ...], SEVERAL] | None = None
+    """Fields of force act on bodies."""
     force: Annotated[tuple[Force, ...], SEVERAL] | None = None
     """Given forces act on bodies."""
+    torsion: Annotated[tuple[Torsion, ...], SEVERAL] | None = None
+    """Torsion springs turn bodies back."""
+    torque: Annotated[tuple[Torque, ...], SEVERAL] | None = None
+    """Given torques act on bodies."""
     belt: Annotated[tuple[Belt, ...], SEVERAL] | None = None
     """Surfaces run."""
     thrust: Annotated[tuple[Thrust, ...], SEVERAL] | None = None

@@ -5,10 +5,10 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Width
+from sandbox.model.bounds import MOST_PAIRS, Width
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Fraction
-from sandbox.model.mention import ActedOnBodies
+from sandbox.model.mention import ActedOnBodies, BodyNames
 
 
 class Contact(Model):
@@ -35,5 +35,11 @@ class Contact(Model):
     """how the forces between bodies that touch are found: by sweeps of pymunk's solver
     (`iterative`), or all at once and together with the exact joints (`direct`), which takes longer
     where many touch; if left out `direct` where the level has exact joints"""
+    apart: Annotated[
+        tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MOST_PAIRS)
+    ] = ()
+    """groups of bodies of which none meets another of its group; a pair is a group of two"""
+    jointed: bool = True
+    """whether bodies that a joint holds together meet each other"""
     overlaps: bool = False
     """whether bodies may overlap at the start; if not, those that do are a mistake"""

@@ -73,6 +73,8 @@ class Effect:
         How it is tried where nothing is said of it; None if it must be told what it is.
     changes_mass
         Whether the masses of the bodies that it names change.
+    twists
+        Whether it turns bodies by itself, so that `rotation` is of use with it.
     pull
         What its force is called in a free-body diagram; its name if left out.
     """
@@ -90,6 +92,7 @@ class Effect:
     coefficient: type[Expression] | None = None
     trial: Settings | None = None
     changes_mass: bool = False
+    twists: bool = False
     pull: str = ""
 
     @property

@@ -16,6 +16,7 @@ from sandbox.model.bounds import (
     Extent,
     LengthOverTime,
     SpinOverTime,
+    SpringLaw,
     Stiffness,
     Width,
 )
@@ -174,7 +175,10 @@ class Winding(Model):
 
 
 class Spring(Model):
-    """A light spring with a damper: F = −k (l − l0) − c dl/dt along it, U = k (l − l0)² / 2."""
+    """A light spring with a damper, F = −k x − f(x) − c dx/dt, with x = l − l0.
+
+    It stores U = k x² / 2 + ∫ f dx; f is a law of its own, which most have none of.
+    """
 
     kind: ClassVar[Kind] = Kind(force=ELASTIC, pull="spring force")
 
@@ -182,7 +186,9 @@ class Spring(Model):
     ends: tuple[End, End]
     """what it pulls at"""
     stiffness: Stiffness
-    """N/m, k"""
+    """N/m, k; 0 of one that has but a law of its own"""
+    law: SpringLaw | None = None
+    """N, f, with which it pulls beside k x, over how far it is stretched, x [m]: `300*x**3`, say"""
     length: Width | None = None
     """m, l0, where it is slack; the distance at the start if left out"""
     damping: Damping = Damping(0)

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
+from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.distance import dot
@@ -41,6 +42,8 @@ def touched(space: pymunk.Space, shape: pymunk.Shape, hollows: Hollows | None) -
     for hit in space.shape_query(shape):
         found = hit.contact_point_set
         if hit.shape is None or hit.shape.body is None or not found.points:
+            continue
+        if shape.body is not None and not meets(shape.body, hit.shape.body):
             continue
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):

@@ -349,13 +349,19 @@ class Ledger:
         return sum(more, np.zeros(len(self._mass)))
 
     def _force(self, law: Law, kick: Kick) -> Array:
-        """Book the impulse of a law, and return it: (n, 3)."""
-        impulse = self._impulse(law, kick)
+        """Book the impulse of a law, and return it: (n, 3).
+
+        What moves as told holds its own against it, and does work by that.
+        """
+        every = self._impulse(law, kick)
+        impulse = np.where(kick.inertia > 0, every, 0.0)
         self._give(law.effect.name, impulse, kick.place)
-        self._do(law, kick.work(impulse))
+        self._do(law, kick.work(every))
+        if "bodies" in self._works:
+            self._works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
         if isinstance(law, SpringForce) and law.damping:
             elastic = self._impulse(replace(law, damping=0.0), kick)
-            self._losses["damping"] += kick.work(impulse - elastic)
+            self._losses["damping"] += kick.work(every - elastic)
         return impulse
 
     def _turn(self, turn: Turn, kick: Kick) -> Array:
@@ -369,7 +375,7 @@ class Ledger:
     def _impulse(self, law: Law, kick: Kick) -> Array:
         wrench = np.zeros_like(self._mass)
         law.add(kick.seen, wrench)
-        return np.where(kick.inertia > 0, wrench * kick.length, 0.0)
+        return wrench * kick.length
 
     def _joints(self, kick: Kick, pulls: Pulls) -> Array:
         """Book the impulses of the exact joints, and return them: (n, 3)."""

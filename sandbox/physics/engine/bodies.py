@@ -61,6 +61,12 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
     if spec.type != "static":
         body.velocity = evaluate(spec.velocity, values)
         body.angular_velocity = spec.angular_velocity(values)
+    if spec.motion:
+        x, y, turn = (
+            float(formula.slope("t").at(values, {"t": np.zeros(())}))
+            for formula in (*spec.motion.displacement, spec.motion.turn)
+        )
+        body.velocity, body.angular_velocity = (x, y), turn
     return body
 
 

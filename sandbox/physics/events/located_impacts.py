@@ -18,6 +18,7 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
+from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.coefficients import pair_coefficients
 from sandbox.physics.contacts.post_impact import impacts
 from sandbox.physics.contacts.simultaneous_impacts import PRESSED
@@ -105,7 +106,11 @@ class Located:
         i, j = self._row[a], self._row[b]
         group = np.array([o.group for o in outlines])
         wanted = (swept[i] | swept[j]) & (i != j) & ((group[a] != group[b]) | (group[a] == 0))
-        self._pairs = np.stack((a[wanted], b[wanted]), axis=1)
+        bodies = list(scene.bodies.values())
+        meeting = [
+            meets(bodies[one], bodies[two]) for one, two in zip(i[wanted], j[wanted], strict=True)
+        ]
+        self._pairs = np.stack((a[wanted], b[wanted]), axis=1)[meeting]
         state = self._batch.state()
         self._low, self._high = self._boxes(state)
         self._first: Array | None = None

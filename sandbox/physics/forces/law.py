@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.state.motion import Motion
 
@@ -63,8 +64,8 @@ class Given(NamedTuple):
 
     Attributes
     ----------
-    values
-        Of its parameters.
+    level, values
+        What says which there are, and its parameters' values.
     names, mass
         (n,), of its bodies; the mass [kg] is that at the start, 0 for those that nothing moves.
     share
@@ -73,6 +74,7 @@ class Given(NamedTuple):
         How long a kick lasts [s].
     """
 
+    level: Level
     values: Values
     names: Sequence[str]
     mass: Array

@@ -4,19 +4,48 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sandbox.model.bounds import SpringLaw
 from sandbox.model.effects.contract import Effect
-from sandbox.model.expressions import Array
+from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
 from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
+
+NODES = 40
+"""At how many places a law is looked at to know what it stores."""
 
 DAMPED = replace(ELASTIC, sees=(*ELASTIC.sees, "velocity"))
 """What a spring with a damper says of itself as a force."""
 
 
 @dataclass(frozen=True, slots=True)
+class Law:
+    """What a spring pulls with beside k x: f(x), over how far it is stretched."""
+
+    formula: SpringLaw  # N
+    values: Values
+
+    def force(self, x: Array) -> Array:
+        """Return f(x) [N]."""
+        return self.formula.at(self.values, {"x": x})
+
+    def energy(self, x: Array) -> Array:
+        """Return ∫ f dx from 0 to x [J], by Gauss's rule: to rounding where f is smooth."""
+        nodes, weights = np.polynomial.legendre.leggauss(NODES)
+        there = x[..., None] * (nodes + 1) / 2
+        forces = np.broadcast_to(self.force(there), there.shape)
+        return np.asarray(x / 2 * (forces @ weights))
+
+    def slope(self, x: float) -> float:
+        """Return the steepest slope, as far as it is stretched or pressed [N/m]."""
+        reach = np.linspace(-abs(x), abs(x), 2 * NODES + 1)
+        slopes = self.formula.slope("x").at(self.values, {"x": reach})
+        return float(np.max(np.abs(slopes)))
+
+
+@dataclass(frozen=True, slots=True)
 class SpringForce:
-    """F = −k (l − l0) − c dl/dt along the line between its ends, U = k (l − l0)² / 2.
+    """F = −k x − f(x) − c dx/dt along the line between its ends, U = k x² / 2 + ∫ f dx, x = l − l0.
 
     One that pushes only does nothing where it is longer than l0, and never pulls.
 
@@ -28,11 +57,18 @@ class SpringForce:
     length: float  # m, l0
     damping: float  # kg/s, c
     pushes_only: bool = False
+    law: Law | None = None  # f
+    slope: float = 0.0  # N/m, the steepest of f, as far as it is stretched at the start
 
     @property
     def effect(self) -> Effect:
         """What it says of itself as a force."""
         return DAMPED if self.damping > 0 else ELASTIC
+
+    @property
+    def steepness(self) -> float:
+        """How much more it pulls for a little more stretch, at the most [N/m]."""
+        return self.stiffness + self.slope
 
     def tension(self, motion: Motion) -> Array:
         """Return the force with which it pulls [N]; negative where it pushes."""
@@ -41,7 +77,9 @@ class SpringForce:
     def stored(self, motion: Motion) -> Array:
         """Return k (l − l0)² / 2 [J]."""
         (a, _), (b, _) = (end.find(motion) for end in self.ends)
-        return np.asarray(self.stiffness * self._stretch(np.abs(b - a)) ** 2 / 2)
+        stretch = self._stretch(np.abs(b - a))
+        energy = self.stiffness * stretch**2 / 2
+        return np.asarray(energy + self.law.energy(stretch) if self.law else energy)
 
     def span(self, motion: Motion) -> tuple[Plane, Plane]:
         """Return where it begins and ends [m]: one that has let go keeps its length l0."""
@@ -82,6 +120,8 @@ class SpringForce:
         direction = span / np.maximum(length, 1e-300)  # none where the ends meet
         stretch = self._stretch(length)
         pull = self.stiffness * stretch
+        if self.law:
+            pull = pull + self.law.force(stretch)
         if self.damping:
             pull = pull + self.damping * ((moves_b - moves_a) * direction.conj()).real
         if self.pushes_only:

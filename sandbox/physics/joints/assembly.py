@@ -37,7 +37,7 @@ from sandbox.model.level import Level, is_alone, is_direct, span
 from sandbox.model.shapes import XY, Point, evaluate
 from sandbox.model.wires import along
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.spring import Law, SpringForce
 from sandbox.physics.geometry.quintics import course
 from sandbox.physics.joints.composites import Solids, Touches
 from sandbox.physics.joints.exact.angles import pin, turn, weld, winding
@@ -256,8 +256,16 @@ def _holder(end: End, bodies: Mapping[str, pymunk.Body], values: Values) -> pymu
 
 def _spring(spec: Spring, path: tuple[Anchor, ...], distance: float, values: Values) -> SpringForce:
     length = distance if spec.length is None else spec.length(values)
-    ends, stiffness = (path[0], path[-1]), spec.stiffness(values)
-    return SpringForce(ends, stiffness, length, spec.damping(values), spec.pushes_only)
+    law = Law(spec.law, values) if spec.law else None
+    return SpringForce(
+        (path[0], path[-1]),
+        spec.stiffness(values),
+        length,
+        spec.damping(values),
+        spec.pushes_only,
+        law,
+        law.slope(distance - length) if law else 0.0,
+    )
 
 
 def _rows(

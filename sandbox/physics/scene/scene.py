@@ -116,7 +116,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs.hollows)
-    given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
+    given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate)
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
     direct, sequence = _solvers(made, pairs)
@@ -245,7 +245,7 @@ def _hooked(
     moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
     for spring in springs.values():
         held = any(end.body is not None and moves[end.body] for end in spring.ends)
-        if simple and space and held and not (spring.damping or spring.pushes_only):
+        if simple and space and held and not (spring.damping or spring.pushes_only or spring.law):
             from sandbox.physics.joints.native import pull_by_pymunk
 
             pull_by_pymunk(spring, bodies, space)

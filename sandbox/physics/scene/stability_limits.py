@@ -55,6 +55,11 @@ def check_drag(
     """
     with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
         taken = np.asarray(_strength(law, start) * inverse_mass[:, 0])
+        braked = _braking(law, start, inverse_mass[:, 2])
+    if (needed := float(braked.max(initial=0.0))) > rate * CLOSE:
+        name = names[int(braked.argmax())]
+        cause = f"the effect '{law.effect.name}' on '{name}'"
+        raise _refused(name, cause, needed, rate, ("effects", law.effect.name))
     row = int(taken.argmax())
     if taken[row] > rate * CLOSE and (needed := _held(taken, inverse_mass, joints)) > rate * CLOSE:
         cause = f"the effect '{law.effect.name}' on '{names[row]}'"
@@ -83,6 +88,27 @@ def _strength(law: Law, motion: Motion) -> Array:
         law.add(Instant.of(motion)._replace(velocity=velocity), force)
     change = forces[0, :, :2] - forces[1, :, :2]
     return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
+
+
+def _braking(law: Law, start: Motion, inverse_mass: Array) -> Array:
+    """Return how fast a law slows down the turning of each body, with what it turns against: (n,).
+
+    Parameters
+    ----------
+    inverse_mass
+        (n,), one over the moments [1/(kg m²)].
+    """
+    found = np.zeros_like(inverse_mass)
+    motion = Instant.of(start)
+    for row in np.flatnonzero(inverse_mass) if law.effect.twists else ():
+        torques = np.zeros((2, len(inverse_mass), 3))
+        for torque, more in zip(torques, (0.0, PROBE), strict=True):
+            spin = motion.angular_velocity.copy()
+            spin[row] += more
+            law.add(motion._replace(angular_velocity=spin), torque)
+        change = np.abs(torques[1, :, 2] - torques[0, :, 2]) / PROBE
+        found[row] = change @ inverse_mass
+    return found
 
 
 def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
@@ -149,7 +175,7 @@ def limit(
     if not springs:
         return 0.0, ""
     delassus = _delassus(list(springs.values()), inverse_mass, angle)
-    stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
+    stiffness = np.repeat([spring.steepness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # what is more than a number holds is infinite
         needed = just_stable(*(_largest(delassus, weight) for weight in (stiffness, damping)))

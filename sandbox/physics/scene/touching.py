@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 import pymunk
 
+from sandbox.model.apart import apart
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping, is_direct
 from sandbox.physics.contacts.corners import reach_out
@@ -50,6 +51,10 @@ def make_contacts(
     skin, shapes = _skin(ours=ours, direct=direct), {}
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
         shapes[name] = make_surfaces(spec, bodies[name], level, values, skin, kind)
+    if pairs_apart := sorted(apart(level)):
+        from sandbox.physics.contacts.apart import keep_apart
+
+        keep_apart(space, bodies, pairs_apart)
     refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
     for made in shapes.values():  # pymunk looks for pairs at once
         space.add(*made)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.forces.variable_mass import MassFlows
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick
@@ -65,8 +66,15 @@ class Forces:
 
     @property
     def smooth(self) -> Array:
-        """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²]."""
+        """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²].
+
+        Of bodies that move as told, what they are told.
+        """
         return self._field + self._wrench * self._inverse_mass
+
+    def carry(self, bodies: Integers, acceleration: Array) -> None:
+        """Take in how fast bodies that move as told are to change their velocities: (k, 3)."""
+        self._field[bodies] = acceleration
 
     def start(self, begun: Array, after: Array) -> None:
         """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""

@@ -99,6 +99,8 @@ def test_an_effect_without_strength_changes_no_bit(
     bodies, effects = scene
     if effect in effects:
         return
+    if EFFECTS[effect].twists:
+        effects = {**effects, "rotation": {}}
     bare = level(bodies, effects)
     rub = {"friction": 0} if effect == "friction" else {}
     bodies = {name: {**body, **rub} for name, body in bodies.items()}

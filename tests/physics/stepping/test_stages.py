@@ -22,6 +22,10 @@ IN_SEQUENCE = {**CONTACT, "restitution": {"impacts": "sequence"}}
 
 CALLS: dict[str, Callable[[], Level]] = {
     "force laws": orbit,
+    "motions of kinematic bodies": lambda: level(
+        {"ball": disc(), "plate": {**floor(-1), "type": "kinematic", "motion": {"turn": "t"}}},
+        GRAVITY,
+    ),
     "joints": lambda: atwood(1, 2),
     "located impacts, and located ends of slipping": lambda: level(
         BALL, {**GRAVITY, "contact": {"located": ["ball"]}}

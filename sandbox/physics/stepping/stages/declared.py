@@ -4,9 +4,12 @@ A stage is imported where a level calls for it: what a scene does not need is no
 """
 
 from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
 from math import isfinite
 
 from sandbox.physics.stepping.stage import Setup, Stage
+
+_ROOM = __name__.rpartition(".")[0]
 
 
 def declared(setup: Setup) -> Iterator[Stage]:
@@ -16,46 +19,18 @@ def declared(setup: Setup) -> Iterator[Stage]:
             yield make(setup)
 
 
-def _laws(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.laws import make
+def _by(module: str) -> Callable[[Setup], Stage]:
+    """Return what makes a stage: the function `make` of a module of this folder."""
 
-    return make(setup)
+    def make(setup: Setup) -> Stage:
+        made: Stage = import_module(f"{_ROOM}.{module}").make(setup)
+        return made
 
-
-def _joints(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.joints import make
-
-    return make(setup)
+    return make
 
 
-def _cuts(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.cuts import make
-
-    return make(setup)
-
-
-def _sequence(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.sequence import make
-
-    return make(setup)
-
-
-def _direct(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.direct import make
-
-    return make(setup)
-
-
-def _fourth_order(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.fourth_order import make
-
-    return make(setup)
-
-
-def _bounds(setup: Setup) -> Stage:
-    from sandbox.physics.stepping.stages.bounds import make
-
-    return make(setup)
+def _has_motions(setup: Setup) -> bool:
+    return any(body.motion for body in setup.level.bodies.values())
 
 
 def _has_cuts(setup: Setup) -> bool:
@@ -65,12 +40,13 @@ def _has_cuts(setup: Setup) -> bool:
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
-    "force laws": (lambda s: s.forces.acts, _laws),
-    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _joints),
-    "located impacts, and located ends of slipping": (_has_cuts, _cuts),
-    "sequential impacts": (lambda s: s.scene.sequence is not None, _sequence),
-    "contacts solved directly": (lambda s: s.scene.direct is not None, _direct),
-    "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _fourth_order),
-    "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _bounds),
+    "force laws": (lambda s: s.forces.acts, _by("laws")),
+    "motions of kinematic bodies": (_has_motions, _by("motions")),
+    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("joints")),
+    "located impacts, and located ends of slipping": (_has_cuts, _by("cuts")),
+    "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequence")),
+    "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct")),
+    "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
+    "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("bounds")),
 }
 """What calls for each stage, and what makes it."""

@@ -216,7 +216,7 @@ def test_a_stack_that_is_pushed_at_half_its_height_comes_to_rest(push: float, sp
             world.place({"box10": (push, 5.25)})
         energy = energies(world, rate // 2)
         ends.append(world.snapshot)
-        if solver == "direct":
+        if method == "direct":
             assert np.diff(energy).max() <= 1e-12 * energy[0]
     direct, iterative = ends
 

@@ -1,0 +1,28 @@
+"""A field of force."""
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field as Constrained
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import ForceInField
+from sandbox.model.effects.contract import Effect
+from sandbox.model.mention import ActedOnBodies
+
+
+class Field(Model):
+    """A field of force, F(x, y, vx, vy, t), as a wind; it acts on centres of mass."""
+
+    effect: ClassVar[Effect] = Effect(
+        name="field",
+        book="work",
+        sees=("position", "velocity", "time"),
+        strength=("force",),
+    )
+
+    force: tuple[ForceInField, ForceInField]
+    """[x, y] in N, over the place x, y [m] of a body, its velocity vx, vy [m/s] and the time t"""
+    per: Literal["body", "mass"] = "body"
+    """what it acts on: with `mass` it is in N/kg, as gravity is"""
+    bodies: Annotated[ActedOnBodies, Constrained(min_length=1)] | None = None
+    """those that it acts on; all dynamic bodies if left out"""

@@ -1,0 +1,26 @@
+"""Bodies that do not meet each other, whatever their shapes do.
+
+pymunk leaves out pairs between which a constraint says so, before it looks at their shapes: nothing
+is called, and nothing is made of a contact. The constraint is a motor without strength.
+"""
+
+from collections.abc import Iterable, Mapping
+
+import pymunk
+
+
+def keep_apart(
+    space: pymunk.Space, bodies: Mapping[str, pymunk.Body], pairs: Iterable[tuple[str, str]]
+) -> None:
+    """Let pairs of bodies not meet, of which one is dynamic at least."""
+    for a, b in pairs:
+        bar = pymunk.SimpleMotor(bodies[a], bodies[b], 0.0)
+        bar.max_force, bar.collide_bodies = 0.0, False
+        space.add(bar)
+
+
+def meets(one: pymunk.Body, other: pymunk.Body) -> bool:
+    """Whether two bodies may touch each other."""
+    return not any(
+        not bar.collide_bodies and (bar.a is other or bar.b is other) for bar in one.constraints
+    )

@@ -1,0 +1,68 @@
+"""Kinematic bodies that follow formulas of the time."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Body
+from sandbox.physics.engine.batch import Batch
+
+
+class Motions:
+    """Gives bodies that follow formulas the velocities that lead them along; n bodies in all.
+
+    In a drift a body goes straight on. So between two steps it has the velocity of the chord,
+
+        v = (x(t + h) − x(t)) / h,
+
+    which is leapfrog's of the middle between them: at each step it is where its formula says, to
+    rounding, and what touches or holds it meets a surface that moves as it does. At a step its
+    velocity is the central difference (x(t + h) − x(t − h)) / 2 h, at the start the derivative.
+
+    Parameters
+    ----------
+    bodies, values
+        All of a level, with its parameters.
+    batch
+        Reads and writes them.
+    dt
+        The time step h [s].
+
+    Attributes
+    ----------
+    bodies
+        The rows of those that follow formulas.
+    """
+
+    def __init__(self, bodies: Mapping[str, Body], values: Values, batch: Batch, dt: float) -> None:
+        self._values, self._batch, self._dt = values, batch, dt
+        self._formulas = [
+            (*body.motion.displacement, body.motion.turn) for body in bodies.values() if body.motion
+        ]
+        self.bodies = np.flatnonzero([body.motion is not None for body in bodies.values()])
+        self._next = np.zeros((len(self.bodies), 3))
+
+    def look(self, t: float, length: float) -> Array:
+        """Find the velocities of the drift from a step on, and return how fast they change: (k, 3).
+
+        Parameters
+        ----------
+        t
+            The time of the step [s].
+        length
+            How long the kick lasts that gives them [s].
+        """
+        ends = np.array([t, t + self._dt])
+        for row, formulas in enumerate(self._formulas):
+            for axis, formula in enumerate(formulas):
+                start, end = formula.over(self._values, ends)
+                self._next[row, axis] = (end - start) / self._dt
+        change: Array = self._next - self._batch.velocity()[self.bodies]
+        return change / length
+
+    def lead(self) -> None:
+        """Give the bodies these velocities."""
+        velocity = self._batch.velocity()
+        velocity[self.bodies] = self._next
+        self._batch.set_velocity(velocity)

@@ -1,0 +1,135 @@
+"""What a liquid at rest carries: its weight where bodies displace it, exactly.
+
+The area A of a polygon below the surface, its depth and its moment are sums over the edges, clipped
+at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below, for the surface itself
+adds nothing, y = 0 there. Nothing has to be cut, so that polygons need not be convex. That of a
+disc is a segment of a circle.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar, NamedTuple
+
+import numpy as np
+
+from sandbox.model.effects import buoyancy as declared
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Body
+from sandbox.model.shapes import Area, Disc
+from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.state.motion import Motion
+
+
+class Displaced(NamedTuple):
+    """What a body displaces.
+
+    Attributes
+    ----------
+    area
+        A [m²].
+    moment
+        The integral of the way from the centre of mass, along the surface, over A [m³].
+    depth
+        The integral of the depth over A [m³].
+    """
+
+    area: Array
+    moment: Array
+    depth: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Round:
+    """The outline of a disc."""
+
+    radius: float  # m
+
+    def displaced(self, height: Array, angle: Array) -> Displaced:  # noqa: ARG002 (it is round)
+        """Return what it displaces with its centre at a height above the surface [m]."""
+        deep = -height / self.radius
+        d = np.clip(deep, -1.0, 1.0)
+        half = np.sqrt(1 - d * d)
+        turned = np.pi / 2 + np.arcsin(d)
+        depth = d * turned + half - half**3 / 3 + np.pi * np.maximum(deep - 1, 0.0)
+        area = turned + d * half
+        return Displaced(self.radius**2 * area, np.zeros_like(area), self.radius**3 * depth)
+
+
+@dataclass(frozen=True, slots=True)
+class Cornered:
+    """The outline of a polygon, counter-clockwise."""
+
+    corners: Array  # (c,) x + iy from the centre of mass [m]
+
+    @classmethod
+    def of(cls, points: list[tuple[float, float]]) -> "Cornered":
+        """Return the outline through some corners, in whatever order they go round."""
+        corners = np.array([complex(*point) for point in points])
+        turning = float(np.sum((corners.conj() * np.roll(corners, -1)).imag))
+        return cls(corners if turning > 0 else corners[::-1])
+
+    def displaced(self, height: Array, angle: Array) -> Displaced:
+        """Return what it displaces with its centre at a height above the surface [m], turned."""
+        a = self.corners * np.exp(1j * np.asarray(angle))[..., None]
+        a = a + 1j * np.asarray(height)[..., None]
+        a, b = _below(a, np.roll(a, -1, axis=-1))
+        along, ya, yb = (b - a).real, a.imag, b.imag
+        area = -along * (ya + yb) / 2
+        depth = along * (ya * ya + ya * yb + yb * yb) / 6
+        moment = -along * (a.real * (2 * ya + yb) + b.real * (ya + 2 * yb)) / 6
+        return Displaced(*(part.sum(axis=-1) for part in (area, moment, depth)))
+
+
+def _below(a: Array, b: Array) -> tuple[Array, Array]:
+    """Return the parts of edges that lie below the surface; of those above, a point of it."""
+    rise = (b - a).imag
+    share = np.clip(np.divide(-a.imag, rise, out=np.zeros_like(rise), where=rise != 0), 0.0, 1.0)
+    cut = (a + share * (b - a)).real + 0j
+    return np.where(a.imag < 0, a, cut), np.where(b.imag < 0, b, cut)
+
+
+@dataclass(frozen=True, slots=True)
+class Buoyancy:
+    """F = −ρ A g at the centre of the displaced area A, U = ρ g ∬ depth dA."""
+
+    effect: ClassVar[Effect] = declared.Buoyancy.effect
+
+    weight: float  # N/m², ρ g
+    surface: float  # m
+    bodies: tuple[tuple[int, Round | Cornered], ...]  # each with its outline
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add the force on each body, and its torque about the centre of mass."""
+        for row, found in self._displaced(motion):
+            wrench[..., row, 1] += self.weight * found.area
+            wrench[..., row, 2] += self.weight * found.moment
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return what it takes to press each body as deep as it is."""
+        stored = np.zeros(motion.position.shape[:-1])
+        for row, found in self._displaced(motion):
+            stored[..., row] = self.weight * found.depth
+        return stored
+
+    def _displaced(self, motion: Motion) -> Iterator[tuple[int, Displaced]]:
+        for row, outline in self.bodies:
+            height = motion.position[..., row, 1] - self.surface
+            yield row, outline.displaced(height, motion.angle[..., row])
+
+
+def laws(said: declared.Buoyancy, given: Given) -> Iterator[Law]:
+    """Yield what the liquid carries."""
+    level, values = given.level, given.values
+    rows = given.rows(said.bodies).tolist()
+    every = ((row, level.bodies[given.names[row]]) for row in rows)
+    bodies = tuple((r, _outline(b, values)) for r, b in every if isinstance(b.shape, Area))
+    weight = said.density(values) * said.gravity(values)
+    yield Buoyancy(weight, said.surface(values), bodies)
+
+
+def _outline(body: Body, values: Values) -> Round | Cornered:
+    if isinstance(body.shape, Disc):
+        return Round(body.shape.radius(values))
+    return Cornered.of(local_points(body, values))

@@ -1,0 +1,81 @@
+"""A field of force."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sandbox.model.bounds import ForceInField
+from sandbox.model.effects import field as declared
+from sandbox.model.effects.contract import Effect, Sight
+from sandbox.model.expressions import Array, Values
+from sandbox.physics.engine.batch import Integers, in_place
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.variable_mass import Share
+from sandbox.physics.state.motion import Motion
+
+SIGHTS: Mapping[str, Sight] = {
+    "x": "position",
+    "y": "position",
+    "vx": "velocity",
+    "vy": "velocity",
+    "t": "time",
+}
+"""What a force depends on that has a variable in its formula."""
+
+
+@dataclass(frozen=True, slots=True)
+class Weight:
+    """What a field acts on: each of some bodies as one, or by its mass."""
+
+    bodies: slice | Integers
+    mass: Array | None  # (n,) kg at the start; None where it acts on each body as one
+    share: Share
+
+    @classmethod
+    def of(cls, bodies: Sequence[str] | None, per: str, given: Given) -> "Weight":
+        """Return what a level says of it; all bodies that move if it names none."""
+        rows = in_place(given.rows(bodies))
+        return cls(rows, given.mass if per == "mass" else None, given.share)
+
+    def at(self, t: Array) -> Array | float:
+        """Return by what the field is to be multiplied at a time: (..., k)."""
+        if self.mass is None:
+            return 1.0
+        return np.asarray((self.mass * self.share(t))[..., self.bodies])
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """F(x, y, vx, vy, t), as its formulas say; what it does is booked as its work."""
+
+    effect: Effect
+    force: tuple[ForceInField, ForceInField]  # N, or N/kg
+    values: Values
+    on: Weight
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add F on each body."""
+        bodies, weight = self.on.bodies, self.on.at(motion.t)
+        place, velocity = motion.position[..., bodies, :], motion.velocity[..., bodies, :]
+        seen = {
+            "x": place[..., 0],
+            "y": place[..., 1],
+            "vx": velocity[..., 0],
+            "vy": velocity[..., 1],
+            "t": np.asarray(motion.t)[..., None],
+        }
+        for axis, component in enumerate(self.force):
+            wrench[..., bodies, axis] += weight * component.at(self.values, seen)
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return zero: whether it could give back what it takes is not known."""
+        return np.zeros(motion.position.shape[:-1])
+
+
+def laws(said: Sequence[declared.Field], given: Given) -> Iterator[Law]:
+    """Yield each field; one that does not look at velocities says so."""
+    for one in said:
+        used = {SIGHTS[name] for f in one.force for name in f.names & SIGHTS.keys()}
+        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
+        yield Field(effect, one.force, given.values, Weight.of(one.bodies, one.per, given))

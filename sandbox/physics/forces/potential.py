@@ -1,0 +1,54 @@
+"""A potential of one's own, of which the force is the slope."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.bounds import EnergyInField
+from sandbox.model.effects import potential as declared
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array, Function, Values
+from sandbox.physics.forces.field import Weight
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Potential:
+    """F = −∇U, by the rules of the calculus."""
+
+    effect: ClassVar[Effect] = declared.Potential.effect
+
+    energy: EnergyInField  # J, or J/kg
+    values: Values
+    on: Weight
+    _slopes: tuple[Function, Function] = field(init=False)  # N, or N/kg
+
+    def __post_init__(self) -> None:
+        """Differentiate it."""
+        object.__setattr__(self, "_slopes", (self.energy.slope("x"), self.energy.slope("y")))
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add −∇U on each body."""
+        place, weight = self._place(motion), self.on.at(motion.t)
+        for axis, slope in enumerate(self._slopes):
+            wrench[..., self.on.bodies, axis] -= weight * slope.at(self.values, place)
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return U of each body."""
+        stored = np.zeros(motion.position.shape[:-1])
+        found = self.energy.at(self.values, self._place(motion))
+        stored[..., self.on.bodies] = self.on.at(motion.t) * found
+        return stored
+
+    def _place(self, motion: Motion) -> dict[str, Array]:
+        place = motion.position[..., self.on.bodies, :]
+        return {"x": place[..., 0], "y": place[..., 1]}
+
+
+def laws(said: Sequence[declared.Potential], given: Given) -> Iterator[Law]:
+    """Yield each potential."""
+    for one in said:
+        yield Potential(one.energy, given.values, Weight.of(one.bodies, one.per, given))

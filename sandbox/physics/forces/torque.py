@@ -1,0 +1,72 @@
+"""Given torques, on one body or between two."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sandbox.model.bounds import TorqueOfTurning
+from sandbox.model.effects import torque as declared
+from sandbox.model.effects.contract import Effect, Sight
+from sandbox.model.expressions import Array, Values
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.state.motion import Motion
+
+SIGHTS: Mapping[str, Sight] = {"theta": "angle", "omega": "velocity", "t": "time"}
+"""What a torque depends on that has a variable in its formula."""
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """A body that is turned, and what feels it the other way round."""
+
+    body: int
+    against: int | None
+
+    @classmethod
+    def of(cls, body: str, against: str | None, given: Given) -> "Turned":
+        """Return what a level names."""
+        return cls(given.row(body), None if against is None else given.row(against))
+
+    def between(self, values: Array) -> Array:
+        """Return an angle of all bodies, or its rate, as one of the body against the other."""
+        own: Array = values[..., self.body]
+        return own if self.against is None else own - values[..., self.against]
+
+    def add(self, torque: Array, wrench: Array) -> None:
+        """Add a torque on the body, and its reaction."""
+        wrench[..., self.body, 2] += torque
+        if self.against is not None:
+            wrench[..., self.against, 2] -= torque
+
+
+@dataclass(frozen=True, slots=True)
+class Torque:
+    """τ(θ, ω, t), as its formula says; what it does is booked as its work."""
+
+    effect: Effect
+    torque: TorqueOfTurning  # N m
+    values: Values
+    on: Turned
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add τ, and its reaction."""
+        seen = {
+            "theta": self.on.between(motion.angle),
+            "omega": self.on.between(motion.angular_velocity),
+            "t": np.asarray(motion.t),
+        }
+        self.on.add(self.torque.at(self.values, seen), wrench)
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return zero: whether it could give back what it takes is not known."""
+        return np.zeros(motion.position.shape[:-1])
+
+
+def laws(said: Sequence[declared.Torque], given: Given) -> Iterator[Law]:
+    """Yield each torque; one that does not look at angular velocities says so."""
+    for one in said:
+        used = {SIGHTS[name] for name in one.torque.names & SIGHTS.keys()}
+        effect = replace(one.effect, sees=tuple(s for s in one.effect.sees if s in used))
+        turned = Turned.of(one.body, one.against, given)
+        yield Torque(effect, one.torque, given.values, turned)

@@ -1,0 +1,45 @@
+"""Torsion springs."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from sandbox.model.effects import torsion as declared
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.torque import Turned
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class Torsion:
+    """τ = −k (θ − θ0), U = k (θ − θ0)² / 2; the energy belongs to the body that is named first."""
+
+    effect: ClassVar[Effect] = declared.Torsion.effect
+
+    stiffness: float  # N m/rad, k
+    angle: float  # rad, θ0
+    on: Turned
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add −k (θ − θ0), and its reaction."""
+        self.on.add(-self.stiffness * self._twist(motion), wrench)
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return k (θ − θ0)² / 2."""
+        stored = np.zeros(motion.position.shape[:-1])
+        stored[..., self.on.body] = self.stiffness * self._twist(motion) ** 2 / 2
+        return stored
+
+    def _twist(self, motion: Motion) -> Array:
+        return self.on.between(motion.angle) - self.angle
+
+
+def laws(said: Sequence[declared.Torsion], given: Given) -> Iterator[Law]:
+    """Yield each torsion spring."""
+    for one in said:
+        turned = Turned.of(one.body, one.against, given)
+        yield Torsion(one.stiffness(given.values), one.angle(given.values), turned)
