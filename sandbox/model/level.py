@@ -219,7 +219,7 @@ class Stepping(Model):
     """sweeps of the solver over contacts and joints, a step"""
     scheme: Scheme = "leapfrog"
     """`fourth-order` is for smooth forces that depend on places and time alone;
-    `symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+    `symplectic-euler` is stock pymunk, `explicit-euler` deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
         """Return the same with a chosen rate [Hz]; an accuracy is then no longer asked for.
@@ -245,7 +245,7 @@ class Stepping(Model):
         return {name: value for name, value in said.items() if name != "accuracy"}
 
     @property
-    def as_it_comes(self) -> bool:
+    def is_stock(self) -> bool:
         """Whether a run starts without half a kick, so that velocities are half a step old."""
         return self.scheme in ("symplectic-euler", "explicit-euler")
 

@@ -22,7 +22,7 @@ from sandbox.physics.stepping.world import World
 NUDGE = 1e-9
 """m, by which one body is moved at the start."""
 
-WILD = 1e4
+CHAOTIC = 1e4
 """By how much a change has grown, at the least, before it is asked how."""
 
 STEADY = 0.75
@@ -47,10 +47,10 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> str
         If `stop` said so.
     """
     t, times = growth(level, values, stepping, stop)
-    wild = np.flatnonzero(times >= WILD)
-    if not len(wild):
+    chaotic = np.flatnonzero(times >= CHAOTIC)
+    if not len(chaotic):
         return ""
-    at = int(wild[0])
+    at = int(chaotic[0])
     half = float(times[: at // 2 + 1].max())
     if log(max(half, 1.0)) > STEADY * log(times[at]):
         return ""

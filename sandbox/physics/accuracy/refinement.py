@@ -111,9 +111,9 @@ class Ladder:
     def rate_for(self, error: float) -> float:
         """Return the rate from which on no error is expected to be larger [Hz]; infinite if none.
 
-        What pymunk makes of impacts as it comes is a matter of chance, and nothing follows from it.
+        What stock pymunk makes of impacts is a matter of chance, and nothing follows from it.
         """
-        if self.traces[-1].stepping.as_it_comes:
+        if self.traces[-1].stepping.is_stock:
             return inf
         rate, last = 0.0, self.traces[-1].stepping.rate
         for off, order in self.growth:
@@ -125,7 +125,7 @@ class Ladder:
 
     def error_at(self, rate: float) -> float:
         """Return the largest error that is expected at a rate [Hz]."""
-        if self.traces[-1].stepping.as_it_comes:
+        if self.traces[-1].stepping.is_stock:
             return inf
         ratio = self.traces[-1].stepping.rate / rate
         return max((off * ratio**order for off, order in self.growth), default=inf)

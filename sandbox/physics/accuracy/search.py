@@ -144,10 +144,10 @@ def climb(
 def held(climbers: Sequence[Climber]) -> list[Ladder]:
     """Return what has been climbed, each ladder with its errors against the best, that first.
 
-    None as long as there is but pymunk as it comes, which agrees with itself on what is wrong.
+    None as long as there is but stock pymunk, which agrees with itself on what is wrong.
     """
     found = [climber.ladder for climber in climbers if climber.ladder]
-    judges = [ladder for ladder in found if not ladder.traces[0].stepping.as_it_comes]
+    judges = [ladder for ladder in found if not ladder.traces[0].stepping.is_stock]
     if not judges:
         return []
     best = min(judges, key=lambda ladder: ladder.errors[-1])

@@ -243,7 +243,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
 def _doubt(ladder: Ladder) -> tuple[bool, float]:
     """Return what makes a ladder a worse judge: what pymunk makes of impacts agrees by chance."""
     last = ladder.traces[-1]
-    naive = last.stepping.as_it_comes and last.level.effects.contact is not None
+    naive = last.stepping.is_stock and last.level.effects.contact is not None
     return naive, ladder.errors[-1]
 
 

@@ -63,7 +63,7 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
 def rubbing(
     contacts: Contacts, place: Array, mean: Array, inertia: Array, running: Array
 ) -> tuple[float, dict[str, float]]:
-    """Return the work of friction, and what bodies that move as told and belts put in [J].
+    """Return the work of friction, and what kinematic bodies and belts put in [J].
 
     Parameters
     ----------

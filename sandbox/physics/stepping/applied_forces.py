@@ -68,12 +68,12 @@ class Forces:
     def smooth(self) -> Array:
         """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²].
 
-        Of bodies that move as told, what they are told.
+        Of kinematic bodies, what their levels say.
         """
         return self._field + self._wrench * self._inverse_mass
 
     def carry(self, bodies: Integers, acceleration: Array) -> None:
-        """Take in how fast bodies that move as told are to change their velocities: (k, 3)."""
+        """Take in the accelerations of kinematic bodies: (k, 3)."""
         self._field[bodies] = acceleration
 
     def start(self, begun: Array, after: Array) -> None:

@@ -49,8 +49,8 @@ class Setup(NamedTuple):
 
     @property
     def leapfrog(self) -> bool:
-        """Whether velocities are half a step from places; else pymunk is taken as it comes."""
-        return not self.stepping.as_it_comes
+        """Whether velocities are half a step from places; else it is stock pymunk."""
+        return not self.stepping.is_stock
 
 
 class Stage(NamedTuple):
@@ -127,6 +127,6 @@ def set_up(level: Level, values: Values, stepping: Stepping, scene: Scene) -> Se
     contact = level.effects.contact is not None
     # joints take turns with contacts: there their last pull acts from the start of a kick
     pulling = scene.joints.together if contact and scene.direct is None else None
-    forces = Forces(scene, pulling, leapfrog=not stepping.as_it_comes)
+    forces = Forces(scene, pulling, leapfrog=not stepping.is_stock)
     kicks = Kicks(scene, forces, 1 / stepping.rate, touching=contact)
     return Setup(level, values, stepping, scene, forces, kicks)

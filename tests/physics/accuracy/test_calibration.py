@@ -318,7 +318,7 @@ def test_impacts_that_are_located_are_believed() -> None:
 
 
 def test_what_pymunk_makes_of_an_impact_is_judged_by_another_scheme() -> None:
-    """An impact that leaves nothing costs pymunk as it comes so little that it climbs alone."""
+    """An impact that leaves nothing costs stock pymunk so little that it climbs alone."""
     scene = catalog_level("momentum/inelastic")
     values = {"m1": 1.43, "m2": 8.49, "v1": 4.055, "v2": -2.107}
     chosen = calibrate(scene, values, 1e-3).chosen

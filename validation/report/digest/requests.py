@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import isfinite
 from statistics import median
 
-from validation.cost.requests import DEAR, Request
+from validation.cost.requests import EXPENSIVE, Request
 from validation.report.digest.chapters import by_chapter
 
 
@@ -16,12 +16,12 @@ class Requests:
     ----------
     asked
         All of them.
-    dear
+    expensive
         How many times the cheapest setting one may cost.
     """
 
     asked: tuple[Request, ...]
-    dear: float = DEAR
+    expensive: float = EXPENSIVE
 
     @property
     def met(self) -> int:
@@ -39,7 +39,7 @@ class Requests:
         return tuple(r for r in self.asked if not (r.honoured or r.beyond))
 
     @property
-    def too_dear(self) -> int:
+    def too_expensive(self) -> int:
         """How many are delivered at more than that."""
         return sum(r.delivered <= r.target and not r.honoured for r in self.asked)
 
