@@ -1,8 +1,8 @@
 """Stops a run that has gone wrong, says what did, and at which rate it should hold.
 
-It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and the
-joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad: of
-them it asks only that everything is somewhere, and that their energy does not go on multiplying.
+It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and
+the joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad:
+of them it asks only that everything is somewhere, and that their energy does not go on multiplying.
 """
 
 from collections.abc import Callable
