@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.sudden import timely
 from sandbox.physics.measuring.recording import count_steps
@@ -100,11 +100,11 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
     return np.array(t), np.array(apart)
 
 
-def foretold(ladders: Sequence[Ladder], wanted: Sequence[Watched], error: float) -> float:
-    """Return until when the two finest runs of the best ladder tell where things are [s].
+def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
+    """Return until when the two finest runs of the best refinement tell where things are [s].
 
     That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
     """
-    coarse, fine = ladders[0].traces[-2:]
+    coarse, fine = refinements[0].traces[-2:]
     times = (departure(coarse, fine, item, error) for item in wanted)
     return min([timely(fine, wanted, error), *(t for t in times if t is not None)])

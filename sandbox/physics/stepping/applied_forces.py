@@ -132,13 +132,13 @@ class Forces:
 
     def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
         """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
-        from sandbox.physics.forces.turning import pull, rates
+        from sandbox.physics.forces.turning import rates, turning_acceleration
 
         self.turning = rates(self._turns, reading)
         velocity = self._older[:, :2] if self._guesses else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
         others = self._field[:, :2] + wrench[:, :2] * inverse_mass + gained / length
-        self.turned = turned = pull(self.turning, velocity, others, length)
+        self.turned = turned = turning_acceleration(self.turning, velocity, others, length)
         wrench[:, :2] += np.divide(
             turned, inverse_mass, out=np.zeros_like(turned), where=inverse_mass > 0
         )
