@@ -61,7 +61,7 @@ class Cases:
     least_order
         The least order of those that claim one.
     naive_missed
-        How many of the bounds pymunk misses at the same rate, used as it comes.
+        How many of the bounds stock pymunk misses at the same rate.
     """
 
     chapters: tuple[Chapter, ...]
