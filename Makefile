@@ -22,12 +22,13 @@ HEADLESS := SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy OPENBLAS_NUM_THREADS=1
 # Each stamp says that the environment holds what its name says, as pyproject.toml asks for it.
 FOR_RUN := $(VENV)/.ready-to-run
 FOR_TEST := $(VENV)/.ready-to-test
+FOR_SITE := $(VENV)/.ready-for-the-site
 # Present while the environment is being changed. Left behind by an interruption, it condemns the lot.
 UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs site clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -86,10 +87,14 @@ format: $(FOR_TEST) ## put the code into the project's format
 	$(PY) -m ruff check --fix .
 	$(PY) -m ruff format .
 
-docs: $(FOR_RUN) ## write anew what is generated: the formats' JSON Schemas, the map of the chapter
+docs: $(FOR_RUN) ## write anew what is generated: JSON Schemas, the reference, the map of the chapter
 	$(PY) -m sandbox.model.schema
 	$(PY) -m sandbox.experiments.schema
+	$(PY) -m sandbox.cli.reference
 	$(PY) -m validation.chapter
+
+site: $(FOR_SITE) ## the documents and a gallery of all levels as a site: out/site/index.html
+	$(HEADLESS) $(PY) -m mkdocs build --strict
 
 clean: ## remove the environment, caches and builds
 	rm -rf $(VENV) build dist *.egg-info
@@ -108,6 +113,11 @@ $(FOR_TEST): pyproject.toml $(PY)
 	@$(open_environment)
 	$(PIP_INSTALL) --editable '.[report,test]'
 	@rm $(UNFINISHED) && touch $(FOR_RUN) $(FOR_TEST)
+
+$(FOR_SITE): $(FOR_TEST)
+	@touch $(UNFINISHED)
+	$(PIP_INSTALL) --editable '.[site]'
+	@rm $(UNFINISHED) && touch $(FOR_SITE)
 
 $(PY): ;
 

@@ -19,7 +19,7 @@ from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.loading import choose
 from sandbox.physics import run
 
-PAGE = Path(__file__).parents[1] / "docs" / "python.md"
+PAGE = Path(__file__).parents[1] / "docs" / "how-to" / "use-python.md"
 
 
 def test_every_example_of_the_page_gives_what_it_says() -> None:

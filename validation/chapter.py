@@ -1,6 +1,6 @@
 """The document, part by part, and the levels in which each can be played.
 
-`python -m validation.chapter` writes it to `docs/chapter.md`.
+`python -m validation.chapter` writes it to `docs/reference/chapter.md`.
 """
 
 import sys
@@ -12,7 +12,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import load
 
-PAGE = Path("docs") / "chapter.md"
+PAGE = Path("docs") / "reference" / "chapter.md"
 """In the project's sources."""
 
 
@@ -269,7 +269,7 @@ def page() -> str:
         if part.section != section:
             section = part.section
             lines += ["", f"## {section}", "", "| part | levels |", "|---|---|"]
-        levels = ", ".join(f"[{name}](../levels/{name}.json)" for name in part.levels)
+        levels = ", ".join(f"[{name}](../../levels/{name}.json)" for name in part.levels)
         lines.append(f"| {part.text} | {levels or '*still owed*'} |")
     return "\n".join(lines) + "\n"
 

@@ -1,7 +1,7 @@
 """Cases as literal tables: reads them, and calls their closed forms.
 
-A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/adding-a-case.md says
-what may stand in it.
+A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/how-to/add-a-case.md
+says what may stand in it.
 """
 
 import builtins

@@ -1,35 +1,41 @@
-"""What a hand does to a run, at which step: enough to have the same run again, to the last bit."""
+"""What is done to a run, at which step: enough to have the same run again, to the last bit."""
 
+from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from sandbox.model.base import Model
+from sandbox.model.loading import choose
+from sandbox.physics.stepping.branching import branch
 from sandbox.physics.stepping.world import World
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
 
 
 class Action(Model):
-    """Something that a hand did between two steps."""
+    """Something that a person did between two steps."""
 
     step: Annotated[int, Field(ge=0)]
     """how many steps had been taken"""
-    kind: Literal["grab", "drag", "release", "place"]
-    """took hold of a body, pulled what it held, let go of it, or put a body elsewhere"""
+    kind: Literal["grab", "drag", "release", "place", "branch"]
+    """took hold of a body, pulled what was held, let go of it, put a body elsewhere, or let the run
+    go on with other parameters"""
     body: str = ""
     """which, where it took hold of one or put it elsewhere"""
     point: Annotated[tuple[Finite, Finite], Field(strict=False)] = (0.0, 0.0)
     """[x, y] in m: where it took hold, where it pulled to, or where it put the body"""
+    parameters: Mapping[str, Annotated[Finite, Field(strict=False)]] = {}
+    """with which the run goes on, where it branches: the values of those that change"""
 
 
-def perform(action: Action, world: World) -> None:
-    """Do it again, or for the first time.
+def perform(action: Action, world: World) -> World:
+    """Do it again, or for the first time; return the world in which the run goes on.
 
     Raises
     ------
     SandboxError
-        If the world cannot stand it.
+        If the world cannot stand it. One that was to be branched stays as it is.
     """
     match action.kind:
         case "grab":
@@ -40,3 +46,6 @@ def perform(action: Action, world: World) -> None:
             world.release()
         case "place":
             world.place({action.body: action.point})
+        case "branch":
+            return branch(world, choose(world.level, {**world.values, **action.parameters}))
+    return world

@@ -1,5 +1,7 @@
 """What is told at the top of the stage: the most pressing of what there is to tell."""
 
+from math import inf
+
 import pygame
 
 from sandbox.app import theme, wording
@@ -20,20 +22,27 @@ class Banner:
         self._note, self._left = "", 0.0
         self._ended: tuple[object, str] = None, ""
 
-    def tell(self, text: str) -> None:
-        """Show a note for a while; an empty one takes the last away."""
-        self._note, self._left = text, NOTE
+    def tell(self, text: str, *, lasting: bool = False) -> None:
+        """Show a note for a while, or until the next; an empty one takes the last away."""
+        self._note, self._left = text, inf if lasting else NOTE
 
     def update(self, seconds: float) -> None:
         """Let time pass."""
         self._left -= seconds
 
-    def draw(self, surface: pygame.Surface, pen: Pen, area: pygame.Rect, session: Session) -> int:
+    def draw(
+        self, surface: pygame.Surface, pen: Pen, area: pygame.Rect, session: Session | None
+    ) -> int:
         """Draw it at the top of an area, if there is anything to tell; return its end [px]."""
         text, color = self._told(session)
         return messages.draw_banner(surface, pen, area, text, color) if text else 0
 
-    def _told(self, session: Session) -> tuple[str, Color]:
+    def _told(self, session: Session | None) -> tuple[str, Color]:
+        noted = (self._note if self._left > 0 else ""), theme.NOTICE
+        return (self._of_run(session) if session is not None else None) or noted
+
+    def _of_run(self, session: Session) -> tuple[str, Color] | None:
+        """Return what is more pressing than a note, or else what takes the place of none."""
         if session.trying and isinstance(session.failure, SimulationError):
             return f"{session.failure.told('')} – trying what helps …", theme.FAILED
         if session.failure is not None:
@@ -43,11 +52,9 @@ class Banner:
             asked = wording.error(session.level.stepping.accuracy or 0.0)
             text = f"Looking for the cheapest setting with an error of {asked} …"
             return text, theme.NOTICE
-        if self._note and self._left > 0:
-            return self._note, theme.NOTICE
-        if session.at_end and not session.playing:
+        if not (self._note and self._left > 0) and session.at_end and not session.playing:
             return self._complete(session), theme.ACCENT
-        return "", theme.NOTICE
+        return None
 
     def _complete(self, session: Session) -> str:
         if session.changes:

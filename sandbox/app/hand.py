@@ -4,6 +4,7 @@ from enum import Enum, auto
 
 import pygame
 
+from sandbox.app.protractor import Protractor
 from sandbox.app.rounding import rounded
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
@@ -30,7 +31,7 @@ class Hand:
     Attributes
     ----------
     tape
-        What was measured last; None after a click elsewhere.
+        What was measured last, a distance or an angle; None after a click elsewhere.
     """
 
     def __init__(self, stage: Stage) -> None:
@@ -39,7 +40,8 @@ class Hand:
         self._pressed: XY = (0.0, 0.0)
         self._moved = False
         self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at first
-        self.tape: Tape | None = None
+        self.tape: Tape | Protractor | None = None
+        self._before: Tape | Protractor | None = None  # on which a protractor is laid
 
     def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
         """Do what a mouse event over the window asks for."""
@@ -67,9 +69,11 @@ class Hand:
         self._doing = Doing.PANNING
         if event.button != 1:
             return
-        self.tape = None
+        mods = pygame.key.get_mods()
+        self._before = self.tape if mods & pygame.KMOD_CTRL else None
+        self.tape = self._before
         point = self._stage.camera.to_world(pixel)
-        if pygame.key.get_mods() & pygame.KMOD_SHIFT:
+        if mods & pygame.KMOD_SHIFT:
             self._doing = Doing.MEASURING
         elif arrow := self._stage.tip_at(pixel):
             self._doing = Doing.FORCING
@@ -93,9 +97,13 @@ class Hand:
             case Doing.FORCING:
                 self._force(pixel, session)
             case Doing.MEASURING:
-                self.tape = Tape(camera.to_world(self._pressed), camera.to_world(pixel))
+                self.tape = self._laid(camera.to_world(self._pressed), camera.to_world(pixel))
             case Doing.NOTHING:
                 pass
+
+    def _laid(self, start: XY, end: XY) -> Tape | Protractor:
+        """Return a new tape; or with Ctrl the angle that the end makes with the last one."""
+        return Protractor.on(self._before, end) if self._before else Tape(start, end)
 
     def _force(self, pixel: XY, session: Session) -> None:
         """Change a force by as much as the mouse has moved since it took hold of the tip."""

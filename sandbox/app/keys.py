@@ -14,7 +14,11 @@ class Binding:
     text: str
     keys: tuple[int, ...] = ()
     characters: str = ""
+    control: int | None = None
+    """a key that calls for it together with Ctrl, or Cmd"""
 
+
+CONTROL = pygame.KMOD_CTRL | pygame.KMOD_META
 
 PLAYING = (
     Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),
@@ -25,6 +29,7 @@ PLAYING = (
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
     Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
+    Binding("home", "F2 or ⌫", "all levels as cards, and back", (pygame.K_F2, pygame.K_BACKSPACE)),
     Binding("find", "/", "find a level", (), "/"),
     Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
 )
@@ -41,6 +46,7 @@ SHOWING = (
 WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
+    Binding("open file", "Ctrl O", "open a level of your own", control=pygame.K_o),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
     Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
     Binding("leave", "Esc", "close this, leave a field or a search, or quit", (pygame.K_ESCAPE,)),
@@ -50,11 +56,16 @@ MOUSE = (
     ("drag the tip of a force", "change it; the run starts anew"),
     ("click on a body", "look at it: its forces are told on the page for that"),
     ("drag a body", "pull it, or put it elsewhere while paused"),
+    ("Shift and drag a slider", "change it from now on, or from the start: the other way"),
     ("drag the stage", "move the view; the wheel zooms"),
-    ("Shift and drag", "measure a distance"),
+    ("Shift and drag", "measure a distance; then Ctrl, Shift and drag: an angle at its end"),
+    ("rest on a trail", "when it was there, where, and how fast"),
     ("click on the time's bar", "go there, back or ahead; drag along it to look through the run"),
     ("drop a file", "open a level of your own"),
 )
+
+AT_HOME = frozenset({"home", "find", "levels", "open file", "help", "leave"})
+"""The commands that are carried out beside the cards; any other goes back to the stage first."""
 
 WHILE_TYPING = frozenset({"next field", "leave"})
 """The commands whose keys still act while a number is being typed."""

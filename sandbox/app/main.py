@@ -10,7 +10,7 @@ import pygame
 from sandbox.app.window import Window
 
 FIRST = "kinematics/projectile"
-"""What is played if nobody says what."""
+"""What is there behind the cards if nobody says what."""
 
 _HEADLESS = {"dummy", "offscreen"}
 
@@ -39,12 +39,15 @@ def run(
 ) -> None:
     """Open the window, with a level given by its name or path, and stay until it is closed.
 
-    An accuracy, if one is given, is asked for in place of the level's own setting.
+    Without a level it begins with the cards of all of them. An accuracy, if one is given, is asked
+    for in place of the level's own setting.
     """
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
     window.open_level(level or FIRST, settings, accuracy)
+    if level is None:
+        window.do("home")
     if racing:
         window.do("race")
     try:

@@ -1,4 +1,4 @@
-"""Runs as files: a level, its parameters, and what a hand did, to have the same run again."""
+"""Runs as files: a level, its parameters, and what was done, to have the same run again."""
 
 import json
 from collections.abc import Mapping
@@ -30,11 +30,11 @@ class Run(Model):
     level: Mapping[str, Any]
     """the level that was played, whole, with the rate at which it was"""
     parameters: Mapping[str, Annotated[float, Field(strict=False, allow_inf_nan=False)]]
-    """their values"""
+    """their values at the start"""
     steps: Annotated[int, Field(ge=0)]
     """how many steps were taken"""
     actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
-    """what a hand did, in order"""
+    """what was done to it, in order"""
     state: str
     """a hash of the state at the end"""
 
@@ -47,7 +47,7 @@ def run_of(session: Session) -> Run:
     return Run(
         format=1,
         level=level.model_dump(mode="json", by_alias=True, exclude_defaults=True),
-        parameters={name: session.values[name] for name in level.parameters},
+        parameters={name: session.begun_with[name] for name in level.parameters},
         steps=session.world.steps,
         actions=tuple(session.actions),
         state=fingerprint(session.world.snapshot),

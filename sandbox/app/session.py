@@ -7,13 +7,14 @@ be paid for within its budget is dropped and shown as a lower pace, never stretc
 from collections.abc import Mapping, Sequence
 from math import inf
 from time import perf_counter
-from typing import Literal, NamedTuple
+from typing import Literal
 
-from sandbox.app import milestones, theme
+from sandbox.app import milestones
 from sandbox.app.actions import Action, perform
 from sandbox.app.books import Books
 from sandbox.app.clock import Clock
 from sandbox.app.companions import NONE, Changes, Companion, Variant
+from sandbox.app.earlier import Earlier, Observed, kept
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
 from sandbox.app.looking import Looking
@@ -33,26 +34,6 @@ from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, ne
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
-
-
-class Earlier(NamedTuple):
-    """A run with other parameters that was there before.
-
-    Attributes
-    ----------
-    told
-        The parameters that were changed after it, with the values that they had.
-    trail, history
-        Where its bodies have been, and all else that was observed.
-    world
-        What it was observed of.
-    """
-
-    told: str
-    trail: Trail
-    history: History
-    world: World
-
 
 BUDGET = 0.009  # s, of a frame for steps
 AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
@@ -98,7 +79,9 @@ class Session:
     earlier
         The last runs with other parameters, the newest last.
     actions
-        What a hand has done to the run so far.
+        What a person has done to the run so far.
+    branches
+        Whether a parameter that is changed acts from now on, instead of from the start.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
     looking
@@ -134,15 +117,19 @@ class Session:
         self.changes = NONE
         self.playing = False
         self.speed = 1.0
-        self.locked = False
+        self.locked = self.branches = False
         self.looking = Looking(level)
         self.earlier: tuple[Earlier, ...] = ()
         self._begin(*self._built(self.level, (), level.defaults if values is None else values))
+        self._opened = self.level, self.values
 
     def _begin(
         self, world: World, companions: Sequence[Companion], setting: Setting | None
     ) -> None:
         self.world, self.setting = world, setting
+        self._begun_with = world.values
+        self._fork: World | None = None  # from which the run branched off last
+        self._ahead: Observed | None = None  # how far the run has been, before a way back
         self.companions = tuple(companions)
         self.clock = Clock()
         self.failure: SandboxError | None = None
@@ -184,9 +171,21 @@ class Session:
         return self.end * self.world.dt
 
     @property
+    def remaining(self) -> float | None:
+        """How long the rest of the run takes as slowly as it goes; None if it keeps up [s]."""
+        pace = self.pace.reduced if self.playing else None
+        return max(self.duration - self.t, 0.0) / pace if pace else None
+
+    @property
     def at_end(self) -> bool:
         """Whether the run stands where its level says that it is complete."""
         return self.world.steps == self.end
+
+    @property
+    def touched(self) -> bool:
+        """Whether a person has changed anything since the level was opened."""
+        changed = self.companions or self.earlier or self.actions
+        return bool(changed) or (self.level, self.values) != self._opened
 
     def restart(self, settings: Mapping[str, float] | None = None) -> None:
         """Start anew, with some parameters changed.
@@ -196,15 +195,80 @@ class Session:
         ValueRangeError
             If a parameter cannot have that value.
         """
-        before, values = self.values, choose(self.level, {**self.values, **(settings or {})})
-        if values != before and self.world.steps:
-            told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values[n])
-            run = Earlier(told, self.trail, self.history, self.world)
-            self.earlier = (*self.earlier, run)[-len(theme.LANES) :]
+        values = choose(self.level, {**self.values, **(settings or {})})
+        if values != self.values and self.world.steps:
+            self.earlier = kept(self.earlier, self._observed, values)
         try:
             self._begin_with(values)
         except SandboxError as error:
             self._stop(error)
+
+    @property
+    def begun_with(self) -> Values:
+        """The parameters with which the run began; it may have branched since."""
+        return self._begun_with
+
+    @property
+    def _observed(self) -> Observed:
+        return Observed(self.trail, self.history, self.world)
+
+    def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
+        """Change some parameters: from the start, or from now on if the session `branches`.
+
+        Parameters
+        ----------
+        settings
+            Their values.
+        otherwise
+            The other way round, this once.
+
+        Raises
+        ------
+        SandboxError
+            If a parameter cannot have that value, or cannot be changed from now on.
+        """
+        if self.branches != otherwise:
+            self.branch(settings)
+        else:
+            self.restart(settings)
+
+    def branch(self, settings: Mapping[str, float]) -> None:
+        """Go on from here with some parameters changed; what was so far stays as an earlier run.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        if not self.world.steps:
+            self.restart(settings)
+            return
+        if self.companions or self.failure is not None:
+            why = "other runs go beside it" if self.companions else "it had to stop"
+            raise SandboxError(f"this run cannot go on with other parameters: {why}")
+        self.release()
+        last = self.actions[-1] if self.actions else None
+        again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
+        before = self._fork if again and self._fork else self.world
+        values = choose(self.level, {**self.values, **settings})
+        changed = {name: v for name, v in values.items() if v != before.values[name]}
+        action = Action(step=before.steps, kind="branch", parameters=changed)
+        world = perform(action, before)
+        if again:
+            self.actions.pop()
+        self._go_on_in(world, before, action)
+
+    def _go_on_in(self, world: World, before: World, action: Action) -> None:
+        """Go on in a world that has branched off from another one, of which something stays."""
+        if before is self.world:
+            longest = max((o for o in (self._ahead, self._observed) if o), key=Observed.steps)
+            self.earlier = kept(self.earlier, longest, world.values, self.t)
+        self._fork, self.world, self._ahead = before, world, None
+        self.actions.append(action)
+        self.end = max(self.end, count_steps(world))
+        self.books = Books(world, self.end)
+        self.trail.restart(world.snapshot.position)
+        self.history = History(world.snapshot)
 
     @property
     def advised(self) -> float | None:
@@ -299,6 +363,10 @@ class Session:
             self.books.restart()
         self.playing = not self.playing and self.failure is None
 
+    def pause(self) -> None:
+        """Let no more time pass by itself."""
+        self.playing = False
+
     def step(self) -> None:
         """Pause, and take a single step."""
         self.playing = False
@@ -332,9 +400,11 @@ class Session:
     def _begin_again(self, sought: int) -> None:
         """Start anew with the same parameters, to do again what was done before a step."""
         script = [action for action in self.actions if action.step < sought]
-        playing = self.playing
-        self._begin_with(self.values)
+        playing, end = self.playing, self.end
+        ahead = max((o for o in (self._ahead, self._observed) if o), key=Observed.steps)
+        self._begin_with(self._begun_with)
         self._script, self.sought, self.playing = script, sought, playing
+        self._ahead, self.end = ahead, max(self.end, end)
 
     def _seek(self, budget: float) -> None:
         """Take steps towards the one that is sought, as far as the budget goes [s]."""
@@ -420,10 +490,14 @@ class Session:
 
     def _do(self, action: Action) -> None:
         """Do something to the run, and note it."""
+        before = self.world
         try:
-            perform(action, self.world)
+            world = perform(action, before)
         except SandboxError as error:
             self._stop(error)
+            return
+        if world is not before:
+            self._go_on_in(world, before, action)
             return
         self.actions.append(action)
         if action.kind == "place":

@@ -8,12 +8,12 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import legend, theme
+from sandbox.app import legend, probe, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.commands import command
 from sandbox.app.hand import Hand
-from sandbox.app.keys import WHILE_TYPING
+from sandbox.app.keys import AT_HOME, WHILE_TYPING
 from sandbox.app.load import Load
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES, opening, page, runs_beside
@@ -21,14 +21,17 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
+from sandbox.app.recent import Recent
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
+from sandbox.app.watching import FileWatch
+from sandbox.app.widgets.opening import SMALLEST
 from sandbox.app.widgets.parameters import Change
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
-from sandbox.model.level import Stepping
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose, load
 from sandbox.physics.state.errors import SimulationError
 
@@ -72,11 +75,14 @@ class Window:
         self.workers, self._load = Workers(PAGES), Load()
         self.advising = Advising()
         self.panels = Panels(self._pen, size, self.workers, self._load)
-        self._entries = levels.entries()
+        self._recent = Recent()
+        opened = (levels.entry(path, "opened") for path in self._recent.paths)
+        self._entries = [*opened, *levels.entries()]
         self._path: Path | None = None
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # that was asked for when it was opened
-        self._refused = ""
+        self._refused: SandboxError | None = None
+        self._watch = FileWatch()
         self._advised: float | None = None  # the rate for a level that cannot be opened [Hz]
         self._banner = Banner()
         self._help = False
@@ -86,7 +92,7 @@ class Window:
 
     def _make_commands(self) -> Mapping[str, Callable[[], None]]:
         stage = self.stage
-        return {
+        acts: dict[str, Callable[[], None]] = {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
             "step back": lambda: self._with_session(Session.step_back),
@@ -109,8 +115,36 @@ class Window:
             "help": self._toggle_help,
             "leave": self._leave,
             **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
+            "home": self._go_home,
+            "open file": self._ask_for_file,
             **self._page_commands(),
         }
+        return {n: act if n in AT_HOME else partial(self._at_stage, act) for n, act in acts.items()}
+
+    def _at_stage(self, act: Callable[[], None]) -> None:
+        """Do what is to be seen on the stage, which is shown again for it."""
+        if self.panels.home.open:
+            self._go_home()
+        act()
+
+    def _go_home(self) -> None:
+        """Show the levels as cards, or the stage again."""
+        home = self.panels.home
+        if home.open:
+            home.leave()
+        else:
+            home.enter(self._path)
+            self._with_session(Session.pause)
+        self._lay_out()
+
+    def _ask_for_file(self) -> None:
+        """Let a person choose a file of their own, at first where the last one was."""
+        if any(have < least for have, least in zip(self.surface.size, SMALLEST, strict=True)):
+            least = " × ".join(map(str, SMALLEST))
+            self._banner.tell(f"Make the window larger for that: {least} px are enough.")
+            return
+        last = self._recent.paths[0].parent if self._recent.paths else Path.home()
+        self.panels.ask_for_file(last)
 
     def _page_commands(self) -> Mapping[str, Callable[[], None]]:
         """Return what opens the pages, and what they understand."""
@@ -135,7 +169,7 @@ class Window:
         try:
             path = catalog.find(level).resolve()
         except SandboxError as error:
-            self._refuse(None, str(error))
+            self._refuse(None, error)
             return
         self._open(path, settings or {}, accuracy)
 
@@ -155,21 +189,21 @@ class Window:
         rate: float | None = None,
     ) -> None:
         self._list(path)
+        self.panels.home.leave()
         another = path != self._path
         self._path, self._settings, self._accuracy = path, settings, accuracy
         try:
-            level = load(path)
-            if accuracy is not None:
-                level = level.model_copy(update={"stepping": Stepping(accuracy=accuracy)})
+            level = self._read(path)
             session = Session(level, choose(level, settings), rate, patient=False)
         except SandboxError as error:
-            self._refuse(path, str(error))
+            self._refuse(path, error)
             self._advised = error.rate if isinstance(error, SimulationError) else None
             return
         if self.session is not None:
             session.speed = self.session.speed
-        self.session, self._refused = session, ""
+        self.session, self._refused = session, None
         self._banner.tell("")
+        self._remember(path)
         self._world = session.world
         self.stage.use(session.world)
         self.stage.fit()
@@ -177,6 +211,31 @@ class Window:
             self.panels.show(opening(level, self.panels.page))
         pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
         self._lay_out()
+
+    def _read(self, path: Path) -> Level:
+        """Return the level of a file, with the accuracy that was asked for."""
+        level = load(path)
+        if self._accuracy is None:
+            return level
+        return level.model_copy(update={"stepping": Stepping(accuracy=self._accuracy)})
+
+    def _read_again(self, path: Path) -> None:
+        """Show a file that has changed, or say so where that would undo what a person did."""
+        if self.session is None:
+            self._reload()
+            return
+        try:
+            same = self._read(path) == self.session.original
+        except SandboxError:
+            self._banner.tell(f"{path.name} has mistakes now; F5 shows them", lasting=True)
+            return
+        if same:
+            self._banner.tell("")
+        elif self.session.touched:
+            self._banner.tell(f"{path.name} has changed; F5 reads it again", lasting=True)
+        else:
+            self._reload()
+            self._banner.tell(f"{path.name} has changed and was read again")
 
     def _list(self, path: Path) -> None:
         """Let the list of levels say what a file is called now."""
@@ -186,12 +245,20 @@ class Window:
                 return
         self._entries.insert(0, levels.entry(path, "opened"))
 
-    def _refuse(self, path: Path | None, text: str) -> None:
-        self._path, self._refused, self.session = path, text, None
+    def _remember(self, path: Path) -> None:
+        """Keep a file that is not one of the catalogue among those that were opened."""
+        if not path.is_relative_to(catalog.root()):
+            self._banner.tell(self._recent.add(path))
+
+    def _refuse(self, path: Path | None, error: SandboxError) -> None:
+        self._path, self._refused, self.session = path, error, None
         self._advised = None
         pygame.display.set_caption(TITLE)
         self.workers.cancel()
         self.advising.cancel()
+        self.panels.home.leave()
+        if path is not None and path.suffix == ".json":
+            self._remember(path)
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -223,6 +290,8 @@ class Window:
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._handle(event)
+        if self._watch.changed(self._path, seconds) and self._path is not None:
+            self._read_again(self._path)
         if self.session is not None:
             self.advising.follow(self.session)
         self.panels.advise(self.session.advised if self.session else self._advised)
@@ -234,6 +303,8 @@ class Window:
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self._banner.tell(text)
             self._follow(self.session)
+        if self.panels.home.open:
+            self.panels.follow_home()
         begun = perf_counter()
         if self.panels.side is not None:
             self.panels.side.update(seconds)
@@ -252,6 +323,7 @@ class Window:
         """End what works for the window."""
         self.workers.cancel()
         self.advising.cancel()
+        self.panels.home.leave()
 
     def _follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew."""
@@ -271,10 +343,22 @@ class Window:
             return
         elif event.type == pygame.KEYDOWN:
             self._key(event)
-        elif not self.panels.manager.process_events(event):
+        elif not self.panels.manager.process_events(event) and not self._at_home(event):
             self._click(event)
 
+    def _at_home(self, event: pygame.event.Event) -> bool:
+        """Give an event to the cards, if they are shown, and return whether it was for them."""
+        home = self.panels.home
+        if not home.open or self.panels.dialog is not None or not home.process(event):
+            return False
+        if home.chosen is not None:
+            path, home.chosen = home.chosen, None
+            self._open(path, {})
+        return True
+
     def _key(self, event: pygame.event.Event) -> None:
+        if not self.panels.typing and self._at_home(event):
+            return
         chosen = command(event)
         if chosen and (not self.panels.typing or chosen in WHILE_TYPING):
             self._commands[chosen]()
@@ -283,11 +367,11 @@ class Window:
 
     def _click(self, event: pygame.event.Event) -> None:
         """Give an event to the list, to the controls, or to the stage."""
-        if self.panels.list is not None and (path := self.panels.list.process(event)):
-            self._open(path, {})
+        if path := self.panels.wanted(event):
+            self._open(path.resolve(), {})
         elif self.panels.accepts(event):
             self._run_as_advised()
-        elif chosen := self.panels.controls.process(event):
+        elif chosen := self.panels.pressed(event):
             self._commands[chosen]()
         elif self._seek(event) or self._click_side(event):
             return
@@ -346,14 +430,14 @@ class Window:
             self._set(change)
 
     def _set(self, change: Change) -> None:
-        """Change a parameter, which starts the run anew; a value that cannot be is told."""
+        """Change a parameter, from the start or from now on; what cannot be is told."""
         assert self.session is not None
         assert self.panels.side is not None
         if change.value is None:
             self._banner.tell(f"'{change.typed}' is not a number")
         elif change.value != self.session.values[change.name]:
             try:
-                self.session.restart({change.name: change.value})
+                self.session.change({change.name: change.value}, otherwise=change.shifted)
                 self._banner.tell("")
             except SandboxError as error:
                 self._banner.tell(str(error))
@@ -427,8 +511,7 @@ class Window:
             self.panels.side.focus(-1 if backwards else 1)
 
     def _turn(self, pages: float) -> None:
-        if self.panels.side is not None:
-            self.panels.side.turn(pages)
+        self.panels.turn(pages)
 
     def _toggle_help(self) -> None:
         self._help = not self._help
@@ -439,6 +522,8 @@ class Window:
             self._help = False
         elif self.panels.typing or self.panels.sought:
             self.panels.let_go()
+        elif self.panels.home.open and (self.session or self._refused):
+            self._go_home()
         elif self.hand.tape is not None:
             self.hand.tape = None
         else:
@@ -447,7 +532,10 @@ class Window:
     def _draw(self) -> None:
         layout, surface = self.panels.layout, self.surface
         area = layout.stage.clip(surface.get_rect())
-        if self.session is not None and area:
+        if self.panels.home.open:
+            self.panels.home.draw(surface)
+            self._banner.draw(surface, self._pen, layout.stage, None)
+        elif self.session is not None and area:
             view = surface.subsurface(area)
             session = self.session
             self.stage.view.looking = session.looking
@@ -455,6 +543,8 @@ class Window:
             self.stage.asked = page(self.panels.page).overlay if side else ""
             earlier = [run.trail for run in session.earlier]
             self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+            x, y = pygame.mouse.get_pos()
+            probe.draw(view, self.stage.view, session, (x - area.x, y - area.y))
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)

@@ -73,6 +73,11 @@ def with_unit(text: str, unit: str) -> str:
     return f"{text}°" if unit == "deg" else f"{text} {unit}".rstrip()
 
 
+def with_unit_in_brackets(name: str, unit: str) -> str:
+    """Head a column: what is kept in radians is read in degrees."""
+    return f"{name} [{unit.replace('rad', '°')}]" if unit else name
+
+
 def setting(value: float) -> str:
     """Write a parameter as a person would type it."""
     return f"{value:.7g}"
@@ -81,6 +86,18 @@ def setting(value: float) -> str:
 def seconds(value: float) -> str:
     """Write a time with two decimals."""
     return f"{value:.2f} s"
+
+
+def span(value: float) -> str:
+    """Write about how long something takes: in seconds, minutes or hours, rounded up.
+
+    >>> span(3.2), span(200), span(8000)
+    ('4 s', '4 min', '3 h')
+    """
+    for size, unit in ((3600, "h"), (60, "min")):
+        if value > 2 * size:
+            return f"{ceil(value / size)} {unit}"
+    return f"{ceil(value)} s"
 
 
 def nice(value: float) -> float:

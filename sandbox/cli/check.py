@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Sequence
-from pathlib import Path
 from typing import NoReturn
 
 import typer
@@ -13,12 +12,10 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.remarks import remarks
 from sandbox.model.schemes import bounds_the_rate
+from sandbox.model.watching import PAUSE, Watch
 
 FEW = 30
 """Joints that are never too many for a step."""
-
-PAUSE = 0.2
-"""s, between two looks at the files that are watched."""
 
 
 def keep_checking(arguments: Sequence[str]) -> NoReturn:
@@ -30,26 +27,15 @@ def keep_checking(arguments: Sequence[str]) -> NoReturn:
         If there is no such level at the beginning; a file that goes later may come back.
     """
     paths = [catalog.find(argument) for argument in arguments]
-    stamps = list(map(_stamp, paths))
+    watch = Watch(paths)
     check(arguments)
     while True:
         time.sleep(PAUSE)
-        found = list(map(_stamp, paths))
-        if found == stamps:
-            continue
-        changed = [a for a, old, new in zip(arguments, stamps, found, strict=True) if old != new]
-        stamps = found  # what changes while it is checked is checked once more
-        typer.echo(f"\n{', '.join(changed)} at {time.strftime('%H:%M:%S')}:")
-        check(arguments)
-
-
-def _stamp(path: Path) -> tuple[int, int] | None:
-    """Return when a file was written and how long it is; None if it is not there."""
-    try:
-        status = path.stat()
-    except OSError:
-        return None
-    return status.st_mtime_ns, status.st_size
+        changed = watch.changed()  # what changes while it is checked is checked once more
+        if changed:
+            told = (a for a, path in zip(arguments, paths, strict=True) if path in changed)
+            typer.echo(f"\n{', '.join(told)} at {time.strftime('%H:%M:%S')}:")
+            check(arguments)
 
 
 def check(arguments: Sequence[str]) -> int:

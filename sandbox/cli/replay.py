@@ -17,7 +17,7 @@ def replay(path: Path) -> int:
     session = runfile.replay(run)
     same = runfile.is_same(run, session)
     verdict = "the same to the last bit" if same else "it comes to another state than it did then"
-    did = f", {len(run.actions)} acts of a hand" if run.actions else ""
+    did = f", {len(run.actions)} acts of a person" if run.actions else ""
     typer.echo(f"{session.level.title}: {run.steps} steps to t = {session.t:.6g} s{did}: {verdict}")
     if not session.world.disturbed:
         passed = [result.verdict for result in grade(session.trace)]

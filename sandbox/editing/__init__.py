@@ -2,5 +2,6 @@
 
 The truth of a level under edit is its text. An edit is a function from a text to another text
 (`sandbox.editing.edits`), made of patches (`patches`); a `Draft` (`draft`) keeps the text, what it
-loads as, its undo and its file. Nothing here knows of a window. `docs/editing.md` tells the rest.
+loads as, its undo and its file. Nothing here knows of a window. `docs/how-to/edit-a-level.md` tells
+the rest.
 """

@@ -84,7 +84,7 @@ def _place(told: str, found: Spans) -> Path:
 def _unit(path: Path) -> Path | None:
     """Return what goes where something at a path has lost its meaning; None if nothing may."""
     match path:
-        case ("parameters" | "checks" | "ghosts" | "joints" | "view", _, *_):
+        case ("parameters" | "constants" | "checks" | "ghosts" | "joints" | "view", _, *_):
             return path[:2]
         case ("bodies", _, _, *_):
             return path[:3]

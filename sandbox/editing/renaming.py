@@ -15,6 +15,7 @@ from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.locating import Path
 from sandbox.model.parts import expressions
+from sandbox.model.quantities import quantity
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
 
@@ -55,7 +56,8 @@ def rename(text: str, path: Path, name: str) -> str:
 def _refuse_taken(level: Level, part: str, name: str) -> None:
     if not NAME.fullmatch(name):
         raise SandboxError(f"'{brief(name)}' is no name: a letter, then letters, digits or _")
-    among = level.parameters if part == "parameters" else {**level.bodies, **level.joints}
+    numbers = {**level.parameters, **level.constants}
+    among = numbers if part == "parameters" else {**level.bodies, **level.joints}
     if name in among or (part == "parameters" and name in RESERVED):
         raise SandboxError(f"the name '{name}' is taken; choose another one")
 
@@ -69,19 +71,28 @@ def _told(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, 
         of = "parameters" if mention.of == "parameter" else "bodies"
         for place, text in texts:
             if mention.of == "quantity":
-                subject, dot, rest = text.partition(".")
-                if subject == old and part != "parameters":
-                    yield place, name + dot + rest
+                if part != "parameters" and (new := _quantity(text, level, old, name)) != text:
+                    yield place, new
             elif (of, text) == (part, old):
                 yield place, name
     if part == "parameters":
         yield from _in_formulas(level, old, name)
 
 
+def _quantity(text: str, level: Level, old: str, name: str) -> str:
+    """Return a quantity's name of something that is called otherwise now."""
+    words = text.split(".")
+    if words[0] == old:
+        words[0] = name
+    if quantity(text, level).other == old:
+        words[2] = name  # as in a.contact.b.normal
+    return ".".join(words)
+
+
 def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]]:
     yield ("challenge", "solution", old), name
     for path, expression in expressions(level):
-        if old in expression.names:
+        if old in expression.written:
             yield path, renamed(str(expression.source), old, name)
 
 

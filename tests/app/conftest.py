@@ -11,7 +11,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import progress
+from sandbox.app import progress, recent
+from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
 from sandbox.app.window import Window
@@ -30,6 +31,13 @@ def _nothing_solved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
 
 
+@pytest.fixture(autouse=True)
+def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let nobody's files and pictures be read or written but those of the test itself."""
+    monkeypatch.setattr(recent, "file", lambda: tmp_path / "recent" / "recent.json")
+    monkeypatch.setattr(pictures, "folder", lambda: tmp_path / "pictures")
+
+
 FEW = 12
 """Levels that are listed: a button each, which takes longer to make than most tests do."""
 
@@ -43,4 +51,5 @@ def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> I
     window = Window((1280, 800))
     pygame.event.clear()
     yield Person(window)
+    window.close()
     pygame.display.quit()

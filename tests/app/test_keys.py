@@ -24,7 +24,9 @@ def test_no_key_has_two_meanings() -> None:
 
 
 def test_every_command_has_a_key_and_says_what_it_does() -> None:
-    silent = [b.command for b in BINDINGS if not (b.keys or b.characters) or not b.text]
+    silent = [
+        b.command for b in BINDINGS if not (b.keys or b.characters or b.control) or not b.text
+    ]
 
     assert silent == []
 
@@ -40,7 +42,8 @@ def test_every_command_has_a_key_and_says_what_it_does() -> None:
         (pygame.K_F1, "", "help"),
         (pygame.K_s, "s", "race page"),
         (pygame.K_s, "S", "race"),
-        (pygame.K_o, "O", "level page"),  # which leaves the capital letter free
+        (pygame.K_o, "O", "branch"),
+        (pygame.K_m, "M", "momentum page"),  # which leaves the capital letter free
         (pygame.K_F9, "", None),
     ],
 )
@@ -52,3 +55,9 @@ def test_keys_are_known_by_place_or_by_what_they_write(
 
 def test_shortcuts_of_the_desktop_are_left_alone() -> None:
     assert pressed(pygame.K_r, "r", pygame.KMOD_LCTRL) is None
+    assert pressed(pygame.K_o, "o", pygame.KMOD_LALT) is None
+
+
+@pytest.mark.parametrize("mod", [pygame.KMOD_LCTRL, pygame.KMOD_LMETA])
+def test_a_file_is_opened_as_everywhere(mod: int) -> None:
+    assert pressed(pygame.K_o, "\x0f", mod) == "open file"

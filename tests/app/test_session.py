@@ -68,6 +68,9 @@ def test_what_the_budget_cannot_pay_is_dropped_and_told() -> None:
 
     assert session.world.steps == 1
     assert session.pace.reduced == pytest.approx(1 / 60)
+    assert session.remaining == pytest.approx(60 * (100 - 1 / 60))
+    session.playing = False
+    assert session.remaining is None
 
 
 def test_a_pace_forgets_what_is_more_than_half_a_second_ago() -> None:
@@ -237,16 +240,16 @@ def test_the_energies_of_a_fall_are_exchanged() -> None:
     assert now.total == pytest.approx(start.total)
 
 
-def test_the_speeds_go_from_a_tenth_to_eight_and_no_further() -> None:
+def test_the_speeds_go_from_a_twentieth_to_sixteen_and_no_further() -> None:
     session = Session(scenes.level())
 
     for _ in range(20):
         session.slower()
-    assert session.speed == 0.1
+    assert session.speed == 0.05
     for _ in range(20):
         session.faster()
 
-    assert session.speed == SPEEDS[-1] == 8
+    assert session.speed == SPEEDS[-1] == 16
 
 
 def test_a_full_trail_is_thinned_and_keeps_its_beginning() -> None:

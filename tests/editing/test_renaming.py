@@ -2,6 +2,7 @@
 
 import pytest
 
+from sandbox.editing.plain import plain
 from sandbox.editing.renaming import rename
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
@@ -12,7 +13,7 @@ from sandbox.model.locating import TOKEN
 @pytest.mark.parametrize("name", [*catalog.textbook()[::2], *catalog.challenges()[::3]])
 @pytest.mark.parametrize("part", ["bodies", "joints", "parameters"])
 def test_everything_can_be_renamed_and_back(name: str, part: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
     for old in list(getattr(level, part))[:1]:
         new = rename(text, (part, old), "renamed_9")

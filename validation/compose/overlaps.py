@@ -16,7 +16,8 @@ slower than that is seen."""
 
 SLOWLY = 0.2
 """The share of an overlap that a step takes back where it is left to pymunk and nothing bounces; of
-what bounces it takes back none (docs/levels.md, `correction`). So much may be left of it later."""
+what bounces it takes back none (docs/how-to/write-a-level.md, `correction`). So much may be left of
+it later."""
 
 
 def overlapped(couple: Couple) -> float:

@@ -13,7 +13,7 @@ from sandbox.model.level import Check
 from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
-TOUCHED = "A hand has touched this run: the formulas no longer describe it."
+TOUCHED = "A hand has touched this run, or changed it on the way: no formula describes it."
 _COLORS: dict[str, Color] = {
     "passed": theme.PASSED,
     "failed": theme.FAILED,

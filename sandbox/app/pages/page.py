@@ -150,7 +150,7 @@ class Page:
     def bindings(self) -> tuple[Binding, ...]:
         """Its keys: one opens it, the others call for what it understands."""
         taken = {command.character for command in self.commands}
-        opening = "".join(c for c in (self.key, self.key.upper()) if c not in taken)
+        opening = "".join(c for c in dict.fromkeys((self.key, self.key.upper())) if c not in taken)
         return (
             Binding(self.command, self.key.upper(), self.text, (), opening),
             *(command.binding for command in self.commands),

@@ -14,6 +14,7 @@ from sandbox.app.pages import (
     predict,
     race,
     share,
+    table,
 )
 from sandbox.app.pages.page import Page, Row
 from sandbox.app.session import Session
@@ -24,6 +25,7 @@ PAGES: tuple[Page, ...] = (
     challenge.PAGE,
     predict.PAGE,
     graph.PAGE,
+    table.PAGE,
     forces.PAGE,
     experiment.PAGE,
     momentum.PAGE,

@@ -1,6 +1,6 @@
 """The bar below: playing, speed, time, and what is shown."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
@@ -121,12 +121,9 @@ class Controls:
         middle = area.centery
         now = pen.write(f"t = {wording.seconds(session.t)}", 15, bold=True)
         surface.blit(now, (area.x, middle - 20))
-        reduced = session.pace.reduced if session.playing else None
-        if reduced is not None:
-            note = pen.write(f"running at {reduced:.2g}×", 13, theme.NOTICE)
-        else:
-            note = pen.write(f"of {wording.seconds(session.duration)}", 13, theme.DIM)
-        if now.width + note.width + 10 <= area.width:
+        room = area.width - now.width - 10
+        notes = (pen.write(text, 13, color) for text, color in _notes(session))
+        if note := next((note for note in notes if note.width <= room), None):
             surface.blit(note, (area.right - note.width, middle - 18))
         track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
@@ -139,3 +136,19 @@ class Controls:
         if session.sought is not None:
             goal = track.x + track.width * session.sought / session.end, float(track.centery)
             pygame.draw.aacircle(surface, theme.NOTICE, goal, KNOB, 2)
+
+
+def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
+    """Yield what is said beside the time, the longest first: there may be no room for it."""
+    reduced = session.pace.reduced if session.playing else None
+    if reduced is None:
+        yield f"of {wording.seconds(session.duration)}", theme.DIM
+        return
+    told = f"running at {reduced:.2g}×"
+    if session.remaining:
+        yield (
+            f"{told}, not {session.speed:g}×: {wording.span(session.remaining)} more",
+            theme.NOTICE,
+        )
+        yield f"{told}: {wording.span(session.remaining)} more", theme.NOTICE
+    yield told, theme.NOTICE

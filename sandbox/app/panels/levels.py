@@ -1,9 +1,8 @@
 """The list of levels, by chapter, and a field that finds some of them."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
 
 import pygame
 from pygame_gui import (
@@ -16,6 +15,8 @@ from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
+from sandbox.app.commands import tip
+from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen, legible
 from sandbox.app.widgets.field import LONGEST, Field
@@ -29,15 +30,6 @@ FIELD = 28  # px
 SCROLL_BAR = 22  # px
 STAR = "•"
 """Stands behind a title for each star that its challenge has earned."""
-
-
-class Entry(NamedTuple):
-    """A level that can be chosen: its file, its chapter, what it is called, and is found by."""
-
-    path: Path
-    chapter: str
-    title: str
-    words: str
 
 
 def entries() -> list[Entry]:
@@ -57,9 +49,9 @@ def entry(path: Path, chapter: str) -> Entry:
         title = legible(str(told["title"])).strip() or path.stem
         more = [str(told.get(k, "")) for k in ("summary", "reference")]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        title, more = path.stem, []  # why it cannot be read is told when it is opened
+        title, more = path.stem, [""]  # why it cannot be read is told when it is opened
     words = " ".join((chapter, path.stem.replace("-", " "), title, *more)).casefold()
-    return Entry(path, chapter, title, words)
+    return Entry(path, chapter, title, words, more[0])
 
 
 def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
@@ -97,13 +89,14 @@ class LevelList:
     ) -> None:
         width = rect.width - 2 * MARGIN
         self.column = UIContainer(rect, manager)
+        self._commands = dict(self._ways(manager, width))
         self.field = Field(
-            pygame.Rect(MARGIN, MARGIN, width, FIELD), manager, container=self.column,
+            pygame.Rect(MARGIN, 2 * MARGIN + FIELD, width, FIELD), manager, container=self.column,
             initial_text=sought, placeholder_text="Find a level ( / )",
         )  # fmt: skip
         self.field.set_forbidden_characters(["/"])  # the key that leads here
         self.field.set_text_length_limit(LONGEST)
-        top = FIELD + 2 * MARGIN
+        top = 2 * FIELD + 3 * MARGIN
         below = pygame.Rect(0, top, rect.width, max(rect.height - top, 1))
         self._container = UIScrollingContainer(
             below, manager, container=self.column, allow_scroll_x=False
@@ -120,6 +113,25 @@ class LevelList:
                 )
             self._buttons[self._button(manager, pen, level)] = level
         self._show()
+
+    def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
+        """Make the buttons that lead to other levels, with the commands that they call for."""
+        half = (width - MARGIN) // 2
+        ways = (("home", "Home"), ("open file", "Open …"))
+        for x, (command, text) in zip((MARGIN, MARGIN + width - half), ways, strict=True):
+            place = pygame.Rect(x, MARGIN, half, FIELD)
+            yield (
+                UIButton(place, text, manager, container=self.column, tool_tip_text=tip(command)),
+                command,
+            )
+
+    def pressed(self, event: pygame.event.Event) -> str | None:
+        """Return the command whose button was pressed, if one was."""
+        return self._commands.get(event.ui_element) if event.type == UI_BUTTON_PRESSED else None
+
+    def way(self, command: str) -> UIButton:
+        """Return the button of a command."""
+        return next(button for button, own in self._commands.items() if own == command)
 
     def _image(
         self, manager: UIManager, pen: Pen, text: str, color: theme.Color, *, bold: bool

@@ -1,13 +1,12 @@
-"""What is said over the stage: banners, the help, and why a level cannot be opened."""
+"""What is said over the stage: banners, the help, and offers."""
 
 from collections.abc import Sequence
-from html import escape
 from math import ceil
 
 import pygame
 from pygame_gui import UIManager
 from pygame_gui.core import ObjectID
-from pygame_gui.elements import UIButton, UITextBox
+from pygame_gui.elements import UIButton
 
 from sandbox.app import theme
 from sandbox.app.commands import BINDINGS
@@ -79,13 +78,3 @@ def offer(manager: UIManager, stage: pygame.Rect, rate: float) -> UIButton:
     box = pygame.Rect((0, 0), OFFER)
     box.midbottom = stage.centerx, stage.bottom - 16
     return UIButton(box, f"Run at {rate:,.0f} Hz", manager, object_id=ObjectID(class_id="@main"))
-
-
-def refusal(manager: UIManager, stage: pygame.Rect, text: str) -> UITextBox:
-    """Show in full why a level cannot be opened; it scrolls."""
-    box = stage.inflate(-min(80, stage.width // 8), -min(120, stage.height // 6))
-    shown = "<br>".join(escape(line) for line in text.splitlines())
-    title = "<font color=#ff7043><b>This level cannot be opened</b></font>"
-    way_out = "Mend the file and press F5, or choose another level."
-    html = f"{title}<br><br>{shown}<br><br><font color=#91a0b5>{way_out}</font>"
-    return UITextBox(html, box, manager)

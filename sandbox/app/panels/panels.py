@@ -9,17 +9,22 @@ from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import UIContainer
 
 from sandbox.app import theme
+from sandbox.app.home.home import Home
+from sandbox.app.listed import Entry
 from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
 from sandbox.app.panels.layout import Layout, divide
-from sandbox.app.panels.levels import Entry, LevelList
+from sandbox.app.panels.levels import LevelList
+from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.opening import OpenDialog
+from sandbox.model.errors import SandboxError
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
@@ -43,7 +48,9 @@ class Panels:
     page
         The command of the side panel's tab that is chosen.
     refusal
-        Why the level cannot be opened; None if it can.
+        The page that says why the level cannot be opened; None if it can.
+    home
+        The cards of the levels, in place of the stage while they are shown.
     offer
         The button that runs a level that had to stop at another rate; None if there is none.
     """
@@ -58,6 +65,8 @@ class Panels:
         self._listed: object = None  # what the list was built for
         self._sought = ""
         self.page = register.PAGES[0].command
+        self.home = Home(pen)
+        self._dialog: OpenDialog | None = None
         self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
 
     def hide_or_show(self, column: str) -> None:
@@ -71,21 +80,23 @@ class Panels:
 
     def build(
         self, size: tuple[int, int], entries: Sequence[Entry], path: Path | None,
-        session: Session | None, refused: str,
+        session: Session | None, refused: SandboxError | None,
     ) -> None:  # fmt: skip
         """Build everything, for the level of a session or for why there is none."""
         manager, pen = self.manager, self._pen
         manager.set_window_resolution(size)
-        with_side = session is not None and "side" not in self._hidden
+        shown = session is not None and not self.home.open
+        with_side = shown and "side" not in self._hidden
         layout = divide(size, levels="levels" not in self._hidden, side=with_side)
         self.layout: Layout = layout
+        self._entries = entries
         self._clear((size, layout.levels.width, tuple(entries)))
         if self.list is None and layout.levels.width:
             self.list = LevelList(manager, pen, layout.levels, entries, self._sought)
         if self.list is not None:
             self.list.choose(path)
         self.side = None
-        if session is not None and layout.side.width:
+        if session is not None and with_side and layout.side.width:
             self.side = SidePanel(
                 manager,
                 pen,
@@ -97,11 +108,14 @@ class Panels:
                 load=self._load,
             )
         self.controls = Controls(manager, pen, layout.controls)
-        self.refusal = messages.refusal(manager, layout.stage, refused) if refused else None
+        self.refusal = None
+        if refused is not None and not self.home.open:
+            self.refusal = Refusal(manager, pen, layout.stage, refused)
         self.offer: UIButton | None = None
 
     def _clear(self, listed: object) -> None:
         """Remove all but a list that is built for the same: making it takes a tenth of a second."""
+        self.close_dialog()
         self.manager.set_focus_set(None)
         if self.list is not None and listed != self._listed:
             self._sought, self.list = self.list.sought, None
@@ -113,6 +127,12 @@ class Panels:
             if element is not kept:
                 element.kill()  # type: ignore[no-untyped-call]
 
+    def turn(self, pages: float) -> None:
+        """Scroll what can be scrolled by a part of what is seen of it at once."""
+        turned = self.side or self.refusal
+        if turned is not None:
+            turned.turn(pages)
+
     def seek(self) -> None:
         """Let a person type what level to look for."""
         if self.list is not None:
@@ -120,14 +140,53 @@ class Panels:
 
     def let_go(self) -> None:
         """Leave the field that is typed in as it was; if none is, look for no level any more."""
+        if self.dialog is not None:
+            self.close_dialog()
+            return
         if self.list is not None and (self._seeking or not self.typing):
             self.list.clear()
         if self.side is not None:
             self.side.parameters.revert()
         self.manager.set_focus_set(None)
 
+    def ask_for_file(self, folder: Path) -> None:
+        """Let a person choose a file, at first in a folder."""
+        self.close_dialog()
+        self.manager.set_focus_set(None)
+        self._dialog = OpenDialog(self.manager, self.layout.stage, folder)
+
+    def close_dialog(self) -> None:
+        """Ask for no file any more."""
+        if self.dialog is not None:
+            self.dialog.kill()  # type: ignore[no-untyped-call]
+
+    @property
+    def dialog(self) -> OpenDialog | None:
+        """Where a file is chosen; None while none is."""
+        shown = self._dialog is not None and self._dialog.alive()  # type: ignore[no-untyped-call]
+        return self._dialog if shown else None
+
+    def wanted(self, event: pygame.event.Event) -> Path | None:
+        """Return the level that was chosen in the list or in the dialog, if one was."""
+        path = self._dialog.picked(event) if self._dialog is not None else None
+        if path is None and self.list is not None:
+            path = self.list.process(event)
+        return path
+
+    def pressed(self, event: pygame.event.Event) -> str | None:
+        """Return the command whose button was pressed, if one was."""
+        way = self.list.pressed(event) if self.list is not None else None
+        return way or self.controls.process(event)
+
+    def follow_home(self) -> None:
+        """Let the home page show what is looked for in the list."""
+        found = self.list.found if self.list is not None else self._entries
+        self.home.update(self.layout.stage, found, self.sought)
+
     def advise(self, rate: float | None) -> None:
         """Offer to run again at a rate [Hz], or offer nothing."""
+        if self.home.open:
+            rate = None
         if self.offer is not None and (rate is None or self._advised != rate):
             self.offer.kill()  # type: ignore[no-untyped-call]
             self.offer = None
@@ -142,8 +201,9 @@ class Panels:
 
     @property
     def typing(self) -> bool:
-        """Whether something is being typed into a field, wherever that stands."""
-        return any(isinstance(each, Field) for each in self.manager.focused_set or ())
+        """Whether something is being typed into a field, or a file chosen."""
+        focused = self.manager.focused_set or ()
+        return self.dialog is not None or any(isinstance(each, Field) for each in focused)
 
     @property
     def _seeking(self) -> bool:

@@ -39,6 +39,8 @@ class Change:
     name: str
     typed: str
     value: float | None
+    shifted: bool = False
+    """whether Shift was held while it was dragged: then it acts the other way, see `Session`"""
 
 
 class Parameters:
@@ -142,7 +144,8 @@ class Parameters:
     def _slid(self, name: str, row: Row) -> Change:
         """Round what the slider says to a number that a person would choose."""
         value = rounded(row.parameter, row.slider.get_current_value())
-        return Change(name, wording.setting(value), value)
+        shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        return Change(name, wording.setting(value), value, shifted)
 
     def _typed(self, name: str, row: Row) -> Change:
         text = row.field.get_text().strip().replace(",", ".")

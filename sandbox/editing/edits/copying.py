@@ -33,7 +33,8 @@ class Pasted(NamedTuple):
 def copy(text: str, level: Level, names: Collection[str]) -> str:
     """Return bodies as the text of a level that has nothing else but what belongs to them.
 
-    Those are the joints that hold no other bodies, and the parameters that they use.
+    Those are the joints that hold no other bodies, the level's constants, and the parameters that
+    all of these use.
 
     Raises
     ------
@@ -49,12 +50,13 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
         if (held := set(bodies_of(joint))) and held <= set(names)
     ]
     parts = [level.bodies[name] for name in names], [level.joints[name] for name in joints]
-    used = names_in((*parts[0], *parts[1]))
+    used = names_in((*parts[0], *parts[1], *level.constants.values()))
     return json.dumps(
         {
             "format": 1,
             "title": "copied",
             "parameters": {n: data["parameters"][n] for n in level.parameters if n in used},
+            "constants": data.get("constants", {}),
             "bodies": {name: data["bodies"][name] for name in names},
             "joints": {name: data["joints"][name] for name in joints},
         },
@@ -66,7 +68,7 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Pasted:
     """Return a level with copies of bodies in it, so far away, under names of their own.
 
     What the level says nothing of, such as friction where none is declared, is left out of them. A
-    parameter that the level has is its own; one that it has not comes along.
+    parameter or constant that the level has is its own; one that it has not comes along.
 
     Raises
     ------
@@ -85,8 +87,9 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Pasted:
     for name, joint in source.joints.items():
         told = _joint(joint, data["joints"][name], names, complex(*by))
         changes["joints", names[name]] = told
-    for name in source.parameters.keys() - level.parameters.keys():
-        changes["parameters", name] = data["parameters"][name]
+    for kind in ("parameters", "constants"):
+        for name in getattr(source, kind).keys() - getattr(level, kind).keys():
+            changes[kind, name] = data[kind][name]
     pasted = without_meaning(put_all(text, changes))
     return Pasted(pasted, tuple(names[name] for name in source.bodies))
 

@@ -1,6 +1,6 @@
 """What an effect says of itself, once. Everything else that knows of effects is derived from it.
 
-To add one, see `docs/adding-an-effect.md`. An effect is
+To add one, see `docs/how-to/add-an-effect.md`. An effect is
 
 - a module of its name in `sandbox/model/effects/`: a frozen model whose docstring is the equation,
   whose fields name their units, and whose `effect` is an `Effect`, as below;

@@ -133,7 +133,7 @@ def _again(
     """Return the command that gives the same file, or why there is none."""
     level, stepping = trace.level, trace.stepping
     if disturbed:
-        return "not repeatable: a hand has moved the bodies"
+        return "not repeatable: it was touched on the way"
     command = ["python", "-m", "sandbox", "simulate", source, *(change.options if change else ())]
     for name, value in trace.values.items():
         if value != level.defaults[name]:

@@ -53,7 +53,8 @@ class Meter:
 
     def _bind(self, quantity: Quantity) -> Measurement:
         if quantity.booked or quantity.between or quantity.over_time:
-            raise QuantityError(f"'{quantity.name}' is known only to who watches the whole run")
+            rule = "is known only to a recorder, which watches the whole run"
+            raise QuantityError(f"'{quantity.name}' {rule}")
         match quantity.owner:
             case "time":
                 return lambda s: s.t

@@ -5,10 +5,11 @@ import numpy as np
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.stage import Begin
 from sandbox.physics.stepping.world import World
 
 
-def make_world(level: Level, values: Values, stepping: Stepping) -> World:
+def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = None) -> World:
     """Make the world of a level at a rate that is chosen.
 
     Parameters
@@ -17,6 +18,8 @@ def make_world(level: Level, values: Values, stepping: Stepping) -> World:
         What to simulate, and its parameters.
     stepping
         How time advances; no accuracy, which `build` finds a setting for.
+    begin
+        Puts it where it begins, if that is not the start.
 
     Raises
     ------
@@ -35,7 +38,7 @@ def make_world(level: Level, values: Values, stepping: Stepping) -> World:
 
             require(level, stepping.scheme)
         with np.errstate(all="ignore"):  # what is not finite is told by name
-            return World(level, values, stepping)
+            return World(level, values, stepping, begin)
     except Exception as error:  # whatever it is, whoever builds gets an answer
         from sandbox.physics.stepping.failures import explained
 

@@ -53,6 +53,10 @@ class Setup(NamedTuple):
         return not self.stepping.is_stock
 
 
+Begin = Callable[[Setup], None] | None
+"""Puts a scene where its run begins, if that is not the level's start."""
+
+
 class Stage(NamedTuple):
     """The moments at which a stage acts, and what it tells; see the contract above.
 
@@ -122,11 +126,16 @@ class Stages:
         )
 
 
-def set_up(level: Level, values: Values, stepping: Stepping, scene: Scene) -> Setup:
+def set_up(
+    level: Level, values: Values, stepping: Stepping, scene: Scene, begin: Begin = None
+) -> Setup:
     """Return what the stages of a world are made of."""
     contact = level.effects.contact is not None
     # joints take turns with contacts: there their last pull acts from the start of a kick
     pulling = scene.joints.together if contact and scene.direct is None else None
     forces = Forces(scene, pulling, leapfrog=not stepping.is_stock)
     kicks = Kicks(scene, forces, 1 / stepping.rate, touching=contact)
-    return Setup(level, values, stepping, scene, forces, kicks)
+    setup = Setup(level, values, stepping, scene, forces, kicks)
+    if begin is not None:
+        begin(setup)
+    return setup

@@ -16,7 +16,7 @@ from sandbox.physics.guarding.watch import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.observer import Observer
-from sandbox.physics.stepping.stage import Stages, set_up
+from sandbox.physics.stepping.stage import Begin, Stages, set_up
 from sandbox.physics.stepping.stages.declared import declared
 from sandbox.physics.stepping.start import start
 
@@ -38,13 +38,13 @@ class World:
     kicks
         Takes the drifts and kicks of a step, counts steps, and times what is called in them.
     disturbed
-        Whether a hand has touched the scene, so that no formula for it holds any more.
+        Whether the run was touched on its way, so that no formula for it holds any more.
     """
 
-    def __init__(self, level: Level, values: Values, stepping: Stepping) -> None:
+    def __init__(self, level: Level, values: Values, stepping: Stepping, begin: Begin) -> None:
         self.level, self.values, self.stepping = level, values, stepping
         self.scene, self.disturbed = make_scene(level, values, stepping), False
-        self._setup = set_up(level, values, stepping, self.scene)
+        self._setup = set_up(level, values, stepping, self.scene, begin)
         self.kicks = self._setup.kicks
         self._stages = Stages(list(declared(self._setup)), self.kicks)
         self._observer = Observer(self._setup, self._stages)

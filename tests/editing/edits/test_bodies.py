@@ -15,6 +15,7 @@ from sandbox.editing.edits.bodies import (
     take_out,
 )
 from sandbox.editing.edits.made import Made
+from sandbox.editing.plain import plain
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -119,7 +120,7 @@ def test_what_a_body_gave_a_meaning_goes_with_it() -> None:
 
 @pytest.mark.parametrize("name", catalog.textbook())
 def test_any_body_but_the_last_can_be_taken_out_of_a_level(name: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
     for body in list(level.bodies)[:3]:
         if len(level.bodies) > 1:

@@ -6,6 +6,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.copying import copy, duplicate, paste
 from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.placed import around, placed
+from sandbox.editing.plain import plain
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
@@ -20,7 +21,7 @@ LEVELS = [
 
 @pytest.mark.parametrize("name", LEVELS)
 def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
     pasted = duplicate(text, level, list(level.bodies), (100, 0))
     after = parse(pasted.text)
@@ -46,7 +47,7 @@ def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
 
 @pytest.mark.parametrize("name", LEVELS)
 def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
     empty = Draft.empty().text
     pasted = paste(empty, parse(empty), copy(text, level, list(level.bodies)))
@@ -64,7 +65,7 @@ def test_what_is_no_level_is_not_pasted(copied: str) -> None:
 @pytest.mark.parametrize("name", LEVELS)
 @pytest.mark.parametrize("axis", ["x", "y"])
 def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str, axis: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
     once = mirror(text, level, list(level.bodies), axis)  # type: ignore[arg-type]
     image = parse(once)

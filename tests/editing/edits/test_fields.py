@@ -8,6 +8,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
 from sandbox.editing.patches import put, value_at
+from sandbox.editing.plain import plain
 from sandbox.model import catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.expressions import Expression
@@ -115,10 +116,10 @@ def test_what_is_a_formula_already_or_none_at_all_is_no_parameter() -> None:
 
 @pytest.mark.parametrize("name", catalog.textbook()[::6])
 def test_numbers_of_the_scene_become_parameters_that_hold_over_their_range(name: str) -> None:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     level = parse(text)
-    plain = [p for p, e in expressions(level) if p[0] == "bodies" and _is_number(text, p, e)]
-    for path in plain[::4][:3]:
+    numbers = [p for p, e in expressions(level) if p[0] == "bodies" and _is_number(text, p, e)]
+    for path in numbers[::4][:3]:
         new = make_parameter(text, path, "fresh")
         assert list(corners(parse(new), {"fresh"}))
         assert parse(new).parameters["fresh"].value == abs(dict(expressions(level))[path]({}))

@@ -10,13 +10,14 @@ from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.transforms import Side, align, distribute, move, turn
 from sandbox.editing.patches import value_at
 from sandbox.editing.placed import placed
+from sandbox.editing.plain import plain
 from sandbox.model import catalog
 from sandbox.model.level import Level
 from sandbox.model.loading import parse, read
 
 
 def shipped(name: str) -> tuple[str, Level]:
-    text = read(catalog.find(name))
+    text = plain(read(catalog.find(name)))
     return text, parse(text)
 
 

@@ -425,7 +425,7 @@ def test_the_books_are_recorded_as_quantities() -> None:
 
 
 def test_a_meter_sends_for_the_ledger() -> None:
-    with pytest.raises(QuantityError, match="known only to a ledger"):
+    with pytest.raises(QuantityError, match="known only to a recorder"):
         Meter(build(atwood(1, 2)), ["system.unexplained_energy"])
 
 

@@ -99,7 +99,7 @@ def test_a_run_that_a_hand_has_disturbed_is_not_said_to_be_repeatable(trace: Tra
     text = to_csv(trace, "fall", disturbed=True)
 
     assert "again" not in comments(text)
-    assert "# not repeatable: a hand has moved the bodies\n" in text
+    assert "# not repeatable: it was touched on the way\n" in text
 
 
 def test_another_scheme_and_other_iterations_stand_in_the_command(level: Level) -> None:

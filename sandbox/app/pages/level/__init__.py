@@ -1,7 +1,7 @@
 """The level's own page."""
 
-from sandbox.app.pages.level.panel import LevelPage
-from sandbox.app.pages.page import Page
+from sandbox.app.pages.level.panel import LevelPage, switch
+from sandbox.app.pages.page import Page, PageCommand
 
 PAGE = Page(
     name="level",
@@ -9,4 +9,5 @@ PAGE = Page(
     key="o",
     text="the level: parameters and checks",
     panel=LevelPage,
+    commands=(PageCommand("branch", "O", "parameters act from the start, or from now on", switch),),
 )

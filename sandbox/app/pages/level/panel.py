@@ -1,14 +1,25 @@
 """The level's own page: what it is, its parameters, its checks."""
 
+from typing import TYPE_CHECKING
+
 import pygame
+from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
+from sandbox.app.session import Session
+from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+
+if TYPE_CHECKING:
+    from pygame_gui.elements import UIButton
+
+SWITCH = 26  # px
+TIP = "a changed parameter acts from now on, and the run so far stays (Shift O, or Shift and drag)"
 
 
 class LevelPage:
@@ -26,15 +37,25 @@ class LevelPage:
         sheet.parameters = Parameters(
             sheet.manager, pen, sheet.container, area, level.parameters, values
         )
-        self._checks = sheet.image(self._drawn(), y + sheet.parameters.height + 8)
+        self.onwards: UIButton | None = None
+        y += sheet.parameters.height
+        if level.parameters:
+            place = pygame.Rect(0, y + 4, width, SWITCH)
+            self.onwards = sheet.button(place, "Changes act from now on", TIP)
+            y += SWITCH + 6
+        self._checks = sheet.image(self._drawn(), y + 8)
         sheet.end(below(self._checks) + 2)
 
-    def process(self, _event: pygame.event.Event) -> str | None:
-        """Return nothing: what is changed here is a parameter."""
-        return None
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Let changes act from now on, or from the start; what is changed is told elsewhere."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.onwards:
+            return None
+        return turn(self._session)
 
     def update(self) -> None:
         """Bring parameters and checks up to date."""
+        if self.onwards is not None:
+            press(self.onwards, self._session.branches)
         self._sheet.replace(self._checks, self._drawn())
         self._sheet.end(below(self._checks) + 2)
         self._sheet.parameters.show(self._session.values)
@@ -50,3 +71,16 @@ class LevelPage:
             disturbed=session.world.disturbed,
             splits=self._studying.splits(session),
         )
+
+
+def turn(session: Session) -> str:
+    """Let changes act the other way from now on, and return what is told of that."""
+    session.branches = not session.branches
+    if session.branches:
+        return "a changed parameter acts from now on; the run so far stays behind as a trail"
+    return "a changed parameter starts the run anew"
+
+
+def switch(desk: Desk) -> str:
+    """Do so where a key asks for it."""
+    return turn(desk.session)

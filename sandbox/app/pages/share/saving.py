@@ -1,6 +1,7 @@
 """What of a run can be taken away, as files in a folder of the person's own."""
 
 import re
+from collections.abc import Sequence
 from datetime import datetime
 from io import BytesIO
 from pathlib import Path
@@ -14,6 +15,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
+from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.measuring.recording import Trace
 
 
 def folder() -> Path:
@@ -62,6 +65,18 @@ def table(session: Session) -> Path:
     """Save what the checks measure, step by step, as a CSV file."""
     path = path_for(session, ".csv")
     write_csv(path, session.trace, session.original.title, disturbed=session.world.disturbed)
+    return path
+
+
+def graphed(session: Session, names: Sequence[str]) -> Path:
+    """Save quantities at every instant of the run that is kept, as a CSV file."""
+    world, path = session.world, path_for(session, ".csv")
+    meter = Meter(world, names)
+    states = session.history.snapshots
+    units = {name: quantity.unit for name, quantity in meter.quantities.items()}
+    built = world.level, world.values, world.stepping
+    trace = Trace(*built, states.t, meter(states), units, meetings={}, partings={})
+    write_csv(path, trace, session.original.title, disturbed=world.disturbed)
     return path
 
 

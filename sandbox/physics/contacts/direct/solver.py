@@ -175,6 +175,10 @@ class Direct:
         way = np.abs(self._begun) * self._dt + np.abs(self._shift)
         return self._batch.state()[:, :2], way
 
+    def go_on(self, t: float) -> None:
+        """Begin at a time, and not at the start [s]."""
+        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
         self._belief.forget()

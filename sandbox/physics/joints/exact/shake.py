@@ -152,6 +152,7 @@ class ExactJoints:
         lengths = [equation.length for equation in (*rows, *others)]
         self._length = np.insert(self._length, where, lengths)
         self._taut = np.insert(self._taut, where, values=True)
+        self.tension = np.insert(self.tension, where, 0.0)
         self._past = [np.insert(tension, where, 0.0) for tension in self._past]
         self._warm_start = np.insert(self._warm_start, where, 0.0)
         self.added = np.insert(np.zeros_like(self.added), where, values=True)
@@ -246,6 +247,14 @@ class ExactJoints:
         self._past = []
         self._taut = ~self._pulls_only
         self._fresh = True
+
+    def go_on(self, t: float) -> None:
+        """Take what is driven to have turned at a time as far as it has [s]."""
+        rows = len(self._equations[0])
+        driven = [i for i, _ in self._changing if i >= rows]
+        if driven:
+            off = self.look(self.place()).total - self.lengths(t)
+            self._length[driven] += off[driven]
 
     def warm_start(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""

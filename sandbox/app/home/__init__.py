@@ -1,0 +1,1 @@
+"""The levels as cards, with pictures of them."""

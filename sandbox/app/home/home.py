@@ -1,0 +1,247 @@
+"""The home page: levels as cards on the stage's area."""
+
+from collections.abc import Sequence
+from functools import cache, lru_cache
+from math import cos, pi, sin
+from pathlib import Path
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.thumbnails import Thumbnails
+from sandbox.app.listed import Entry
+from sandbox.app.progress import Progress
+from sandbox.app.text import Pen
+from sandbox.model import catalog
+
+WHEEL = 90.0  # px, a notch
+BAR = 5  # px, the width of what shows how far it is scrolled
+STARS = 3  # the most that a challenge gives
+RADIUS = 6  # px, of a star
+PADDING = 9  # px, beside a card's words
+
+_STEPS = {
+    pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
+}  # fmt: skip
+
+
+class Home:
+    """Cards of levels, one of which can be chosen by mouse and keyboard.
+
+    Attributes
+    ----------
+    open
+        Whether it is shown.
+    chosen
+        The level that was chosen last, until it is taken.
+    thumbnails
+        The pictures on the cards.
+    """
+
+    def __init__(self, pen: Pen) -> None:
+        self._pen = pen
+        self.open = False
+        self.chosen: Path | None = None
+        self.thumbnails = Thumbnails()
+        self._progress = Progress()
+        self._area = pygame.Rect(0, 0, 1, 1)
+        self._laid_out: object = None
+        self._grid = lay_out(1, ())
+        self._top = 0.0  # px, of the sheet, that is at the area's upper edge
+        self._focus = 0
+        self._hovered: int | None = None
+        self._pressed: int | None = None
+        self._here: Path | None = None  # the level that is played
+        self._short = lru_cache(maxsize=600)(self._shortened)
+
+    def enter(self, path: Path | None) -> None:
+        """Show the cards as they are by now, that of a level in view."""
+        self.open, self._progress = True, Progress()
+        self.thumbnails.forget()
+        self._laid_out, self._here = None, path
+
+    def leave(self) -> None:
+        """Show them no more."""
+        self.open = False
+        self.thumbnails.cancel()
+
+    @property
+    def grid(self) -> Grid:
+        """The cards, and where they stand on their sheet."""
+        return self._grid
+
+    @property
+    def focus(self) -> Entry | None:
+        """The level that Enter opens; None if there is none."""
+        return self._grid.cards[self._focus][0] if self._grid.cards else None
+
+    def place(self, index: int) -> pygame.Rect:
+        """Return where a card is in the window, be it in view or not."""
+        return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
+
+    def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
+        """Follow the window's size and what is looked for, and let pictures come in."""
+        wanted = area.size, tuple(found), sought.strip()
+        if wanted != self._laid_out:
+            self._lay_out(area, found, sought, again=self._laid_out is not None)
+            self._laid_out = wanted
+        self._area = area
+        seen = [level.path for level, _ in self._seen()]
+        self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
+
+    def _lay_out(
+        self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
+    ) -> None:
+        path = self.focus.path if again and self.focus is not None else self._here
+        self._area, self._grid = area, lay_out(area.width, sections(found, sought))
+        self.thumbnails.resize(self._grid.picture)
+        places = {level.path: i for i, (level, _) in enumerate(self._grid.cards)}
+        self._focus = places.get(path, 0) if path is not None and not sought.strip() else 0
+        self._hovered = None
+        self._top = 0.0
+        self._show_focus()
+
+    def _show_focus(self) -> None:
+        """Scroll as far as it takes to see the card with the focus, and the heading above it."""
+        if self._grid.cards:
+            place = self._grid.cards[self._focus][1]
+            highest = place.bottom + MARGIN - self._area.height
+            self._scroll_to(min(max(self._top, highest), place.y - HEADING))
+
+    def _scroll_to(self, top: float) -> None:
+        self._top = min(max(top, 0.0), max(self._grid.height - self._area.height, 0.0))
+
+    def _seen(self) -> list[tuple[Entry, pygame.Rect]]:
+        """Return the cards that are in view, with their places in the window."""
+        placed = ((entry, self.place(i)) for i, (entry, _) in enumerate(self._grid.cards))
+        return [(entry, place) for entry, place in placed if place.colliderect(self._area)]
+
+    def process(self, event: pygame.event.Event) -> bool:
+        """Do what was pressed or clicked on, and return whether it was for the cards."""
+        if event.type == pygame.KEYDOWN:
+            return self._key(event)
+        if event.type == pygame.MOUSEWHEEL:
+            inside = self._area.collidepoint(pygame.mouse.get_pos())
+            if inside:
+                self._scroll_to(self._top - WHEEL * event.precise_y)
+            return inside
+        if event.type not in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            return False
+        inside = self._area.collidepoint(event.pos)
+        on = (event.pos[0] - self._area.x, event.pos[1] - self._area.y + self._top)
+        self._hovered = self._grid.at(on) if inside else None
+        if event.type == pygame.MOUSEMOTION:
+            return False
+        if event.button == 1:
+            self._click(down=event.type == pygame.MOUSEBUTTONDOWN)
+        return inside
+
+    def _click(self, *, down: bool) -> None:
+        """Choose a card that is pressed and let go of."""
+        if down:
+            self._pressed = self._hovered
+            self._focus = self._focus if self._hovered is None else self._hovered
+        elif self._hovered is not None and self._hovered == self._pressed:
+            self.chosen = self._grid.cards[self._hovered][0].path
+
+    def _key(self, event: pygame.event.Event) -> bool:
+        focus, page = self.focus, self._area.height * 0.8
+        if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META) or focus is None:
+            return False
+        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE):
+            self.chosen = focus.path
+        elif event.key in _STEPS:
+            self._focus_on(self._grid.beside(self._focus, *_STEPS[event.key]))
+        elif event.key in (pygame.K_HOME, pygame.K_END):
+            self._focus_on(0 if event.key == pygame.K_HOME else len(self._grid.cards) - 1)
+        elif event.key in (pygame.K_PAGEDOWN, pygame.K_PAGEUP):
+            self._scroll_to(self._top + (page if event.key == pygame.K_PAGEDOWN else -page))
+        else:
+            return False
+        return True
+
+    def _focus_on(self, index: int) -> None:
+        self._focus = index
+        self._show_focus()
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Draw what is in view, with the pictures that are there."""
+        area = self._area.clip(surface.get_rect())
+        if area.width == 0 or area.height == 0:
+            return
+        surface.set_clip(area)
+        surface.fill(theme.STAGE, area)
+        for heading in self._grid.headings:
+            y = self._area.y + heading.y - round(self._top)
+            if area.top - HEADING < y < area.bottom:
+                self._draw_heading(surface, heading.text, heading.count, y)
+        for i in range(len(self._grid.cards)):
+            if self.place(i).colliderect(area):
+                self._draw_card(surface, i)
+        self._draw_bar(surface)
+        surface.set_clip(None)
+
+    def _draw_heading(self, surface: pygame.Surface, text: str, count: int, y: int) -> None:
+        title = self._pen.write(text, 17, theme.ACCENT, True)
+        x = self._area.x + MARGIN
+        surface.blit(title, (x, y + 12))
+        if count:
+            told = self._pen.write(str(count), 13, theme.DIM)
+            surface.blit(told, (x + title.width + 10, y + 16))
+
+    def _draw_card(self, surface: pygame.Surface, index: int) -> None:
+        level, place = self._grid.cards[index][0], self.place(index)
+        lit = index == self._hovered
+        pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
+        top = pygame.Rect(place.topleft, self._grid.picture)
+        drawn = self.thumbnails.of(level.path)
+        if drawn is not None:
+            surface.blit(drawn, top)
+        else:
+            surface.fill(theme.GRID, top)
+            hopeless = self.thumbnails.hopeless(level.path)
+            told = self._pen.write("no picture" if hopeless else "…", 13, theme.DIM)
+            surface.blit(told, told.get_rect(center=top.center))
+        self._draw_words(surface, level, pygame.Rect(top.x, top.bottom, place.width, 0))
+        focused = index == self._focus
+        rim = theme.ACCENT if focused else theme.AXIS if lit else theme.EDGE
+        pygame.draw.rect(surface, rim, place, 2 if focused else 1, border_radius=6)
+
+    def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
+        earned = self._progress.stars(level.title)
+        right = below.right - PADDING
+        if earned or level.chapter == catalog.CHALLENGES:
+            for i in reversed(range(STARS)):
+                right -= 2 * RADIUS + 2
+                color = theme.NOTICE if i < earned else theme.EDGE
+                surface.blit(_star(color), (right, below.y + 8))
+            right -= PADDING // 2
+        x, pen = below.x + PADDING, self._pen
+        surface.blit(pen.write(self._short(level.title, right - x, 14), 14), (x, below.y + 4))
+        told = self._short(level.summary, below.width - 2 * PADDING, 12)
+        surface.blit(pen.write(told, 12, theme.DIM), (x, below.y + 24))
+
+    def _shortened(self, text: str, room: int, size: int) -> str:
+        return self._pen.shorten(text[:200], max(room, 1), size)
+
+    def _draw_bar(self, surface: pygame.Surface) -> None:
+        area, height = self._area, self._grid.height
+        if height > area.height:
+            length = max(round(area.height * area.height / height), 24)
+            y = area.y + round((area.height - length) * self._top / (height - area.height))
+            bar = pygame.Rect(area.right - BAR - 4, y, BAR, length)
+            pygame.draw.rect(surface, theme.AXIS, bar, border_radius=2)
+
+
+@cache
+def _star(color: theme.Color) -> pygame.Surface:
+    """Draw a star with five points, one of them up; large at first, so that its edges are soft."""
+    large = 4 * RADIUS
+    radii = [large if i % 2 == 0 else 0.42 * large for i in range(10)]
+    turns = [pi * i / 5 for i in range(10)]
+    corners = [(large + r * sin(a), large - r * cos(a)) for r, a in zip(radii, turns, strict=True)]
+    drawn = pygame.Surface((2 * large, 2 * large), pygame.SRCALPHA)
+    drawn.fill((*color, 0))
+    pygame.draw.polygon(drawn, color, corners)
+    return pygame.transform.smoothscale_by(drawn, 0.25)

@@ -1,0 +1,119 @@
+"""The pictures that the cards show: read from disk or drawn in the background, never waited for."""
+
+from collections.abc import Sequence
+from io import BytesIO
+from pathlib import Path
+
+import pygame
+
+from sandbox.app.background import Background
+from sandbox.app.home import pictures
+from sandbox.app.home.pictures import SIZE
+
+AT_ONCE = 3
+"""Pictures that are read from disk in a frame."""
+BATCH = 16
+"""Levels that are drawn before it is asked again which are in view."""
+MOST = 80
+"""Pictures that are held in memory: more than are in view at once."""
+
+
+class Thumbnails:
+    """Pictures of levels, as far as there are any yet."""
+
+    def __init__(self) -> None:
+        self._work = Background()
+        self._pictures: dict[Path, pygame.Surface] = {}  # the latest that were asked for at the end
+        self._lacking: set[Path] = set()  # not on disk
+        self._kept: set[Path] = set()  # on disk, unless that takes none
+        self._hopeless: set[Path] = set()  # that cannot be drawn
+        self._drawing: list[Path] = []
+        self._size = SIZE
+
+    def forget(self) -> None:
+        """Look at all files anew, as they may have changed."""
+        for known in (self._pictures, self._lacking, self._kept, self._hopeless):
+            known.clear()
+
+    def of(self, path: Path) -> pygame.Surface | None:
+        """Return the picture of a level, if it is there."""
+        found = self._pictures.pop(path, None)
+        if found is not None:
+            self._pictures[path] = found
+        return found
+
+    def hopeless(self, path: Path) -> bool:
+        """Whether there never will be a picture of a level as its file is."""
+        return path in self._hopeless
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Have pictures of another size from now on [px]."""
+        if size != self._size:
+            self._size = size
+            self._pictures.clear()
+
+    @property
+    def running(self) -> bool:
+        """Whether levels are being drawn."""
+        return self._work.running
+
+    def follow(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
+        """Take in what has been drawn, and go on: what is seen comes first, then the others."""
+        for made in self._work.found():
+            self._drawing.remove(made.path)
+            self._take(made.path, made.png, seen=made.path in seen)
+        if not self._work.running:
+            self._hopeless.update(self._drawing[:1])  # at which the process has ended
+            self._drawing = []
+        waiting = [path for path in seen if self._unknown(path)]
+        for path in waiting[:AT_ONCE]:
+            self._look_up(path)
+        for_nobody = not any(path in self._drawing for path in seen)
+        hurried = for_nobody and any(path in self._lacking for path in seen)
+        if not waiting and (hurried or not self._work.running):
+            self._draw(seen, others)
+
+    def _unknown(self, path: Path) -> bool:
+        """Whether it is not known yet whether there is a picture of what is seen."""
+        known = path in self._pictures or path in self._lacking or path in self._hopeless
+        return not known and path not in self._drawing
+
+    def _look_up(self, path: Path) -> None:
+        try:
+            png = pictures.kept(pictures.key(path))
+        except OSError:
+            self._hopeless.add(path)
+            return
+        if png:
+            self._take(path, png, seen=True)
+        else:
+            self._lacking.add(path)
+
+    def _draw(self, seen: Sequence[Path], others: Sequence[Path]) -> None:
+        """Have the next few levels drawn."""
+        known = self._kept | self._hopeless
+        wanted = [path for path in seen if path in self._lacking]
+        wanted += [path for path in others if path not in known and path not in wanted]
+        if wanted:
+            self._drawing = wanted[:BATCH]
+            self._work.start(pictures.made, list(self._drawing), pictures.folder())
+
+    def _take(self, path: Path, png: bytes, *, seen: bool) -> None:
+        """Keep a picture as the cards need it; where there is none, there will be none."""
+        self._lacking.discard(path)
+        self._kept.add(path)
+        if not seen and png:
+            return  # it will be read when it is
+        try:
+            drawn = pygame.image.load(BytesIO(png), "x.png").convert()
+        except pygame.error:
+            self._hopeless.add(path)
+            return
+        self._pictures[path] = pygame.transform.smoothscale(drawn, self._size)
+        while len(self._pictures) > MOST:
+            self._pictures.pop(next(iter(self._pictures)))
+
+    def cancel(self) -> None:
+        """End the work."""
+        self._work.cancel()
+        self._drawing = []

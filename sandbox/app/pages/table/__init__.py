@@ -1,0 +1,12 @@
+"""The page of values in rows."""
+
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.table.panel import TablePage
+
+PAGE = Page(
+    name="table",
+    caption="Table",
+    key="1",
+    text="table of what is graphed, by time",
+    panel=TablePage,
+)

@@ -1,0 +1,80 @@
+"""The values of what is graphed, a row for each of some instants of the run so far."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import pygame
+
+from sandbox.app import theme, wording
+from sandbox.app.cards.card import SMALLEST, Card
+from sandbox.app.pages.graph.card import measured
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+from sandbox.physics.accuracy.study import Trust
+
+ROWS = 24
+"""How many instants are shown, about: evenly spaced, the last one always."""
+
+COLUMNS = 3
+"""For how many quantities there is room beside the time; a file has all."""
+
+DIGITS = 4
+"""How many are shown of what nobody has studied; else those that survive its error."""
+
+SIZE = 12  # of letters
+GAP = 10  # px, between columns
+
+
+def values(
+    pen: Pen, width: int, session: Session, names: Sequence[str], trust: Mapping[str, Trust]
+) -> pygame.Surface:
+    """Draw quantities by time.
+
+    Parameters
+    ----------
+    pen, width
+        What it is drawn with, and how wide [px].
+    session
+        Whose run.
+    names
+        The quantities; those for which there is no room are counted.
+    trust
+        How far they can be trusted, as far as that is known.
+    """
+    card, shown = Card(pen, width), names[:COLUMNS]
+    card.heading("Values by time")
+    columns, units = measured(session.world, session.history, ["t", *shown])
+    head = ["t [s]", *(wording.with_unit_in_brackets(n, units[n]) for n in shown)]
+    _row(card, head, theme.ACCENT)
+    for row in instants(len(columns["t"])):
+        cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
+        _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
+    if left := len(names) - len(shown):
+        card.text(f"and {left} more, which the file has", 12, theme.DIM)
+    card.text("The page Graph chooses what is shown (D).", 12, theme.DIM)
+    return card.drawn()
+
+
+def instants(count: int) -> Iterator[int]:
+    """Yield which of some instants are shown: evenly spaced, and the last one."""
+    every = max(-(-count // ROWS), 1)
+    yield from range(0, count - 1, every)
+    yield count - 1
+
+
+def _cell(value: float, unit: str, trust: Trust | None) -> str:
+    """Write a value with the digits that mean something; the unit stands above."""
+    if trust is not None:
+        return wording.certain(value, trust.off, unit).split(" ")[0]
+    return wording.quantity(value, unit, DIGITS).split(" ")[0]
+
+
+def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:
+    """Write a row: the first cell at the left, the others at the right of their columns."""
+    room = card.width / len(cells)
+    heights = []
+    for i, text in enumerate(cells):
+        shown = card.pen.shorten(text, int(room) - GAP, SIZE)
+        image = card.pen.write(shown, SIZE, theme.DIM if i == 0 else color)
+        card.put(image, 0 if i == 0 else round((i + 1) * room) - image.width)
+        heights.append(image.height)
+    card.y += max(heights, default=SMALLEST)

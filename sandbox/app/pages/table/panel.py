@@ -1,0 +1,45 @@
+"""The page of values: the table, and a button that saves all of it."""
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+
+from sandbox.app.pages.accuracy.studying import Studying
+from sandbox.app.pages.graph.choice import Choice
+from sandbox.app.pages.page import Desk
+from sandbox.app.pages.share import saving
+from sandbox.app.pages.table.card import values
+from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.model.errors import SandboxError
+
+BUTTON = 150, 28  # px
+TIP = "save these quantities at every instant that is kept, with all digits"
+
+
+class TablePage:
+    """The quantities that the graph page draws, by time."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
+        self.save = sheet.button(pygame.Rect((0, MARGIN // 2), BUTTON), "Save as CSV", TIP)
+        self._table = sheet.image(self._drawn(), MARGIN // 2 + BUTTON[1] + 6)
+        self.update()
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Save the table, and return where it is, or why it cannot be."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
+            return None
+        try:
+            return f"saved {saving.graphed(self._session, self._choice.up(self._session))}"
+        except SandboxError as error:
+            return str(error)
+
+    def update(self) -> None:
+        """Draw the table anew."""
+        self._sheet.replace(self._table, self._drawn())
+        self._sheet.end(below(self._table) + 4)
+
+    def _drawn(self) -> pygame.Surface:
+        sheet, session = self._sheet, self._session
+        trust = self._studying.trust(session)
+        return values(sheet.pen, sheet.width, session, self._choice.up(session), trust)

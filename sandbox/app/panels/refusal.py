@@ -1,0 +1,76 @@
+"""The page of a level that cannot be opened: each mistake at its place in the text."""
+
+from pathlib import Path
+
+import pygame
+from pygame_gui import UIManager
+
+from sandbox.app import theme
+from sandbox.app.cards import mistakes
+from sandbox.app.cards.card import Card
+from sandbox.app.text import Pen
+from sandbox.app.widgets.gui import scroll, scrolled
+from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.model.errors import LevelError, SandboxError
+from sandbox.model.loading import read
+
+TOP = 12  # px
+GAP = 10  # px, between two excerpts
+FOOT = 64  # px, left free for an offer
+WIDEST = 1000  # px: longer lines are not easy to read
+
+
+class Refusal:
+    """A page on the stage's area that scrolls if it must.
+
+    Attributes
+    ----------
+    text
+        All that it says, as the command line would.
+    """
+
+    def __init__(
+        self, manager: UIManager, pen: Pen, stage: pygame.Rect, error: SandboxError
+    ) -> None:
+        self.text = str(error)
+        area = pygame.Rect(0, stage.y + TOP, min(stage.width, WIDEST), 0)
+        area.height = max(stage.height - TOP - FOOT, 1)
+        area.centerx = stage.centerx
+        sheet = self._sheet = Sheet(manager, pen, area)
+        found = error.mistakes if isinstance(error, LevelError) else ()
+        lines = _lines(found[0].source) if found else []
+        y = below(sheet.image(_head(pen, sheet.width, error, mendable=bool(lines)), 0))
+        for group in mistakes.groups(found):
+            drawn = mistakes.excerpt(pen, sheet.width, lines, group)
+            y = below(sheet.image(drawn, y + GAP))
+        sheet.end(y + GAP)
+
+    def turn(self, pages: float) -> None:
+        """Scroll by a part of what is seen at once."""
+        container = self._sheet.container
+        scroll(container, scrolled(container) + pages * container.rect.height)
+
+
+def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygame.Surface:
+    card = Card(pen, width)
+    card.text("This level cannot be opened", 20, theme.FAILED, bold=True)
+    card.y += 4
+    way_out = "Choose another level."
+    if isinstance(error, LevelError):
+        card.text(error.mistakes[0].source, 13, theme.DIM)
+        count = len(error.mistakes)
+        if mendable:
+            told = "1 mistake" if count == 1 else f"{count} mistakes"
+            way_out = f"{told}: mend the file, and this page follows until the level opens."
+    else:
+        card.text(str(error))
+    card.text(way_out, 13, theme.DIM)
+    return card.drawn(theme.STAGE)
+
+
+def _lines(source: str) -> list[str]:
+    """Return the text of a file line by line; none if it cannot be read."""
+    try:
+        return read(Path(source)).split("\n")
+    except (SandboxError, ValueError):
+        return []

@@ -1,0 +1,60 @@
+"""Which files were opened, kept in the user's data folder from one day to the next."""
+
+import os
+from pathlib import Path
+
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import data_folder, read_ordinary, write_atomically
+
+_PATHS = TypeAdapter(list[str])
+
+MOST = 12
+"""Files that are kept, the latest."""
+LARGEST = 1_000_000
+"""Bytes of the file: what is larger was not written here."""
+
+
+def file() -> Path:
+    """Return where they are kept; it need not be there."""
+    return data_folder() / "recent.json"
+
+
+class Recent:
+    """The files that were opened last.
+
+    A file that is missing, or that something else has written, counts as none.
+
+    Attributes
+    ----------
+    paths
+        The files that are still there, the latest first.
+    """
+
+    def __init__(self) -> None:
+        self.paths: tuple[Path, ...] = tuple(map(Path, filter(os.path.isfile, _read())))
+
+    def add(self, path: Path) -> str:
+        """Note that a file was opened; return why that cannot be kept, if so."""
+        if self.paths[:1] == (path,):
+            return ""
+        self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
+        told = [
+            str(path),
+            *(each for each in _read() if each != str(path)),
+        ]  # another window's, too
+        try:
+            file().parent.mkdir(parents=True, exist_ok=True)
+            write_atomically(file(), _PATHS.dump_json(told[:MOST], indent=1), follow=False)
+        except (OSError, SandboxError, ValueError) as error:
+            return f"that this file was opened is not kept for the next time: {error}"
+        return ""
+
+
+def _read() -> list[str]:
+    try:
+        found = _PATHS.validate_json(read_ordinary(file(), LARGEST) or b"[]")
+    except (OSError, ValidationError):
+        return []
+    return [path for path in found if "\0" not in path and Path(path).is_absolute()][:MOST]

@@ -1,0 +1,236 @@
+"""The reference among the documents, written from what the code declares.
+
+`python -m sandbox.cli.reference` writes it to `docs/reference`.
+"""
+
+import json
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+import typer
+
+from sandbox.cli.commands import app
+from sandbox.model import catalog, joints, quantities
+from sandbox.model.effects import EFFECTS
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import write_atomically
+from sandbox.model.loading import parse
+from sandbox.model.schema import schema
+
+FOLDER = Path("docs") / "reference"
+"""In the project's sources."""
+
+Schema = Mapping[str, Any]
+
+LEVEL_FORMAT = """\
+# Level format
+
+Every key of a level's file, in SI units. [Write a level](../how-to/write-a-level.md) explains them.
+A *formula* is a text such as `"m*g*sin(angle*deg)"`. A member of a list, or of a part whose members
+have names, may [repeat](../how-to/write-a-level.md#writing-less). This page is written by
+`make docs`."""
+
+QUANTITIES = """\
+# Quantities
+
+Checks, `--record`, graphs and Python use these names. A vector has the components `.x` and `.y`;
+without one its name stands for its size. `ball` and `box` stand for any body, `ball.tip` for a
+point that the body declares, `joint` for any joint. This page is written by `make docs`."""
+
+OVER_TIME = """\
+## Since the start
+
+What has become of a quantity since the start of the run, such as `string.tension.max`. Of `t` there
+is none."""
+
+ACCOUNTS = """\
+## Accounts
+
+The ledger says where energy comes from and where it goes. What no account explains is
+`system.unexplained_energy`, `system.unexplained_momentum` (a vector) and
+`system.unexplained_angular_momentum`."""
+
+COMMANDS = """\
+# Commands
+
+`python -m sandbox COMMAND --help` says the same. Exit status: 0 if all is well, 1 if a check or a
+level failed, 2 for wrong usage. [Validation](../explanation/validation.md) has the commands of
+`python -m validation`. This page is written by `make docs`."""
+
+SAMPLE = """{
+  "format": 1, "title": "Sample", "duration": 1, "effects": {"contact": {}},
+  "bodies": {
+    "ball": {"shape": {"type": "disc", "radius": 1}, "mass": 1, "points": {"tip": [1, 0]}},
+    "box": {"shape": {"type": "box", "width": 1, "height": 1}, "mass": 1, "position": [5, 0]}
+  }
+}"""
+"""A level that has whatever can be measured of bodies."""
+
+SHORTHAND = ("Each", "Repeat")
+"""What may stand anywhere in a level, and is told once."""
+
+
+def level_format() -> str:
+    """Return the page about every key of a level, from the schema that editors use."""
+    whole = schema()
+    parts = ((name, part) for name, part in whole["$defs"].items() if name not in SHORTHAND)
+    told = (["", f"## {name}", "", _meaning(part), "", *_keys(part)] for name, part in parts)
+    return _page(LEVEL_FORMAT, "", "## Level", "", *_keys(whole), *chain.from_iterable(told))
+
+
+def _page(*lines: str) -> str:
+    return "\n".join(lines) + "\n"
+
+
+def _table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> Iterator[str]:
+    heads = tuple(heads)
+    for cells in (heads, ("---",) * len(heads), *rows):
+        yield f"| {' | '.join(cell.replace('|', chr(92) + '|') for cell in cells)} |"
+
+
+def _keys(part: Schema) -> Iterator[str]:
+    """Yield the table of an object's keys."""
+    required = part.get("required", ())
+    told = {key: value for key, value in part.get("properties", {}).items() if key != "repeat"}
+    yield from _table(
+        ("key", "type", "if left out", "meaning"),
+        (
+            (
+                f"`{key}`",
+                _type(value),
+                "**needed**" if key in required else _literal(value.get("default")),
+                _meaning(value),
+            )
+            for key, value in told.items()
+        ),
+    )
+
+
+def _meaning(part: Schema) -> str:
+    return " ".join(part.get("description", "").split())
+
+
+def _type(value: Schema) -> str:
+    """Return what may stand there."""
+    if name := value.get("$ref", "").rpartition("/")[2]:
+        return "" if name in SHORTHAND else f"[{name}](#{name.lower()})"
+    if "const" in value:
+        return f"`{value['const']}`"
+    if "enum" in value:
+        return " or ".join(f"`{choice}`" for choice in value["enum"])
+    if choices := value.get("oneOf", value.get("anyOf")):
+        return " or ".join(filter(None, dict.fromkeys(map(_type, choices))))
+    return _of_json(value)
+
+
+def _of_json(value: Schema) -> str:
+    """Return what a type of JSON is called here."""
+    kind = value.get("type", "")
+    if isinstance(kind, list):
+        return "number or formula"
+    if kind == "array" and "prefixItems" in value:
+        return f"[{', '.join(map(_type, value['prefixItems']))}]"
+    if kind == "array":
+        return f"list of {_type(value.get('items', {}))}"
+    if kind == "object":
+        members = value.get("patternProperties", {}).values()
+        return "".join(f"names, each with {_type(member)}" for member in members) or "object"
+    names = {"string": "text", "boolean": "`true` or `false`", "integer": "whole number"}
+    return str(names.get(kind, kind))
+
+
+def _literal(default: object) -> str:
+    return "" if default in (None, "") else f"`{json.dumps(_plain(default))}`"
+
+
+def _plain(value: object) -> object:
+    """Return what JSON holds, whole numbers without a point."""
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def all_quantities() -> str:
+    """Return the page about everything that can be measured."""
+    of_joints = (
+        (name, ", ".join(f"`joint.{what}` [{unit}]" for what, unit in kind.quantities.items()))
+        for name, kind in joints.KINDS.items()
+    )
+    over_time = (
+        (f"`.{form}`", f"that of the quantity{' · ' + factor if factor else ''}")
+        for form, factor in quantities.OVER_TIME.items()
+    )
+    accounts = ((n, _account(e.book, e.booked)) for n, e in EFFECTS.items() if e.book != "none")
+    return _page(
+        *(QUANTITIES, "", "## Bodies, the system, the time", ""),
+        *_table(("quantity", "", "unit"), _of_bodies()),
+        *("", "## Joints", ""),
+        *_table(("joint", "quantities"), of_joints),
+        *("", OVER_TIME, ""),
+        *_table(("behind the name", "unit"), over_time),
+        *("", ACCOUNTS, ""),
+        *_table(("effect", "account"), accounts),
+    )
+
+
+def _of_bodies() -> Iterator[tuple[str, str, str]]:
+    """Yield what there is of bodies, of two of them, and of the system."""
+    level = parse(SAMPLE, "the sample")
+    every = [*quantities.quantities(level), *quantities.mutual(level)]
+    vectors = {one.name.removesuffix(".x") for one in every if one.component == "x"}
+    for one in every:
+        if one.subject != "box" and one.component is None and not one.booked:
+            yield f"`{one.name}`", "vector" if one.name in vectors else "", one.unit
+
+
+def _account(book: str, name: str) -> str:
+    return f"`system.{'potential_energy' if book == 'potential' else book}.{name}`"
+
+
+def commands() -> str:
+    """Return the page about every command, from the declarations that its help is made of."""
+    found = getattr(typer.main.get_command(app), "commands", {})
+    return _page(COMMANDS, *chain.from_iterable(_command(*item) for item in found.items()))
+
+
+def _command(name: str, command: Any) -> Iterator[str]:  # noqa: ANN401 (typer names no type for it)
+    """Yield what a command does, and its arguments."""
+    yield from ("", f"## {name}", "", *(command.help or "").strip().splitlines())
+    if rows := [_argument(given) for given in command.params if given.name != "help"]:
+        yield from ("", *_table(("argument", "meaning"), rows))
+
+
+def _argument(given: Any) -> tuple[str, str]:  # noqa: ANN401 (the same)
+    """Return an argument, or an option with what it takes, and what that means."""
+    if given.param_type_name == "argument":
+        written = given.metavar or given.name.upper()
+    else:
+        taken = given.metavar if given.metavar and not given.is_flag else ""
+        written = f"{', '.join(given.opts)} {taken}".strip()
+    return f"`{written}`", " ".join((given.help or "").split())
+
+
+PAGES = {"level-format.md": level_format, "quantities.md": all_quantities, "commands.md": commands}
+"""What is written, by the name of its file."""
+
+
+def main() -> int:
+    """Write the pages, say where, and return the exit status."""
+    try:
+        folder = catalog.sources() / FOLDER
+        for name, page in PAGES.items():
+            write_atomically(folder / name, page())
+            sys.stdout.write(f"{folder / name}\n")
+    except SandboxError as error:
+        sys.stderr.write(f"{error}\n")
+        return 2
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,53 @@
+"""A world that begins where another one stands, at a later step, with other parameters.
+
+What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
+those half a kick before and after. From there the new world is started like any other, with half a
+kick of its own forces (see `start.py`): leapfrog's velocities are half a step ahead, and those of
+the old world have half a kick of the old forces in them, so to hand these on would be wrong by
+Δa h/2. Impulses that solvers remember, and whether a contact sticks, are found out anew.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.stage import Setup
+
+if TYPE_CHECKING:
+    from sandbox.physics.joints.joints import Joints
+
+
+def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> None:
+    """Put a scene that has not begun into a state.
+
+    Parameters
+    ----------
+    setup
+        Of the new world, before its stages are made.
+    now
+        The state of the old one.
+    steps
+        How many it has taken: time goes on from there.
+    joints
+        Those of the old one: what has been welded since its start stays welded.
+    """
+    scene, clock = setup.scene, setup.kicks.clock
+    clock.steps = steps
+    parts = now.position, now.angle, now.velocity, now.angular_velocity
+    scene.batch.set_state(np.column_stack(parts))
+    for body in scene.bodies.values():
+        scene.space.reindex_shapes_for_body(body)
+    _weld(setup, joints)
+    if together := scene.joints.together:
+        together.go_on(clock.after(0))
+    if scene.direct:
+        scene.direct.go_on(clock.after(0))
+
+
+def _weld(setup: Setup, before: "Joints") -> None:
+    """Weld those bodies, where they are, that have stuck to each other before."""
+    joints, names = setup.scene.joints, list(setup.scene.bodies)
+    for a, b in before.joined[len(joints.joined) :].tolist():
+        if joints.solids and joints.weld and joints.solids.join(names[a], names[b]):
+            joints.weld(names[a], names[b])

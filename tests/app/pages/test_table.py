@@ -1,0 +1,56 @@
+"""The table of what is graphed."""
+
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app.pages.share import saving
+from sandbox.app.pages.table import card
+from sandbox.app.pages.table.panel import TablePage
+from tests.app.person import Person
+
+
+@pytest.fixture
+def seated(person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Person:
+    """Somebody who has opened the table after half a second of a throw."""
+    monkeypatch.setattr(saving, "folder", lambda: tmp_path / "files")
+    person.window.open_level("kinematics/projectile")
+    for _ in range(30):
+        person.press(pygame.K_RIGHT)
+    person.press(pygame.K_1, "1")
+    return person
+
+
+@pytest.mark.parametrize("count", [1, 2, 24, 25, 1000])
+def test_the_instants_are_few_and_the_last_is_one_of_them(count: int) -> None:
+    shown = list(card.instants(count))
+
+    assert len(shown) <= card.ROWS + 1
+    assert (shown[0], shown[-1]) == (0, count - 1)
+    assert len(set(shown)) == len(shown)
+
+
+def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path: Path) -> None:
+    side = seated.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, TablePage)
+
+    seated.click(side.page.save.rect)
+
+    (path,) = (tmp_path / "files").glob("*.csv")
+    lines = [x for x in path.read_text(encoding="utf-8").splitlines() if not x.startswith("#")]
+    found = np.array([[float(cell) for cell in line.split(",")] for line in lines[1:]])
+    states = seated.session.history.snapshots
+    assert lines[0].startswith("t [s],ball.")
+    assert found.shape[0] == 31
+    np.testing.assert_array_equal(found[:, 0], states.t)
+
+
+def test_another_instant_is_another_table(seated: Person) -> None:
+    page = seated.window.panels.side.page  # type: ignore[union-attr]
+    assert isinstance(page, TablePage)
+    before = pygame.image.tobytes(page._drawn(), "RGB")
+    seated.press(pygame.K_RIGHT)
+    assert pygame.image.tobytes(page._drawn(), "RGB") != before

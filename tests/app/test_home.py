@@ -1,0 +1,340 @@
+"""The levels as cards."""
+
+import os
+import time
+from pathlib import Path
+
+import numpy as np
+import pygame
+import pytest
+
+from sandbox.app import progress, theme
+from sandbox.app.home import pictures
+from sandbox.app.home.home import Home
+from sandbox.app.home.pictures import SIZE
+from sandbox.app.text import Pen
+from sandbox.model import catalog
+from tests.app import scenes
+from tests.app.person import PATIENCE, Person, until
+
+ATWOOD = "newton/atwood"
+
+
+@pytest.fixture
+def visitor(person: Person) -> Person:
+    """Somebody who plays a level and goes home."""
+    person.window.open_level("kinematics/free-fall")
+    person.wait()
+    person.press(pygame.K_F2)
+    return person
+
+
+def home(person: Person) -> Home:
+    return person.window.panels.home
+
+
+def titles(person: Person) -> list[str]:
+    return [level.title for level, _ in home(person).grid.cards]
+
+
+def card(person: Person, title: str) -> pygame.Rect:
+    return home(person).place(titles(person).index(title))
+
+
+def focused(person: Person) -> str:
+    entry = home(person).focus
+    assert entry is not None
+    return entry.title
+
+
+@pytest.mark.parametrize("key", [pygame.K_F2, pygame.K_BACKSPACE])
+def test_a_key_leads_home_and_back(person: Person, key: int) -> None:
+    person.window.open_level("kinematics/free-fall")
+    session = person.session
+
+    person.press(key)
+    assert home(person).open
+    assert focused(person) == "Free fall"
+    person.press(key)
+
+    assert not home(person).open
+    assert person.session is session
+
+
+def test_a_button_above_the_list_leads_home(person: Person) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.wait()
+    assert person.window.panels.list is not None
+
+    person.click(person.window.panels.list.way("home").rect)
+
+    assert home(person).open
+
+
+def test_all_levels_of_the_list_have_a_card_in_its_order(visitor: Person) -> None:
+    assert visitor.window.panels.list is not None
+    assert titles(visitor) == [level.title for level in visitor.window.panels.list.found]
+
+
+def test_a_click_opens_a_level(visitor: Person) -> None:
+    visitor.click(card(visitor, "Projectile"))
+
+    assert visitor.session.level.title == "Projectile"
+    assert not home(visitor).open
+
+
+def test_a_card_that_is_left_before_the_button_is_let_go_of_is_not_opened(visitor: Person) -> None:
+    place = card(visitor, "Projectile")
+    visitor.move(place.center)
+    visitor.button(True, place.center)
+    visitor.move(card(visitor, "Free fall").center)
+    visitor.button(False, card(visitor, "Free fall").center)
+
+    assert home(visitor).open
+
+
+def test_arrows_walk_over_the_cards_and_enter_opens(visitor: Person) -> None:
+    visitor.press(pygame.K_HOME)
+    first = titles(visitor)[0]
+    assert focused(visitor) == first
+
+    visitor.press(pygame.K_LEFT)
+    visitor.press(pygame.K_UP)
+    assert focused(visitor) == first
+    visitor.press(pygame.K_RIGHT)
+    assert focused(visitor) == titles(visitor)[1]
+    before = card(visitor, focused(visitor))
+    visitor.press(pygame.K_DOWN)
+    after = card(visitor, focused(visitor))
+    assert (after.x, after.y > before.y) == (before.x, True)
+    chosen = focused(visitor)
+    visitor.press(pygame.K_RETURN, "\r")
+
+    assert visitor.session.level.title == chosen
+
+
+def test_the_card_with_the_focus_has_a_rim_and_is_in_view(visitor: Person) -> None:
+    for _ in range(4):
+        visitor.press(pygame.K_DOWN)
+    place = card(visitor, focused(visitor))
+
+    assert visitor.window.panels.layout.stage.contains(place)
+    assert visitor.color_at((place.centerx, place.y)) == theme.ACCENT
+    visitor.press(pygame.K_UP)
+    left = card(visitor, titles(visitor)[-1])
+    assert visitor.color_at((left.centerx, left.y)) != theme.ACCENT
+
+
+def test_the_wheel_scrolls_as_far_as_there_are_cards(visitor: Person) -> None:
+    stage = visitor.window.panels.layout.stage
+    visitor.move(stage.center)
+    for _ in range(60):
+        wheel = pygame.Event(pygame.MOUSEWHEEL, x=0, y=-1, precise_x=0.0, precise_y=-1.0)
+        pygame.event.post(wheel)
+    visitor.wait()
+
+    last = card(visitor, titles(visitor)[-1])
+    assert stage.contains(last)
+    assert last.bottom > stage.bottom - 100
+
+
+def test_what_acts_on_the_level_shows_it_again(visitor: Person) -> None:
+    visitor.click(visitor.window.panels.controls.button("play").rect)
+
+    assert not home(visitor).open
+    assert visitor.session.playing
+
+
+def test_time_stands_while_nobody_sees_it_pass(person: Person) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.press(pygame.K_SPACE, " ")
+    person.press(pygame.K_F2)
+    steps = person.session.world.steps
+    person.wait(0.2)
+
+    assert person.session.world.steps == steps
+
+
+def test_a_body_below_the_cards_is_not_dragged(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, scenes.falling())
+    place = person.on_screen((0, 5))
+    person.press(pygame.K_F2)
+
+    person.drag(place, (place[0] + 80, place[1] + 80))
+
+    assert not person.session.world.disturbed
+
+
+def test_escape_goes_back_before_it_quits(visitor: Person) -> None:
+    visitor.press(pygame.K_ESCAPE)
+    assert (home(visitor).open, visitor.window.open) == (False, True)
+
+    visitor.press(pygame.K_ESCAPE)
+    assert not visitor.window.open
+
+
+@pytest.mark.all_levels
+def test_what_is_looked_for_stands_first_among_the_cards(visitor: Person) -> None:
+    visitor.press(pygame.K_SLASH, "/")
+    visitor.type("cradle")
+
+    assert titles(visitor)[0] == focused(visitor) == "Newton's cradle"
+    assert len(titles(visitor)) < 10
+    visitor.press(pygame.K_RETURN, "\r")
+    assert visitor.session.level.title == "Newton's cradle"
+
+
+def test_nonsense_leaves_no_card_and_no_key_is_dangerous(visitor: Person) -> None:
+    visitor.press(pygame.K_SLASH, "/")
+    visitor.type("xyzzy")
+    assert titles(visitor) == []
+    visitor.window.panels.manager.set_focus_set(None)
+
+    for key in (pygame.K_RETURN, pygame.K_DOWN, pygame.K_END, pygame.K_PAGEDOWN):
+        visitor.window.panels.home.process(pygame.Event(pygame.KEYDOWN, key=key, mod=0, unicode=""))
+    visitor.wait()
+
+    assert visitor.window.open
+
+
+@pytest.mark.parametrize("size", [(480, 300), (900, 600), (1280, 800), (1920, 1080)])
+def test_cards_fill_the_width_and_never_overlap(visitor: Person, size: tuple[int, int]) -> None:
+    visitor.resize(size)
+    visitor.wait()
+
+    stage = visitor.window.panels.layout.stage
+    places = [home(visitor).place(i) for i in range(len(titles(visitor)))]
+    assert all(len(place.collidelistall(places)) == 1 for place in places)
+    assert min(place.left for place in places) - stage.left < 40
+    assert stage.right - max(place.right for place in places) < 50
+    assert all(stage.left <= place.left and place.right <= stage.right for place in places)
+
+
+def test_the_first_picture_waits_for_no_card(person: Person) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.window.do("home")
+    assert not home(person).thumbnails.running
+
+    person.wait()
+
+    place = card(person, "Free fall")
+    assert home(person).thumbnails.of(catalog.find("kinematics/free-fall").resolve()) is None
+    assert person.color_at((place.x + 20, place.y + 20)) == theme.GRID
+
+
+def test_pictures_come_in_and_are_found_again_on_disk(
+    person: Person, tmp_path: Path, pen: Pen
+) -> None:
+    """What another process would draw is put where it puts it."""
+    path = tmp_path / "level.json"
+    person.open(tmp_path, scenes.falling())
+    pygame.image.save(drawn := pictures.draw(path, pen), tmp_path / "x.png")
+    pictures.folder().mkdir()
+    kept = pictures.folder() / f"{pictures.key(path)}.png"
+    kept.write_bytes((tmp_path / "x.png").read_bytes())
+
+    person.press(pygame.K_F2)
+    person.wait(0.2)
+
+    shown = home(person).thumbnails.of(path.resolve())
+    assert shown is not None
+    wanted = pygame.transform.smoothscale(drawn, shown.size)
+    assert np.array_equal(pygame.surfarray.array3d(shown), pygame.surfarray.array3d(wanted))
+
+
+def test_pictures_are_drawn_in_the_background_what_is_seen_first(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, scenes.falling())
+    person.press(pygame.K_F2)
+    thumbnails = home(person).thumbnails
+    until(person, lambda: thumbnails.running)
+
+    until(person, lambda: thumbnails.of(tmp_path / "level.json") is not None)
+
+    assert list(pictures.folder().glob("*.png"))
+    person.press(pygame.K_F2)
+    assert not thumbnails.running
+
+
+def test_a_level_that_cannot_be_drawn_says_so(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, scenes.falling(duration=-1))
+    person.press(pygame.K_F2)
+
+    until(person, lambda: home(person).thumbnails.hopeless(tmp_path / "level.json"))
+
+
+def test_a_level_is_drawn_anew_when_its_file_says_something_else(tmp_path: Path) -> None:
+    path = tmp_path / "level.json"
+    path.write_text(scenes.falling())
+    (first,) = pictures.made([path], pictures.folder())
+    path.write_text(scenes.falling(title="A stone"))
+    (second,) = pictures.made([path], pictures.folder())
+
+    assert first.key != second.key
+    assert pygame.image.load(pictures.folder() / f"{first.key}.png").get_size() == SIZE
+
+
+@pytest.mark.parametrize("content", [b"", b"\x89PNG\r\n\x1a\n", b"nonsense"])
+def test_half_a_picture_counts_as_none(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "level.json"
+    path.write_text(scenes.falling())
+    pictures.folder().mkdir()
+    (pictures.folder() / f"{pictures.key(path)}.png").write_bytes(content)
+
+    (made,) = pictures.made([path], pictures.folder())
+
+    assert pictures.kept(made.key) == made.png != b""
+
+
+def test_a_folder_that_takes_no_pictures_is_no_reason_to_show_none(tmp_path: Path) -> None:
+    path = tmp_path / "level.json"
+    path.write_text(scenes.falling())
+    pictures.folder().write_text("a file where the folder should be")
+
+    (made,) = pictures.made([path], pictures.folder())
+
+    assert made.png
+
+
+def test_no_level_holds_up_the_others(pen: Pen, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pictures, "PATIENCE", 0.2)
+    begun = time.monotonic()
+
+    pictures.draw(catalog.find("hard/gas-of-60"), pen)
+
+    assert time.monotonic() - begun < PATIENCE / 4
+
+
+def test_stars_that_were_earned_stand_on_the_card(visitor: Person) -> None:
+    place = card(visitor, "Free fall")
+    words = pygame.Rect(place.x, place.bottom - 46, place.width, 24)
+
+    def golden() -> int:
+        seen = pygame.surfarray.array3d(visitor.window.surface.subsurface(words))
+        return int((seen == theme.NOTICE).all(axis=2).sum())
+
+    assert golden() == 0
+    progress.Progress().earn("Free fall", 1)
+    visitor.press(pygame.K_F2)
+    visitor.press(pygame.K_F2)
+    one = golden()
+    progress.Progress().earn("Free fall", 3)
+    visitor.press(pygame.K_F2)
+    visitor.press(pygame.K_F2)
+
+    assert one > 10
+    assert golden() == 3 * one
+
+
+def test_what_is_kept_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pictures, "MOST", 3)
+    pictures.folder().mkdir()
+    for i in range(5):
+        path = pictures.folder() / f"{i}.png"
+        path.write_bytes(b"")
+        os.utime(path, (i, i))
+
+    list(pictures.made([], pictures.folder()))
+
+    assert sorted(path.stem for path in pictures.folder().iterdir()) == ["2", "3", "4"]

@@ -1,0 +1,69 @@
+"""What can be measured on the stage: an instant on a trail, an angle."""
+
+from math import hypot
+
+import pygame
+import pytest
+
+from sandbox.app import probe
+from sandbox.app.protractor import Protractor
+from tests.app.person import Person
+
+
+def at(person: Person, point: tuple[float, float]) -> probe.Found | None:
+    """Return what is found under a point of the plane [m]."""
+    stage = person.window.stage
+    return probe.find(stage.view, person.session, stage.camera.to_screen(point))
+
+
+def test_a_probe_on_the_trail_tells_when_the_ball_was_there_and_how_fast(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    for _ in range(60):
+        person.press(pygame.K_RIGHT)
+    t, v, g = 0.5, 25 / 2**0.5, 9.81
+
+    found = at(person, (v * t, v * t - g * t * t / 2))
+
+    assert found is not None
+    assert found.body == "ball"
+    assert found.t == pytest.approx(0.5)
+    assert found.speed == pytest.approx(hypot(v, v - g * t), rel=1e-9)
+    assert at(person, (v * t, v * t + 20)) is None
+    before = pygame.image.tobytes(person.window.surface, "RGB")
+    person.move(person.on_screen(found.place))
+    assert pygame.image.tobytes(person.window.surface, "RGB") != before
+
+
+def test_a_branch_leaves_the_old_trail_to_be_probed(person: Person) -> None:
+    person.window.open_level("kinematics/projectile")
+    for _ in range(40):
+        person.press(pygame.K_RIGHT)
+    person.session.branch({"g": 2.0})
+    person.wait()
+    assert at(person, (0.0, 0.0)) is not None  # where it was before the branch
+
+
+@pytest.mark.parametrize(
+    ("second", "angle"), [((3.0, 1.0), 90.0), ((0.0, 0.0), 0.0), ((4.0, 0.0), 180.0)]
+)
+def test_the_angle_at_a_corner_is_between_its_legs(
+    second: tuple[float, float], angle: float
+) -> None:
+    corner = (3.0, 0.0) if second[1] else (2.0, 0.0)
+    assert Protractor((0.0, 0.0), corner, second).angle == pytest.approx(angle)
+
+
+def test_ctrl_and_shift_lay_a_protractor_on_the_tape(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    person.window.open_level("kinematics/projectile")
+    stage = person.window.panels.layout.stage
+    x, y = stage.x + 120, stage.y + 150
+
+    monkeypatch.setattr(pygame.key, "get_mods", lambda: pygame.KMOD_SHIFT)
+    person.drag((x, y), (x + 100, y))
+    monkeypatch.setattr(pygame.key, "get_mods", lambda: pygame.KMOD_SHIFT | pygame.KMOD_CTRL)
+    person.drag((x + 100, y), (x + 100, y - 80))
+
+    assert isinstance(person.window.hand.tape, Protractor)
+    assert person.window.hand.tape.angle == pytest.approx(90)

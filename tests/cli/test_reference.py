@@ -1,0 +1,67 @@
+"""The reference says what the code says: every key, quantity and command, and nothing old."""
+
+import json
+from collections.abc import Callable
+
+import pytest
+
+from sandbox.cli import reference
+from sandbox.cli.commands import COMMANDS
+from sandbox.cli.reference import FOLDER, PAGES
+from sandbox.model import catalog, joints
+from sandbox.model.effects import EFFECTS
+from sandbox.model.errors import SandboxError
+from sandbox.model.schema import schema
+
+
+@pytest.mark.parametrize(("name", "page"), PAGES.items(), ids=PAGES)
+def test_the_pages_in_the_docs_are_up_to_date(name: str, page: Callable[[], str]) -> None:
+    written = (catalog.sources() / FOLDER / name).read_text(encoding="utf-8")
+
+    assert written == page(), "run 'make docs'"
+
+
+def test_every_key_of_every_part_of_a_level_has_its_row() -> None:
+    page, whole = reference.level_format(), schema()
+    for name, part in whole["$defs"].items():
+        if name not in reference.SHORTHAND:
+            _, _, own = page.partition(f"\n## {name}\n")
+            table = own.partition("\n## ")[0]
+            keys = set(part.get("properties", {})) - {"repeat"}
+            assert all(f"\n| `{key}` | " in table for key in keys), name
+    assert " |  |  |" not in page, "a key without a type"
+
+
+def test_defaults_are_written_as_a_level_writes_them() -> None:
+    cells = [
+        line.split(" | ")[2].strip()
+        for line in reference.level_format().splitlines()
+        if line.startswith("| `")
+    ]
+    literals = [cell.strip("`") for cell in cells if cell.startswith("`")]
+
+    assert len(literals) > 40
+    for literal in literals:
+        json.loads(literal)
+
+
+def test_every_joint_effect_and_command_is_there() -> None:
+    quantities, commands = reference.all_quantities(), reference.commands()
+
+    assert all(f"\n| {name} | `joint." in quantities for name in joints.KINDS)
+    assert all(
+        f"\n| {name} | `system." in quantities for name, e in EFFECTS.items() if e.book != "none"
+    )
+    assert all(f"\n## {one.__name__.rpartition('.')[2]}\n" in commands for one in COMMANDS)
+
+
+def test_an_installed_package_writes_no_reference(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def sources() -> None:
+        raise SandboxError("this is written in a checkout of the project")
+
+    monkeypatch.setattr(catalog, "sources", sources)
+
+    assert reference.main() == 2
+    assert "a checkout" in capsys.readouterr().err
