@@ -250,8 +250,8 @@ class ExactJoints:
 
     def go_on(self, t: float) -> None:
         """Take what is driven to have turned at a time as far as it has [s]."""
-        rows = len(self._equations[0])
-        driven = [i for i, _ in self._changing if i >= rows]
+        rows = len(self._equations.rows)
+        driven = [i for i, _ in self._equations.changing if i >= rows]
         if driven:
             off = self.look(self.place()).total - self.lengths(t)
             self._length[driven] += off[driven]
