@@ -28,8 +28,9 @@ from sandbox.model.joints import Spring, bodies_of, is_exact
 from sandbox.physics.contacts.direct.solver import Stage
 from sandbox.physics.contacts.impulse_work import Kick, completed, pressed, rubbing
 from sandbox.physics.energy.balance import Balance
+from sandbox.physics.energy.jerks import reached
 from sandbox.physics.energy.step_record import Recorded
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip import Stop
 from sandbox.physics.forces.law import Law, Turn
@@ -123,11 +124,13 @@ class Ledger:
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._mass))
-        begun = before
+        begun, slack = before, self._slack[0] | self._slack[1]
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
-            self._book(kick, ended - begun, pulls._replace(tension=tension), contacts)
+            self._book(kick, ended - begun, pulls._replace(tension=tension), contacts, slack)
             begun = ended
+            if len(slack) == len(tension):
+                slack = slack | (tension <= 0)
         slack = pulls.tension <= 0
         self._slack = slack, self._slack[0] if len(self._slack[0]) == len(slack) else slack
         self._velocity, self._end = after, self._middle(0.5, after)
@@ -140,17 +143,31 @@ class Ledger:
             return direct.stages
         return (Stage(dt, after, tension * dt, self._kicked()),)
 
-    def _book(self, kick: Kick, change: Array, pulls: Pulls, contacts: Contacts) -> None:
-        """Book a kick that changes velocities so: (n, 3)."""
+    def _book(
+        self, kick: Kick, change: Array, pulls: Pulls, contacts: Contacts, slack: Booleans
+    ) -> None:
+        """Book a kick that changes velocities so, (n, 3), and which ropes were slack before it.
+
+        A rope that is caught stops all that it reaches at once. What keeps its length and what
+        touches there work on each other within the kick; what they take together is the loss.
+        """
         rest = kick.inertia * change
         rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
         rest -= sum((self._turn(turn, kick) for turn in self._scene.turns), np.zeros_like(rest))
-        rest -= self._joints(kick, pulls)
+        impulses, works = self._joints(kick, pulls)
+        rest -= impulses
         jump = self._jump(kick)
         rest -= jump
         rest -= self._own(kick, rest, contacts)
         rest -= self._hand(kick, rest, contacts)
-        self._touch(kick, rest, kick.work(jump), contacts)
+        lost = self._touch(kick, rest, kick.work(jump), contacts)
+        if len(slack) < len(works):
+            self._lose("sticking", float(works.sum()))
+        else:
+            moves = kick.inertia[:, 0] > 0
+            lost += float(works[reached(pulls, contacts, slack, moves)].sum())
+        if lost:
+            self._lose("impacts", lost)
 
     def _follow(self) -> None:
         """Book the kicks of a step, in which nothing acts but smooth forces and joints.
@@ -377,8 +394,11 @@ class Ledger:
         law.add(kick.seen, wrench)
         return wrench * kick.length
 
-    def _joints(self, kick: Kick, pulls: Pulls) -> Array:
-        """Book the impulses of the exact joints, and return them: (n, 3)."""
+    def _joints(self, kick: Kick, pulls: Pulls) -> tuple[Array, Array]:
+        """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
+
+        Those of what is driven are booked, and 0.
+        """
         kinematic = kick.inertia[:, 0] == 0
         drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
         impulses = -pulls.tension[:, None, None] * pulls.jacobian
@@ -386,15 +406,9 @@ class Ledger:
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._works:
             self._works["joints"] += float(works[drives].sum())
-        last, before = self._slack
-        if len(last) < len(works):
-            self._lose("sticking", float(works[~drives].sum()))
-        # a rope that is caught in one drift is stopped in the kick before it and the one after it
-        elif (jerked := pulls.pulls_only & (last | before) & ~drives).any():
-            self._lose("impacts", float(works[jerked].sum()))
         together: Array = impulses.sum(axis=0)
         self._give("supports", together, kick.place)
-        return together
+        return together, np.where(drives, 0.0, works)
 
     def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
         """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
@@ -441,10 +455,13 @@ class Ledger:
         self._give("hand", impulse, kick.place)
         return impulse
 
-    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> None:
-        """Book what contacts did: all that is left to the bodies that touch, and in sequence."""
+    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> float:
+        """Book what contacts did: all that is left to the bodies that touch, and in sequence.
+
+        Return the work that impacts may account for.
+        """
         if not len(contacts.bodies):
-            return
+            return 0.0
         touching = np.zeros(len(rest), dtype=bool)
         touching[contacts.bodies] = True
         impulse = np.where(touching[:, None], rest, 0.0)
@@ -464,8 +481,8 @@ class Ledger:
         lost = given - across
         if lost > 0 and not kick.length and "sticking" in self._losses:
             self._losses["sticking"] += lost  # who sticks presses on each other in the same impact
-        elif not self._elastic:
-            self._lose("impacts", lost)
+            return 0.0
+        return 0.0 if self._elastic else lost
 
 
 def _velocity(motion: Instant) -> Array:

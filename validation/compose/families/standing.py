@@ -161,7 +161,8 @@ def scissor(draft: Draft) -> None:
     if draft.chance(0.7):
         draft.rough()
     half, lean, stages = draft.number(0.4, 0.8), draft.number(30, 60) * pi / 180, draft.count(1, 2)
-    x, y = half * cos(lean), half * sin(lean)
+    # so that sums are written to the last digit: pins apart by 1e-12 m pull when they are joined
+    x, y = round(half * cos(lean), 9), round(half * sin(lean), 9)
     names = []
     for stage in range(stages):
         for way, sign in (("rising", 1), ("falling", -1)):

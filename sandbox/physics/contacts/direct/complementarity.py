@@ -150,13 +150,15 @@ class _Scaled:
         return (impulse, found) if found is not None else self._by_corners()
 
     def _resting(self) -> Active:
-        """Return that everything holds, as in a pile that rests.
+        """Return that everything holds that asks for something, as in a pile that rests.
 
         Where nothing is known yet, only its lowest layer is seen to meet what is below it, and each
-        mending would let but one more hold.
+        mending would let but one more hold. In an impact what is slack asks for nothing, nor does
+        what is yet to strike.
         """
-        slip = np.zeros(len(self._row), dtype=np.intp)
-        return Active(np.ones(len(self._rate), dtype=bool), slip)
+        on = self._problem.free | self._problem.pushes
+        on[self._row] = True
+        return Active(on, np.zeros(len(self._row), dtype=np.intp))
 
     def _softer(self, give: float) -> "_Scaled":
         """Return the same with rows that give way."""

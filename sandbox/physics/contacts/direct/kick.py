@@ -70,11 +70,17 @@ class Kick:
         return cls(joints, contacts, layout, found, place, here, response, runs, *lengths)
 
     def moved(self, place: Coordinates) -> "Kick":
-        """Return the same elsewhere."""
+        """Return the same elsewhere, where bodies push along other directions."""
         found = self.features.moved(place)
         here = rows_at(place, self.joints, found)
         response = here.jacobian * self.joints.inverse
-        return replace(self, features=found, place=place, here=here, response=response)
+        pairs = np.arange(len(self.contacts.bodies))  # the first points of all come first
+        columns = 2 * self.contacts.bodies[:, 1:] + (0, 1)
+        direction = here.jacobian[self.layout.gaps][pairs[:, None], columns]
+        contacts = self.contacts._replace(direction=direction)
+        return replace(
+            self, contacts=contacts, features=found, place=place, here=here, response=response
+        )
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a way, (3 N,): joints as what is left of what they keep."""

@@ -126,3 +126,16 @@ def test_the_least_impulses_do_not_depend_on_the_axes(
     other, _ = solve(problem, matrix, turned @ rates, guess)
 
     assert (np.abs(turned @ one - other).max() < 1e-12) == same  # 3e-16, and 0.02
+
+
+@given(seed=SEEDS, count=st.integers(4, 12))
+def test_a_row_that_asks_for_nothing_gives_nothing(seed: int, count: int) -> None:
+    """Neither a slack rope nor what is yet to strike is a way out, however long one is sought."""
+    matrix, rate = contacts(count, 2, np.random.default_rng(seed))
+    rows = np.arange(2 * count)
+    problem = Problem(np.zeros_like(rows, dtype=bool), rows % 3 > 0, NO_FRICTION)
+    guess = Active(problem.pushes & (rate < 0), np.zeros(0, dtype=int))
+
+    impulse, _ = solve(problem, matrix, rate, guess)
+
+    assert not impulse[~problem.pushes].any()
