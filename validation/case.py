@@ -105,7 +105,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """How a case came out; `naive` is pymunk as it comes, on the same level at the same rate.
+    """How a case came out; `naive` is stock pymunk, on the same level at the same rate.
 
     Attributes
     ----------
@@ -199,7 +199,7 @@ class _Runs:
 
 
 def naive(level: Level) -> Level:
-    """Return a level with pymunk as it comes: its scheme, at the level's own rate, and its joints.
+    """Return a level with stock pymunk: its scheme, at the level's own rate, and its joints.
 
     What pymunk lacks (strings over pegs, wires, rails, lengths that change with time) stays exact,
     and with it the other joints of that level: the two ways cannot hold one body.
@@ -218,7 +218,7 @@ def naive(level: Level) -> Level:
 
 @cache
 def _seconds(name: str) -> tuple[float, float]:
-    """Return what a step of a level costs [s], and of pymunk as it comes; they are timed in turn.
+    """Return what a step of a level costs [s], and of stock pymunk; they are timed in turn.
 
     With the level's defaults: what its parameters are matters little.
     """

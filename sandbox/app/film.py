@@ -79,7 +79,7 @@ def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
     stage.use(session.world)
     stage.fit()
     dt = session.world.dt
-    last = min(run.steps, ceil(LONGEST / dt))
+    last = min(run.steps, session.world.stepping.steps(LONGEST))
     for count in range(ceil(last * dt * FRAMES) + 1):
         due = min(round(count / FRAMES / dt), last)
         while session.world.steps < due and session.failure is None:

@@ -8,7 +8,8 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from sandbox.app.milestones import Milestone, milestones
-from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Check
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Recorder, Trace

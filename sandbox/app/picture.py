@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from io import BytesIO
-from math import ceil
 from pathlib import Path
 
 import pygame
@@ -126,7 +125,7 @@ def png(picture: pygame.Surface) -> bytes:
 
 
 def _run(session: Session, at: float, each: Callable[[], None]) -> None:
-    for _ in range(ceil(at * session.world.stepping.rate * (1 - 1e-12))):
+    for _ in range(session.world.stepping.steps(at)):
         session.step()
         if session.failure is not None:
             raise session.failure

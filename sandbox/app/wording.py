@@ -228,5 +228,6 @@ def certain(value: float, off: float, unit: str) -> str:
 
 
 def _power(text: str) -> str:
+    """Write a power of ten without what says nothing: 2e3, not 2.e+03."""
     mantissa, _, exponent = text.partition("e")
-    return f"{mantissa}e{int(exponent)}"
+    return f"{mantissa.rstrip('.')}e{int(exponent)}"

@@ -8,9 +8,9 @@ from sandbox.editing.formulas import renamed
 from sandbox.editing.mending import accepted
 from sandbox.editing.patches import spliced
 from sandbox.editing.spans import Spans
+from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.expressions import RESERVED
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.locating import Path

@@ -13,10 +13,10 @@ from pydantic_core import ErrorDetails
 
 from sandbox.experiments.draws import Method
 from sandbox.model import wording
+from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import brief
-from sandbox.model.expressions import MAX_LENGTH
 from sandbox.model.files import read_ordinary
 from sandbox.model.level import Finite, Name
 from sandbox.model.parts import Fault

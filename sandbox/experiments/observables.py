@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity
 from sandbox.model.suggest import suggestion

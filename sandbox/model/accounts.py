@@ -19,7 +19,7 @@ def potentials(level: Level) -> tuple[str, ...]:
 
 
 def works(level: Level) -> tuple[str, ...]:
-    """Return what puts energy in, or takes it out: effects, bodies that move as told, joints."""
+    """Return what puts energy in, or takes it out: effects, kinematic bodies, joints."""
     found = [*_effects(level, "work"), *_forces(level, "work")]
     if any(body.type == "kinematic" for body in level.bodies.values()):
         found.append("bodies")
@@ -57,11 +57,11 @@ def _forces(level: Level, book: Book) -> Iterator[str]:
 
 
 def drives(joint: Joint, level: Level) -> bool:
-    """Whether an exact joint does work: it changes with time, or is held by what moves as told."""
+    """Whether an exact joint does work: it changes with time, or is held by a kinematic body."""
     if joint.kind.drives or joint.kind.force:
         return joint.kind.drives
-    told = any(level.bodies[body].type == "kinematic" for body in bodies_of(joint))
-    return told or "t" in names_in(joint)
+    kinematic = any(level.bodies[body].type == "kinematic" for body in bodies_of(joint))
+    return kinematic or "t" in names_in(joint)
 
 
 def damps(spring: Spring) -> bool:

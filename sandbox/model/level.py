@@ -7,6 +7,7 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 from cmath import rect
 from collections.abc import Mapping
 from itertools import pairwise
+from math import ceil
 from typing import Annotated, Literal, Self, cast
 
 from pydantic import (
@@ -94,6 +95,9 @@ MAX_POINTS = 100
 
 MAX_CONSTANTS = 200
 """How many names for formulas a level may have."""
+
+ROUNDING = 1e-12
+"""The share of a duration that a product with the rate may be off by."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
@@ -215,7 +219,7 @@ class Stepping(Model):
     """sweeps of the solver over contacts and joints, a step"""
     scheme: Scheme = "leapfrog"
     """`fourth-order` is for smooth forces that depend on places and time alone;
-    `symplectic-euler` is pymunk as it comes, `explicit-euler` deliberately bad"""
+    `symplectic-euler` is stock pymunk, `explicit-euler` deliberately bad"""
 
     def at(self, rate: float) -> "Stepping":
         """Return the same with a chosen rate [Hz]; an accuracy is then no longer asked for.
@@ -228,6 +232,10 @@ class Stepping(Model):
         chosen = {"iterations": self.iterations, "scheme": self.scheme, "rate": rate}
         return Stepping.model_validate(chosen)
 
+    def steps(self, duration: float) -> int:
+        """Return how many steps reach a duration [s]; what is one but for rounding is no more."""
+        return ceil(duration * self.rate * (1 - ROUNDING))
+
     @model_serializer(mode="wrap")
     def _said(self, serialize: SerializerFunctionWrapHandler) -> dict[str, object]:
         """Leave out what is not chosen where an accuracy is asked for, and the accuracy if not."""
@@ -237,7 +245,7 @@ class Stepping(Model):
         return {name: value for name, value in said.items() if name != "accuracy"}
 
     @property
-    def as_it_comes(self) -> bool:
+    def is_stock(self) -> bool:
         """Whether a run starts without half a kick, so that velocities are half a step old."""
         return self.scheme in ("symplectic-euler", "explicit-euler")
 

@@ -15,11 +15,12 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import rules, wording
+from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import dangling
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
-from sandbox.model.expressions import MAX_LENGTH, Values
+from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Parameter
 from sandbox.model.locating import Path as Place
 from sandbox.model.locating import position

@@ -7,7 +7,8 @@ parameter may be zero for a while; this is about those that are zero whatever th
 from collections.abc import Iterator
 from contextlib import suppress
 
-from sandbox.model.expressions import Expression, ExpressionError, Formula
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Expression, Formula
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.rules import corners

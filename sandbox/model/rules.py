@@ -11,11 +11,12 @@ from itertools import chain, islice, product
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions import conditions
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
-from sandbox.model.expressions import Array, Expression, ExpressionError, Formula, Values
+from sandbox.model.expressions import Array, Expression, Formula, Values
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault, expressions, instants

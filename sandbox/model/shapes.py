@@ -118,7 +118,7 @@ class Arc(Model):
 class Curve(Model):
     """A line along any smooth curve, touched from both sides: a bowl, a slide, a row of hills.
 
-    It is of a body that does not move, or moves as told. What touches it meets the curve itself,
+    It is of a static or a kinematic body. What touches it meets the curve itself,
     not pieces of it. A curve whose ends meet is closed.
     """
 

@@ -12,12 +12,13 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.model import wording
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.consistency import inconsistencies
 from sandbox.model.constants import define
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Settings
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.expressions import Expression, ExpressionError
+from sandbox.model.expressions import Expression
 from sandbox.model.level import Body, Level
 from sandbox.model.parts import Fault
 from sandbox.model.rules import faults

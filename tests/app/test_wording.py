@@ -18,6 +18,14 @@ def test_a_number_has_five_digits_or_a_power_of_ten(value: float, text: str) -> 
     assert wording.number(value) == text
 
 
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [(2000, 1, "2e3"), (2000, 4, "2000"), (0.5, 1, "0.5"), (20, 2, "20"), (-5e6, 1, "−5e6")],
+)
+def test_no_number_ends_in_a_point(value: float, digits: int, text: str) -> None:
+    assert wording.number(value, digits) == text
+
+
 def test_an_error_shows_its_size_only() -> None:
     assert wording.error(3.4e-15) == "3e−15"
     assert wording.error(0) == "0"

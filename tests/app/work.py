@@ -47,5 +47,5 @@ def priority() -> Iterator[int]:
 
 def short_study(level: Level, values: Values) -> Iterator[study.Finding]:
     """Study a level, with less time for each scheme."""
-    study.CLIMB = 0.1  # in a process of its own
+    study.REFINING = 0.1  # in a process of its own
     yield from study.study(level, values)

@@ -76,7 +76,7 @@ def conservative(level: Level) -> bool:
         and all(b.restitution and b.restitution(values) == 1 for b in moving)
     )
     return (
-        not level.stepping.as_it_comes
+        not level.stepping.is_stock
         and not works(level)
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)

@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from sandbox.model import bounds
-from sandbox.model.expressions import Expression, ExpressionError
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Expression
 from sandbox.model.schema import schema
 from tests.model.levels import Data, bare, hanging, mistakes, said, setting
 

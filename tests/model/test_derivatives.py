@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
+from sandbox.model.arithmetic import FUNCTIONS, ExpressionError
 from sandbox.model.bounds import EnergyInField
 from sandbox.model.derivatives import RULES
-from sandbox.model.expressions import FUNCTIONS, Array, ExpressionError
+from sandbox.model.expressions import Array
 
 PLACES = np.random.default_rng(1).uniform(0.3, 0.9, (2, 20))
 

@@ -11,18 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from sandbox.model.arithmetic import CONSTANTS, FUNCTIONS, MAX_LENGTH, ExpressionError
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import (
-    CONSTANTS,
-    FUNCTIONS,
-    MAX_LENGTH,
-    Expression,
-    ExpressionError,
-    Formula,
-    Fraction,
-    NonNegative,
-    Positive,
-)
+from sandbox.model.expressions import Expression, Formula, Fraction, NonNegative, Positive
 
 VALUES = {"a": 2.0, "b": -3.5, "m": 0.25}
 

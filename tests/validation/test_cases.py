@@ -116,7 +116,7 @@ def test_a_case_that_naive_pymunk_meets_cannot_claim_otherwise() -> None:
     assert not outcome.passed
 
 
-def test_naive_means_pymunk_as_it_comes_at_the_levels_rate() -> None:
+def test_naive_means_stock_pymunk_at_the_levels_rate() -> None:
     level = load(catalog.find("energy/circular-orbit"))
     stepping = naive(level).stepping
 

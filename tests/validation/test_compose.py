@@ -279,7 +279,7 @@ def test_a_run_that_is_doctored_fails_where_it_was(name: str) -> None:
     assert not named(judge(doctor(sound), [one]), name).passed
 
 
-def test_pymunk_as_it_comes_is_of_first_order() -> None:
+def test_stock_pymunk_is_of_first_order() -> None:
     found = of("four_bar")
     document = {**found.document, "stepping": {"rate": 240, "scheme": "symplectic-euler"}}
     level = make(document)

@@ -153,7 +153,7 @@ def test_a_formula_that_is_exact_is_the_yardstick() -> None:
 
 @pytest.mark.sweep
 def test_a_sweep_finds_the_order_of_each_scheme() -> None:
-    """Measured: 2.00 for leapfrog, 1.02 for pymunk as it comes."""
+    """Measured: 2.00 for leapfrog, 1.02 for stock pymunk."""
     found = errors("energy/kepler-ellipse", Budget(run=0.5, rates=(30.0, 60.0, 120.0), targets=()))
 
     leapfrog, naive = (order(found.points, s) for s in ("leapfrog", "symplectic-euler"))

@@ -38,7 +38,7 @@ def test_a_request_is_honoured_if_it_is_delivered_and_not_dear() -> None:
     assert not request(float("nan"), 1.0, 1.0).honoured
 
 
-def test_pymunk_as_it_comes_counts_where_impacts_come_in_sequence_too() -> None:
+def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
     """It has all of a break at once, for a twentieth of the price."""
     name = "momentum/billiard-break"
     schemes: tuple[Scheme, ...] = ("symplectic-euler", "leapfrog")

@@ -36,4 +36,4 @@ for _module in COMMANDS:
 
 @app.callback()
 def validation() -> None:
-    """Hold the sandbox against the textbook: every case beside pymunk used as it comes."""
+    """Hold the sandbox against the textbook: every case beside stock pymunk."""

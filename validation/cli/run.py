@@ -12,7 +12,7 @@ def command(
     json_file: JsonFile = None,
     jobs: Jobs = None,
 ) -> None:
-    """Run every case against its closed form, beside pymunk used naively.
+    """Run every case against its closed form, beside stock pymunk.
 
     Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
     """

@@ -14,7 +14,7 @@ from validation.cost.sweep import Point, Sweep
 LOOKS = {
     "leapfrog": ("#0072b2", "o", "-", "leapfrog (ours)"),
     "fourth-order": ("#009e73", "d", "-.", "fourth order"),
-    "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (pymunk as it comes)"),
+    "symplectic-euler": ("#d55e00", "s", "--", "symplectic Euler (stock pymunk)"),
     "explicit-euler": ("#7f7f7f", "^", ":", "explicit Euler"),
 }
 """Colours of Okabe and Ito, which all can tell apart; shapes and dashes for print."""

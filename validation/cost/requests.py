@@ -13,7 +13,7 @@ from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.run import build, simulate
 from validation.cost.yardstick import Yardstick
 
-DEAR = 3.0
+EXPENSIVE = 3.0
 """How much more than the cheapest setting of the sweep a setting may cost."""
 
 LONGEST = 5.0
@@ -51,7 +51,7 @@ class Request:
     @property
     def honoured(self) -> bool:
         """Whether it was delivered, at a price that is not much higher than it need be."""
-        return self.delivered <= self.target and not self.price > DEAR * self.cheapest
+        return self.delivered <= self.target and not self.price > EXPENSIVE * self.cheapest
 
     @property
     def beyond(self) -> bool:

@@ -26,7 +26,7 @@ LEAST = 1e-16
 
 @dataclass(frozen=True, slots=True)
 class Headline:
-    """Ours at the level's own rate, beside pymunk used naively.
+    """Ours at the level's own rate, beside stock pymunk.
 
     Attributes
     ----------
@@ -92,7 +92,7 @@ def failed(sweeps: Iterable[Sweep]) -> list[str]:
 
 
 def headline(sweep: Sweep) -> Headline | None:
-    """Return how the sandbox compares with pymunk used naively; None if either does not run."""
+    """Return how the sandbox compares with stock pymunk; None if either does not run."""
     ours = own(sweep)
     naive = [p for p in sweep.points if p.scheme == NAIVE and isfinite(p.error)]
     if ours is None or not naive:

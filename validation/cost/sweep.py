@@ -59,7 +59,7 @@ class Point:
     Attributes
     ----------
     scheme, rate, iterations
-        The setting; `symplectic-euler` is pymunk used naively.
+        The setting; `symplectic-euler` is stock pymunk.
     error
         The largest of the run; infinite if an event never came, NaN if the run failed.
     seconds_per_second

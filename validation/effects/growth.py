@@ -1,4 +1,4 @@
-"""How the cost of a body grows with the number of bodies, here and in pymunk as it comes."""
+"""How the cost of a body grows with the number of bodies, here and in stock pymunk."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class Growth:
     bodies
         How many move, (k,).
     seconds_per_body, bare_seconds_per_body
-        What a step costs for each of them [s], (k,); bare is pymunk, used naively.
+        What a step costs for each of them [s], (k,); bare is stock pymunk.
     contacts_per_body, bare_contacts_per_body
         How many contacts there are to each of them, (k,): a small heap has more of a surface.
     """

@@ -19,7 +19,13 @@ from validation.effects import figure as effects_figure
 from validation.effects.costs import EffectCost, LevelCost
 from validation.effects.growth import Growth
 from validation.effects.tables import rows
-from validation.report import digest, parts
+from validation.report import parts
+from validation.report.digest.chapters import by_chapter
+from validation.report.digest.claims import Cases, cases, chosen, share
+from validation.report.digest.costs import Costs, costs
+from validation.report.digest.hard_cases import HardCases, hard_cases
+from validation.report.digest.hooks import hooks
+from validation.report.digest.requests import Requests
 from validation.stability import report as stability_report
 
 SHOWN = 4
@@ -44,10 +50,10 @@ class Report:
     """
 
     quick: bool
-    cases: digest.Cases | None = None
-    costs: digest.Costs | None = None
-    requests: digest.Requests | None = None
-    hard: digest.HardCases | None = None
+    cases: Cases | None = None
+    costs: Costs | None = None
+    requests: Requests | None = None
+    hard: HardCases | None = None
     levels: list[LevelCost] | None = None
     effects: list[EffectCost] = field(default_factory=list)
     growths: list[Growth] = field(default_factory=list)
@@ -77,18 +83,18 @@ def report(contents: Mapping[str, parts.Content | SandboxError], *, quick: bool)
 
 
 def _add_cases(found: Report, content: parts.Content) -> None:
-    found.cases = digest.cases(parts.outcomes(content))
+    found.cases = cases(parts.outcomes(content))
 
 
 def _add_costs(found: Report, content: parts.Content) -> None:
-    found.costs = digest.costs(parts.sweeps(content))
-    found.requests = digest.Requests(tuple(parts.requests(content)))
+    found.costs = costs(parts.sweeps(content))
+    found.requests = Requests(tuple(parts.requests(content)))
     for sweep, _, _ in found.costs.rows:
         found.figures[figure_name(sweep.level)] = cost_figure.diagram(sweep)
 
 
 def _add_hard_cases(found: Report, content: parts.Content) -> None:
-    found.hard = digest.hard_cases(parts.hard_cases(content))
+    found.hard = hard_cases(parts.hard_cases(content))
 
 
 def _add_effects(found: Report, content: parts.Content) -> None:
@@ -127,14 +133,14 @@ def html(found: Report) -> str:
         further=stability_report.further,
         ratio=cost_report.times,
         times=times,
-        share=digest.share,
-        chosen=digest.chosen,
-        groupby_chapter=lambda pairs: digest.by_chapter(pairs, lambda pair: pair[0]),
+        share=share,
+        chosen=chosen,
+        groupby_chapter=lambda pairs: by_chapter(pairs, lambda pair: pair[0]),
     )
     page = templates.get_template("report.html")
     return page.render(
         report=found,
-        hooks=digest.hooks(found.levels or []),
+        hooks=hooks(found.levels or []),
         diagrams=_diagrams(found),
         effects_figure=_effects_figure(found),
         shown=SHOWN,

@@ -30,7 +30,7 @@ FINER = 8
 LONGEST = 20.0
 """s, how long that run may take, as its work is counted."""
 
-DEAR = 3.0
+EXPENSIVE = 3.0
 """How many times as much as the cheapest setting of the sweep another may cost."""
 
 BETTER = 2.0
@@ -158,7 +158,7 @@ def _cheaper(
 ) -> str:
     """Return the setting of the sweep that does as well at far less work; empty if none does."""
     chosen = setting.chosen.stepping
-    enough = _work(level, values, chosen) / DEAR
+    enough = _work(level, values, chosen) / EXPENSIVE
     for scheme in usable(level):
         for rate in SWEPT:
             tried = chosen.model_copy(update={"scheme": scheme, "rate": rate})

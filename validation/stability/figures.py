@@ -18,7 +18,7 @@ class Run(NamedTuple):
     """What was seen of a run; T instants, the first that of the start."""
 
     level: Level
-    """with its joints, which pymunk used naively has made its own"""
+    """with its joints, which stock pymunk has made its own"""
     world: World
     states: Snapshot
     seconds: float
@@ -89,5 +89,5 @@ def speed(run: Run) -> float:
 
 
 def naive_of(level: Level) -> World:
-    """Return the world of a level in which pymunk is used as it comes, at the level's rate."""
+    """Return the world of a level in which pymunk is stock, at the level's rate."""
     return build(level, stepping=Stepping(rate=level.stepping.rate, scheme="symplectic-euler"))

@@ -1,4 +1,4 @@
-"""pymunk as it comes, on the scene of a level: its own stepping, settings and joints."""
+"""Stock pymunk, on the scene of a level: its own stepping, settings and joints."""
 
 import pymunk
 from pymunk import Vec2d

@@ -13,8 +13,9 @@ from sandbox.app.camera import Camera
 from sandbox.app.stage.labels import Labels
 from sandbox.app.text import Pen
 from sandbox.app.wording import MINUS, number
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effects.force import Force
-from sandbox.model.expressions import Array, ExpressionError, Values
+from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
 from sandbox.model.rules import corners

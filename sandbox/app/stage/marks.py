@@ -14,7 +14,8 @@ from sandbox.app.stage.outline import Outline
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.app.wording import nice, number
-from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 

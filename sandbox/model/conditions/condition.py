@@ -3,7 +3,8 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Values
 from sandbox.model.locating import Path
 
 

@@ -5,11 +5,12 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
-from sandbox.model.expressions import ExpressionError, Function, Values
+from sandbox.model.expressions import Function, Values
 from sandbox.model.level import Body, Level
 from sandbox.model.locating import Path
 from sandbox.model.parts import names_in

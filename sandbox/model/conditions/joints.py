@@ -5,10 +5,11 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
-from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.expressions import Values
 from sandbox.model.joints import (
     Joint,
     Motor,

@@ -5,9 +5,10 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
-from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.expressions import Values
 from sandbox.model.landscape import Landscape
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in

@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from functools import partial
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Level
 from sandbox.model.parts import expressions
 

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 from functools import partial
-from math import ceil
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
-from sandbox.model.expressions import Array, ExpressionError, Formula, Values
+from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import Rod
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
@@ -67,8 +67,8 @@ def _motions(level: Level) -> Iterator[tuple[Path, Formula]]:
 
 
 def _times(level: Level, values: Values) -> Array:
-    duration = level.duration(values)
-    steps = ceil(min(duration * level.stepping.rate * (1 - 1e-9), MOST))
+    duration, stepping = level.duration(values), level.stepping
+    steps = stepping.steps(min(duration, MOST / stepping.rate))
     return np.linspace(0.0, duration, steps + 1)
 
 

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 from keyword import iskeyword
 
+from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
 from sandbox.model.constants import circle
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, VARIABLES, Curve, Formula
+from sandbox.model.expressions import VARIABLES, Curve, Formula
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity

@@ -175,7 +175,7 @@ def arcs_fit(level: Level) -> Iterator[Fault]:
 
 
 def curves_fit(level: Level) -> Iterator[Fault]:
-    """Curves do not move but as told, and no arc that moves touches one."""
+    """Curves are of static and kinematic bodies, and no arc that moves touches one."""
     curves = [name for name, body in level.bodies.items() if isinstance(body.shape, Curve)]
     for name in curves:
         if level.bodies[name].type == "dynamic":
@@ -220,7 +220,7 @@ def belts_fit(level: Level) -> Iterator[Fault]:
 def _no_belt(name: str, body: Body) -> Iterator[str]:
     """Yield why a body can be no belt."""
     if body.type == "dynamic":
-        yield f"'{brief(name)}' is dynamic, but a belt stands still or moves as told"
+        yield f"'{brief(name)}' is dynamic, but a belt is static or kinematic"
     if isinstance(body.shape, Disc | Hoop | Arc | Curve):
         yield f"'{brief(name)}' is round, but a belt has straight sides; let a kinematic one turn"
     if body.type == "kinematic" and given(body, "angular_velocity"):

@@ -16,6 +16,6 @@ class Belt(Model):
     )
 
     body: BodyName
-    """which; it stands still, or moves as told"""
+    """which; static or kinematic"""
     velocity: Velocity
     """[x, y] in m/s of its surface, along the body's axes; only what lies along a side counts"""

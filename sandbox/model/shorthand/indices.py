@@ -4,8 +4,9 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from sandbox.model.arithmetic import RESERVED, ExpressionError
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, Expression, ExpressionError
+from sandbox.model.expressions import Expression
 from sandbox.model.locating import Path
 from sandbox.model.shorthand.notes import Notes
 from sandbox.model.suggest import suggestion

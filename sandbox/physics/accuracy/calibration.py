@@ -115,7 +115,7 @@ def calibrate(
     wanted, judged_by = _judges(level, values, also)
     found = seeker.found(wanted)
     if found.chosen.error > target:
-        known = foretold(found.offers.ladders, found.wanted, target)
+        known = foretold(found.offers.refinements, found.wanted, target)
         chaos = chaotic(level, values, found.offers.fine, stop)
         until = f"foretold until t = {known:.3g} s" if known else "not foretold at all"
         if not chaos:

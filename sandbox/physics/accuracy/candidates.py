@@ -1,4 +1,4 @@
-"""What the ladders of a level have to offer: settings, their errors and their prices."""
+"""What the refinements of a level have to offer: settings, their errors and their prices."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from math import floor
 from typing import NamedTuple
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
-from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Ladder, furthest, in_step
+from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
 from sandbox.physics.accuracy.runs import Watched
 from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.recording import Trace
@@ -67,19 +67,19 @@ class Offers:
 
     Attributes
     ----------
-    ladders
+    refinements
         Their runs; first the one that the others are held against.
     work
         How much a step of each is [s], as counted: by that they are chosen.
     """
 
-    ladders: Sequence[Ladder]
+    refinements: Sequence[Refinement]
     work: Sequence[float]
 
     @property
     def fine(self) -> Stepping:
         """A setting that comes close to the best run, at half its price."""
-        return self.ladders[0].traces[-2].stepping
+        return self.refinements[0].traces[-2].stepping
 
     def best(self, target: float) -> Candidate:
         """Return the cheapest setting that reaches a target.
@@ -90,18 +90,18 @@ class Offers:
         def rank(found: Candidate) -> tuple[float, bool, float]:
             return max(found.error, target), found.trace is None, found.work
 
-        pairs = zip(self.ladders, self.work, strict=True)
-        return min((_candidate(work, ladder, target) for ladder, work in pairs), key=rank)
+        pairs = zip(self.refinements, self.work, strict=True)
+        return min((_candidate(work, refinement, target) for refinement, work in pairs), key=rank)
 
     def in_real_time(self, steps: Sequence[float]) -> Offer | None:
         """Return the most accurate setting that runs in real time, where a step takes so long."""
-        pairs = zip(self.ladders, steps, strict=True)
-        found = (offer for ladder, step in pairs for offer in _affordable(step, ladder))
+        pairs = zip(self.refinements, steps, strict=True)
+        found = (offer for refinement, step in pairs for offer in _affordable(step, refinement))
         return min(found, key=lambda offer: offer.error, default=None)
 
     def decisive(self, found: Candidate, wanted: Sequence[Watched]) -> str:
         """Return the quantity that is furthest off in a setting's run, or in the nearest to it."""
-        *_, before, best = self.ladders[0].traces
+        *_, before, best = self.refinements[0].traces
         trace = found.trace or self._nearest(found.stepping)
         late = lateness(best, wanted)
         for run in (trace, before):  # the finest differs from itself in nothing
@@ -112,36 +112,36 @@ class Offers:
 
     def _nearest(self, stepping: Stepping) -> Trace:
         """Return the finest run of a scheme."""
-        last = (ladder.traces[-1] for ladder in self.ladders)
+        last = (refinement.traces[-1] for refinement in self.refinements)
         return next(trace for trace in last if trace.stepping.scheme == stepping.scheme)
 
 
-def _candidate(work: float, ladder: Ladder, target: float) -> Candidate:
+def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
     """Return a ladder's cheapest setting, or its best, where a step is so much work [s]."""
-    last = ladder.traces[-1].stepping
-    if good := ladder.cheapest(target):
+    last = refinement.traces[-1].stepping
+    if good := refinement.cheapest(target):
         trace, error = good
         return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
-    if ladder.believable(target):
-        parts = 1 if ladder.traces[0].level.effects.contact else PARTS
-        needed = min(max(ladder.rate_for(target * CAUTION), SLOWEST), 2 * HIGHEST_RATE)
+    if refinement.believable(target):
+        parts = 1 if refinement.traces[0].level.effects.contact else PARTS
+        needed = min(max(refinement.rate_for(target * CAUTION), SLOWEST), 2 * HIGHEST_RATE)
         rate = in_step(needed, last.rate, parts)
         if rate <= HIGHEST_RATE:
-            return Candidate(last.at(rate), ladder.error_at(rate), None, work * rate)
-    runs = zip(ladder.traces, ladder.errors, strict=True)
+            return Candidate(last.at(rate), refinement.error_at(rate), None, work * rate)
+    runs = zip(refinement.traces, refinement.errors, strict=True)
     trace, error = min(runs, key=lambda run: run[1])
     error = max(error, target * (1 + NOT_SEEN))
     return Candidate(trace.stepping, error, trace, work * trace.stepping.rate)
 
 
-def _affordable(step: float, ladder: Ladder) -> Iterator[Offer]:
+def _affordable(step: float, refinement: Refinement) -> Iterator[Offer]:
     """Yield a ladder's settings that run in real time, at a price a step [s]."""
     fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
-    for trace, error in zip(ladder.traces, ladder.errors, strict=True):
+    for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         if SLOWEST <= trace.stepping.rate <= fastest:
             yield Offer(trace.stepping, error, step * trace.stepping.rate)
-    last = ladder.traces[-1].stepping
+    last = refinement.traces[-1].stepping
     if fastest > last.rate:
         rate = float(floor(fastest))
         setting = last.model_copy(update={"rate": rate})
-        yield Offer(setting, ladder.error_at(rate), step * rate)
+        yield Offer(setting, refinement.error_at(rate), step * rate)

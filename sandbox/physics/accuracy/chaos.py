@@ -11,7 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.errors import Cancelled
-from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.sudden import timely
 from sandbox.physics.measuring.recording import count_steps
@@ -22,7 +22,7 @@ from sandbox.physics.stepping.world import World
 NUDGE = 1e-9
 """m, by which one body is moved at the start."""
 
-WILD = 1e4
+CHAOTIC = 1e4
 """By how much a change has grown, at the least, before it is asked how."""
 
 STEADY = 0.75
@@ -47,10 +47,10 @@ def chaotic(level: Level, values: Values, stepping: Stepping, stop: Stop) -> str
         If `stop` said so.
     """
     t, times = growth(level, values, stepping, stop)
-    wild = np.flatnonzero(times >= WILD)
-    if not len(wild):
+    chaotic = np.flatnonzero(times >= CHAOTIC)
+    if not len(chaotic):
         return ""
-    at = int(wild[0])
+    at = int(chaotic[0])
     half = float(times[: at // 2 + 1].max())
     if log(max(half, 1.0)) > STEADY * log(times[at]):
         return ""
@@ -100,11 +100,11 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
     return np.array(t), np.array(apart)
 
 
-def foretold(ladders: Sequence[Ladder], wanted: Sequence[Watched], error: float) -> float:
-    """Return until when the two finest runs of the best ladder tell where things are [s].
+def foretold(refinements: Sequence[Refinement], wanted: Sequence[Watched], error: float) -> float:
+    """Return until when the two finest runs of the best refinement tell where things are [s].
 
     That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
     """
-    coarse, fine = ladders[0].traces[-2:]
+    coarse, fine = refinements[0].traces[-2:]
     times = (departure(coarse, fine, item, error) for item in wanted)
     return min([timely(fine, wanted, error), *(t for t in times if t is not None)])

@@ -51,7 +51,7 @@ def foot(rate: float) -> float:
 
 
 @dataclass(frozen=True, slots=True)
-class Ladder:
+class Refinement:
     """Runs of one scheme, each at twice the rate of the one before.
 
     Attributes
@@ -111,9 +111,9 @@ class Ladder:
     def rate_for(self, error: float) -> float:
         """Return the rate from which on no error is expected to be larger [Hz]; infinite if none.
 
-        What pymunk makes of impacts as it comes is a matter of chance, and nothing follows from it.
+        What stock pymunk makes of impacts is a matter of chance, and nothing follows from it.
         """
-        if self.traces[-1].stepping.as_it_comes:
+        if self.traces[-1].stepping.is_stock:
             return inf
         rate, last = 0.0, self.traces[-1].stepping.rate
         for off, order in self.growth:
@@ -125,7 +125,7 @@ class Ladder:
 
     def error_at(self, rate: float) -> float:
         """Return the largest error that is expected at a rate [Hz]."""
-        if self.traces[-1].stepping.as_it_comes:
+        if self.traces[-1].stepping.is_stock:
             return inf
         ratio = self.traces[-1].stepping.rate / rate
         return max((off * ratio**order for off, order in self.growth), default=inf)
@@ -136,7 +136,7 @@ def step_prices(level: Level, values: Values, *steppings: Stepping) -> tuple[flo
     return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 
 
-def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Ladder:
+def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Refinement:
     """Return runs with their errors, as far as they tell them themselves."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
     late = lateness(traces[-1], wanted).error
@@ -146,24 +146,26 @@ def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Ladder:
     growth = tuple((part.relative[-1], part.order or -part.rise) for part in parts)
     growth += ((late, 1.0),) if late else ()
     seen = max(len(traces) - WITNESSES, 0)
-    ladder = Ladder(tuple(traces), worst or (inf,) * len(traces), growth, seen)
-    shown = len(traces) >= RUNS and ladder.believable(COUNTS * ladder.errors[-1])
+    refinement = Refinement(tuple(traces), worst or (inf,) * len(traces), growth, seen)
+    shown = len(traces) >= RUNS and refinement.believable(COUNTS * refinement.errors[-1])
     contact = traces[0].level.effects.contact
-    return replace(ladder, seen=seen + 1) if shown and not contact else ladder
+    return replace(refinement, seen=seen + 1) if shown and not contact else refinement
 
 
-def held_against(ladder: Ladder, better: Ladder, wanted: Sequence[Watched]) -> Ladder:
-    """Return a ladder with its errors against the last run of a better one.
+def held_against(
+    refinement: Refinement, better: Refinement, wanted: Sequence[Watched]
+) -> Refinement:
+    """Return a refinement with its errors against the last run of a better one.
 
     All its runs are seen to have them if the other is of another scheme; else those that have at
     least twice the step twice over.
     """
     last, own = better.traces[-1], better.errors[-1]
-    errors = tuple(max(furthest(trace, last, wanted)[0] + own, own) for trace in ladder.traces)
+    errors = tuple(max(furthest(trace, last, wanted)[0] + own, own) for trace in refinement.traces)
     finest = last.stepping.rate / 2**WITNESSES
-    alike = last.stepping.scheme == ladder.traces[-1].stepping.scheme
-    seen = sum(not alike or trace.stepping.rate <= finest for trace in ladder.traces)
-    return replace(ladder, errors=errors, seen=seen)
+    alike = last.stepping.scheme == refinement.traces[-1].stepping.scheme
+    seen = sum(not alike or trace.stepping.rate <= finest for trace in refinement.traces)
+    return replace(refinement, errors=errors, seen=seen)
 
 
 def furthest(trace: Trace, best: Trace, wanted: Sequence[Watched]) -> tuple[float, Watched | None]:

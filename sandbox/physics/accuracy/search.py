@@ -12,7 +12,7 @@ from time import thread_time
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
-from sandbox.physics.accuracy.refinement import SLOWEST, Ladder, held_against, judged
+from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
 from sandbox.physics.accuracy.runs import SEEN, Stop, Watched, record
 from sandbox.physics.accuracy.work import LOOK, step_work
 from sandbox.physics.measuring.recording import Trace
@@ -32,7 +32,7 @@ PATIENCE = 6.0
 
 
 @dataclass(slots=True)
-class Climber:
+class Refiner:
     """Runs a level at a rate, and at twice that again and again.
 
     A run that has to stop, for its steps are too long, counts for nothing.
@@ -43,7 +43,7 @@ class Climber:
         What is run and watched, and how small its errors are to be.
     stepping
         What is run next.
-    ladder
+    refinement
         The runs so far; None if there are no two.
     failure
         Why the last one had to stop; None if it did not.
@@ -56,7 +56,7 @@ class Climber:
     stepping: Stepping
     wanted: Sequence[Watched]
     target: float
-    ladder: Ladder | None = None
+    refinement: Refinement | None = None
     failure: SimulationError | None = None
     step: float = 0.0
     _traces: list[Trace] = field(default_factory=list)
@@ -76,9 +76,9 @@ class Climber:
         try:
             self._traces.append(record(self.level, self.values, self.stepping, self.wanted, stop))
         except SimulationError as error:
-            self._traces, self.ladder, self.failure = [], None, error
+            self._traces, self.refinement, self.failure = [], None, error
         if len(self._traces) > 1:
-            self.ladder = judged(self._traces, self.wanted)
+            self.refinement = judged(self._traces, self.wanted)
         self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
 
     def work(self, rate: float) -> float:
@@ -94,10 +94,10 @@ class Climber:
     @property
     def needed(self) -> float:
         """The rate from which on its errors are as small as asked for, as far as it tells [Hz]."""
-        ladder = self.ladder
-        if not ladder or len(self._traces) < FEWEST:
+        refinement = self.refinement
+        if not refinement or len(self._traces) < FEWEST:
             return inf
-        rate = ladder.rate_for(self.target) if ladder.believable(self.target) else inf
+        rate = refinement.rate_for(self.target) if refinement.believable(self.target) else inf
         return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
 
     def lags(self, enough: float) -> bool:
@@ -110,16 +110,16 @@ class Climber:
         return self.step * self.needed
 
 
-def climb(
-    climbers: Sequence[Climber], seconds: float, stop: Stop, progress: Progress | None = None
-) -> list[Ladder]:
+def refine(
+    refiners: Sequence[Refiner], seconds: float, stop: Stop, progress: Progress | None = None
+) -> list[Refinement]:
     """Take runs in turn, until the cheapest that will do is seen, or the work is done.
 
     Where bodies touch, the first is the judge of the others.
 
     Returns
     -------
-    The ladders, each with its errors held against the best, in the order of those that have any.
+    The refinements, each with errors held against the best, in the order of those that have any.
 
     Raises
     ------
@@ -127,9 +127,9 @@ def climb(
         If `stop` said so.
     """
     spent, begun = 0.0, thread_time()
-    ladders: list[Ladder] = []
-    while left := _worthwhile(climbers, ladders):
-        next_ = min(left, key=lambda climber: climber.work(climber.stepping.rate))
+    refinements: list[Refinement] = []
+    while left := _worthwhile(refiners, refinements):
+        next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
         work = next_.work(next_.stepping.rate)
         if spent + work > seconds or thread_time() - begun > PATIENCE * seconds:
             break
@@ -137,47 +137,51 @@ def climb(
             progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
         spent += work
         next_.run(stop)
-        ladders = held(climbers)
-    return ladders
+        refinements = held(refiners)
+    return refinements
 
 
-def held(climbers: Sequence[Climber]) -> list[Ladder]:
-    """Return what has been climbed, each ladder with its errors against the best, that first.
+def held(refiners: Sequence[Refiner]) -> list[Refinement]:
+    """Return what has been found, each refinement with its errors against the best, that first.
 
-    None as long as there is but pymunk as it comes, which agrees with itself on what is wrong.
+    None as long as there is but stock pymunk, which agrees with itself on what is wrong.
     """
-    found = [climber.ladder for climber in climbers if climber.ladder]
-    judges = [ladder for ladder in found if not ladder.traces[0].stepping.as_it_comes]
+    found = [refiner.refinement for refiner in refiners if refiner.refinement]
+    judges = [refinement for refinement in found if not refinement.traces[0].stepping.is_stock]
     if not judges:
         return []
-    best = min(judges, key=lambda ladder: ladder.errors[-1])
-    if climbers[0].level.effects.contact:
+    best = min(judges, key=lambda refinement: refinement.errors[-1])
+    if refiners[0].level.effects.contact:
         best = judges[0]  # only more sweeps of the solver show what it still owes
-    wanted = climbers[0].wanted
-    others = [held_against(ladder, best, wanted) for ladder in found if ladder is not best]
+    wanted = refiners[0].wanted
+    others = [
+        held_against(refinement, best, wanted) for refinement in found if refinement is not best
+    ]
     return [best, *others]
 
 
-def price(climbers: Sequence[Climber], ladder: Ladder) -> float:
-    """Return how much work a step of a ladder is [s], as counted."""
-    return next(c.step for c in climbers if c.ladder and c.ladder.traces is ladder.traces)
+def price(refiners: Sequence[Refiner], refinement: Refinement) -> float:
+    """Return how much work a step of a refinement is [s], as counted."""
+    return next(
+        c.step for c in refiners if c.refinement and c.refinement.traces is refinement.traces
+    )
 
 
-def _worthwhile(climbers: Sequence[Climber], ladders: Sequence[Ladder]) -> list[Climber]:
+def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) -> list[Refiner]:
     """Return those that may still find something cheaper than what is seen to do.
 
     A run is as cheap as any finer one is not: it must be below what was found already.
     """
-    left = [climber for climber in climbers if not climber.over]
-    target = climbers[0].target
+    left = [refiner for refiner in refiners if not refiner.over]
+    target = refiners[0].target
     seen = [
-        price(climbers, ladder) * found[0].stepping.rate
-        for ladder in ladders
-        if (found := ladder.cheapest(target))
+        price(refiners, refinement) * found[0].stepping.rate
+        for refinement in refinements
+        if (found := refinement.cheapest(target))
     ]
     least = min(seen, default=inf)
-    left = [climber for climber in left if climber.step * climber.stepping.rate < least]
-    if climbers[0].level.effects.contact:
+    left = [refiner for refiner in left if refiner.step * refiner.stepping.rate < least]
+    if refiners[0].level.effects.contact:
         return left
-    enough = DEARER * min(climber.promised for climber in climbers)
-    return [climber for climber in left if climber.promised <= enough or climber.lags(enough)]
+    enough = DEARER * min(refiner.promised for refiner in refiners)
+    return [refiner for refiner in left if refiner.promised <= enough or refiner.lags(enough)]

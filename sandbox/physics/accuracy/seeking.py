@@ -1,6 +1,6 @@
 """Looking for the cheapest setting by short runs.
 
-Each scheme that is for the level climbs a ladder of rates, each twice the one before, until the
+Each scheme that is for the level runs at a sequence of rates, each twice the one before, until the
 cheapest run that will do is seen. A rate between that run and the one before is tried, and what
 only the order promises is run, with a finer run beside it, as far as that is not too much work.
 """
@@ -17,7 +17,7 @@ from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_prices
 from sandbox.physics.accuracy.richardson import ORDERS
 from sandbox.physics.accuracy.runs import Stop, Watched, record, scaled, stride
-from sandbox.physics.accuracy.search import FEWEST, Climber, Progress, climb, price
+from sandbox.physics.accuracy.search import FEWEST, Progress, Refiner, price, refine
 from sandbox.physics.accuracy.sudden import onset
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import Trace
@@ -59,7 +59,7 @@ class Found:
 
         0 if that is as little as asked for, or all steps were looked at.
         """
-        best, rate = self.offers.ladders[0].traces[-1], self.chosen.stepping.rate
+        best, rate = self.offers.refinements[0].traces[-1], self.chosen.stepping.rate
         if stride(rate) == 1:
             return 0.0
         off = onset(best, self.wanted, rate).error
@@ -71,7 +71,7 @@ class Found:
 
     def in_real_time(self) -> Offer | None:
         """Return the most accurate setting that runs in real time."""
-        last = [ladder.traces[-1].stepping for ladder in self.offers.ladders]
+        last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
         return self.offers.in_real_time(step_prices(self.level, self.values, *last))
 
 
@@ -99,16 +99,16 @@ class Seeker:
             If it does not run at all.
         """
         wanted = self._scaled(wanted)
-        climbers = [
-            Climber(self.level, self.values, start, wanted, self.target)
+        refiners = [
+            Refiner(self.level, self.values, start, wanted, self.target)
             for start in _candidates(self.level, self.values)
         ]
-        ladders = climb(climbers, self.budget, self.stop, self.progress)
-        if not ladders and (failure := climbers[-1].failure):
+        refinements = refine(refiners, self.budget, self.stop, self.progress)
+        if not refinements and (failure := refiners[-1].failure):
             raise failure
-        if not ladders:
+        if not refinements:
             raise AccuracyError("the level takes too long to run for its accuracy to be found out")
-        offers = Offers(ladders, [price(climbers, ladder) for ladder in ladders])
+        offers = Offers(refinements, [price(refiners, refinement) for refinement in refinements])
         chosen = offers.best(self.target)
         if chosen.trace is None:
             chosen = self._confirmed(chosen, wanted)
@@ -128,9 +128,9 @@ class Seeker:
 
     def _refined(self, chosen: Candidate, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
         """Return a setting at a rate between the chosen run and the one before, if that will do."""
-        best = offers.ladders[0]
-        ladder = next(found for found in offers.ladders if chosen.trace in found.traces)
-        rate = ladder.between(self.target)
+        best = offers.refinements[0]
+        refinement = next(found for found in offers.refinements if chosen.trace in found.traces)
+        rate = refinement.between(self.target)
         if rate is None:
             return chosen
         stepping = chosen.stepping.at(rate)

@@ -15,7 +15,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.refinement import Ladder, foot, held_against, step_prices
+from sandbox.physics.accuracy.refinement import Refinement, foot, held_against, step_prices
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.runs import (
     Watched,
@@ -26,7 +26,7 @@ from sandbox.physics.accuracy.runs import (
     size,
     watched,
 )
-from sandbox.physics.accuracy.search import Climber, climb
+from sandbox.physics.accuracy.search import Refiner, refine
 from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
@@ -34,14 +34,14 @@ from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.stepping.making import make_world
 
-CLIMB = 2.0
+REFINING = 2.0
 """s, for the runs of one scheme; the one that is under way is not cut short."""
 
 SEARCH = 4.0
 """s, for the runs that look for a setting of which nothing hangs."""
 
 FINEST = 1e-10
-"""No scheme climbs further: what is left is rounding."""
+"""No scheme is refined further: what is left is rounding."""
 
 EXACT = 1e-10
 """What a formula is off by less than that at a small step is rounding, and no approximation."""
@@ -222,34 +222,36 @@ def _split(
 
 
 def _others(level: Level, values: Values) -> Iterator[Finding]:
-    """Climb with each scheme, and hold all against the best."""
+    """Refine the step of each scheme, and hold all against the best."""
     starts = list(_starts(level))
     wanted = watched(level, values)
-    ladders: list[Ladder] = []
+    refinements: list[Refinement] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
-        climber = Climber(level, values, start, wanted, FINEST)
-        climb([climber], CLIMB, never)
-        ladders += [climber.ladder] if climber.ladder else []
-    if not ladders:
+        refiner = Refiner(level, values, start, wanted, FINEST)
+        refine([refiner], REFINING, never)
+        refinements += [refiner.refinement] if refiner.refinement else []
+    if not refinements:
         return
-    best = min(ladders, key=_doubt)
-    steps = step_prices(level, values, *(ladder.traces[-1].stepping for ladder in ladders))
-    for ladder, step in zip(ladders, steps, strict=True):
-        told = ladder if ladder is best else held_against(ladder, best, wanted)
+    best = min(refinements, key=_doubt)
+    steps = step_prices(
+        level, values, *(refinement.traces[-1].stepping for refinement in refinements)
+    )
+    for refinement, step in zip(refinements, steps, strict=True):
+        told = refinement if refinement is best else held_against(refinement, best, wanted)
         yield from _points(told, step)
 
 
-def _doubt(ladder: Ladder) -> tuple[bool, float]:
-    """Return what makes a ladder a worse judge: what pymunk makes of impacts agrees by chance."""
-    last = ladder.traces[-1]
-    naive = last.stepping.as_it_comes and last.level.effects.contact is not None
-    return naive, ladder.errors[-1]
+def _doubt(refinement: Refinement) -> tuple[bool, float]:
+    """Return what makes a refinement a worse judge: pymunk's impacts agree by chance."""
+    last = refinement.traces[-1]
+    naive = last.stepping.is_stock and last.level.effects.contact is not None
+    return naive, refinement.errors[-1]
 
 
-def _points(ladder: Ladder, step: float) -> Iterator[Point]:
+def _points(refinement: Refinement, step: float) -> Iterator[Point]:
     trace: Trace
-    for trace, error in zip(ladder.traces, ladder.errors, strict=True):
+    for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         rate = trace.stepping.rate
         if isfinite(error):
             yield Point(trace.stepping.scheme, rate, error, step * rate)

@@ -140,7 +140,7 @@ Remedy = tuple[str, Level | None, Stepping, float | None]
 
 
 def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
-    if stepping.as_it_comes:
+    if stepping.is_stock:
         return
     first = error.rate or FINER * stepping.rate
     for rate in (float(first), 2.0 * first):
@@ -150,7 +150,7 @@ def _finer(error: SimulationError, stepping: Stepping) -> Iterator[Remedy]:
 
 def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
     """Yield what else may help, in the words of a level."""
-    if stepping.as_it_comes:
+    if stepping.is_stock:
         other = stepping.model_copy(update={"scheme": "leapfrog"})
         yield "with the scheme 'leapfrog'", None, other, None
     contact = level.effects.contact

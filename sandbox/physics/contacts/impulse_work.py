@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import point_velocity
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.motion import Motion
 
@@ -62,7 +63,7 @@ def completed(contacts: Contacts, impulse: Array) -> Contacts:
 def rubbing(
     contacts: Contacts, place: Array, mean: Array, inertia: Array, running: Array
 ) -> tuple[float, dict[str, float]]:
-    """Return the work of friction, and what bodies that move as told and belts put in [J].
+    """Return the work of friction, and what kinematic bodies and belts put in [J].
 
     Parameters
     ----------
@@ -83,10 +84,10 @@ def rubbing(
     for side, sign in ((0, -1.0), (1, 1.0)):
         rows = contacts.bodies[:, side]
         arm, goes = on_surfaces[:, side] - place[rows], mean[rows]
-        moves = goes[:, :2] + goes[:, 2:] * np.stack((-arm[:, 1], arm[:, 0]), axis=1)
-        told = (inertia[rows, :1] == 0) * moves
+        moves = point_velocity(goes, arm)
+        kinematic = (inertia[rows, :1] == 0) * moves
         runs = running[rows]
         slip += sign * (moves + runs)
-        work["bodies"] -= sign * float(np.sum(contacts.impulse * told))
+        work["bodies"] -= sign * float(np.sum(contacts.impulse * kinematic))
         work["belt"] -= sign * float(np.sum(friction * runs))
     return float(np.sum(friction * slip)), work

@@ -1,34 +1,18 @@
 """The coefficients of pairs that rub, bounce or stick, where they are not the surfaces' own."""
 
 from collections.abc import Callable
-from typing import Literal
 
 import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
+from sandbox.physics.contacts.coefficients import pair_coefficients
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.shapes import SKIN
 from sandbox.physics.contacts.static_friction import Sticking, sticking
 
-Rub = Literal["friction", "restitution"]
-
 Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
-
-
-def pair_coefficients(level: Level, values: Values, kind: Rub) -> np.ndarray:
-    """Return the coefficients of all pairs: (n, n)."""
-    effect, names = getattr(level.effects, kind), list(level.bodies)
-    if effect is None:
-        return np.zeros((len(names), len(names)))
-    given = (getattr(body, kind) for body in level.bodies.values())
-    own = [coefficient(values) if coefficient else 0.0 for coefficient in given]
-    coefficients = np.outer(own, own)
-    for pair in effect.pairs:
-        a, b = (names.index(name) for name in pair.bodies)
-        coefficients[a, b] = coefficients[b, a] = pair.coefficient(values)
-    return coefficients
 
 
 def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:

@@ -9,10 +9,11 @@ laws, less what the ground under the body holds up.
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import point_velocity
 from sandbox.physics.engine.batch import NO_CONTACTS, Booleans, Contacts, Integers
 
 NEGLIGIBLE = 1e-3
-"""Bodies part if they do so with more than this share of what their pull adds in a step."""
+"""Bodies part if they do so with more than this share of what forces add in a step."""
 
 MAX_HEIGHT = 10
 """How many bodies on top of each other are known to be held up by the ground."""
@@ -24,14 +25,14 @@ def impacts(
     place: Array,
     before: Array,
     after: Array,
-    pull: Array,
+    smooth: Array,
     mass: Array,
     dt: float,
 ) -> tuple[Integers, Array]:
     """Return which bodies an impact reached, and their accelerations from there on.
 
     An impact goes on to everything that touches what it hit. A pair that meets with no more speed
-    than its pull gives it in a step is not hit but met: a ball that rolls from one segment of a
+    than forces give it in a step is not hit but met: a ball that rolls from one segment of a
     floor to the next. What friction and strings do from there on is left out: a velocity is off by
     half a step of it.
 
@@ -45,7 +46,7 @@ def impacts(
         (n, 3), where the bodies are [m, rad].
     before, after
         (n, 3), the velocities half a step before and after [m/s, rad/s].
-    pull
+    smooth
         (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
     mass
         (n,), 0 for bodies that nothing moves [kg].
@@ -53,16 +54,16 @@ def impacts(
         The time step [s].
     """
     arms = touching(contacts, place)
-    adds = np.abs(rates_apart(contacts, arms, pull)) * dt
+    adds = np.abs(rates_apart(contacts, arms, smooth)) * dt
     parting = rates_apart(contacts, arms, after)
     hits = rates_apart(contacts, arms, before) < -adds
     hits &= contacts.first[:, None] | (parting > adds)  # the next corner of what touches already
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
-        return np.flatnonzero(struck), pull[:0]
+        return np.flatnonzero(struck), smooth[:0]
     hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0, linked=solid))
     rests = np.asarray((parting <= NEGLIGIBLE * adds).all(axis=1))
-    return hit, _held_up(contacts, rests, pull, mass == 0)[hit]
+    return hit, _held_up(contacts, rests, smooth, mass == 0)[hit]
 
 
 def touching(contacts: Contacts, place: Array) -> Array:
@@ -79,8 +80,7 @@ def touching(contacts: Contacts, place: Array) -> Array:
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
     """Return how fast velocities, or accelerations, take pairs apart where they touch: (k, 2)."""
     rates = rate[contacts.bodies][:, None]
-    turning = rates[..., 2:] * np.stack((-arms[..., 1], arms[..., 0]), axis=-1)
-    here, there = np.moveaxis(rates[..., :2] + turning, 2, 0)
+    here, there = np.moveaxis(point_velocity(rates, arms), 2, 0)
     parting: Array = np.sum((there - here) * contacts.direction[:, None], axis=2)
     return parting
 
@@ -113,17 +113,17 @@ def reached(
     return touched
 
 
-def _held_up(contacts: Contacts, rests: Booleans, pull: Array, fixed: Booleans) -> Array:
+def _held_up(contacts: Contacts, rests: Booleans, smooth: Array, fixed: Booleans) -> Array:
     """Return the accelerations less what presses on the ground, or on what the ground holds up."""
     body, other = contacts.bodies[rests].ravel(), contacts.bodies[rests][:, ::-1].ravel()
     outwards = np.stack([-contacts.direction[rests], contacts.direction[rests]], axis=1)
     outwards = outwards.reshape(-1, 2)
-    acceleration, holds = pull.copy(), fixed.copy()
-    least = -1e-12 * np.abs(pull).max()
+    acceleration, holds = smooth.copy(), fixed.copy()
+    least = -1e-12 * np.abs(smooth).max()
     for _ in range(MAX_HEIGHT):
         away = np.einsum("ij,ij->i", acceleration[body, :2], outwards)
         away[fixed[body] | ~holds[other]] = 0.0
-        most = np.zeros(len(pull))
+        most = np.zeros(len(smooth))
         np.minimum.at(most, body, away)
         pressed = np.flatnonzero((away < least) & (away == most[body]))
         if not pressed.size:

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.post_impact import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
@@ -79,19 +80,19 @@ class Sequence:
         self._moving: Booleans = inverse_mass[:, 0] > 0
         self._turning: Booleans = inverse_mass[:, 2] > 0
         # the last kick: places, velocities, accelerations
-        self._place = self._begun = self._pull = np.zeros_like(inverse_mass)
+        self._place = self._begun = self._smooth = np.zeros_like(inverse_mass)
         self._lasted = dt
         self._before: partial[Array] | None = None  # what held in the kick before that
         none = np.zeros(len(inverse_mass), dtype=bool)
         self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
 
-    def collide(self, pull: Array, *, start: bool) -> None:
+    def collide(self, smooth: Array, *, start: bool) -> None:
         """Let what touches and approaches collide, and change the velocities.
 
         Parameters
         ----------
-        pull
+        smooth
             (n, 3), the accelerations by gravity and force laws at the step [m/s², rad/s²].
         start
             Whether this is the first kick, of half a step, which begins with the velocities at it.
@@ -107,20 +108,20 @@ class Sequence:
         jump, impulse = np.zeros_like(begins), np.zeros(len(begins))
         contacts = self._batch.contacts()
         if len(contacts.bodies):
-            held = before = np.zeros_like(pull)
+            held = before = np.zeros_like(smooth)
             if not start:
                 held = self._held(begins, place)
                 before = self._before() if self._before else held
-                velocity = begins + (pull + held) * (self._dt / 2)
-            gives = np.stack((pull, pull + held, pull + before)) * self._dt
+                velocity = begins + (smooth + held) * (self._dt / 2)
+            gives = np.stack((smooth, smooth + held, smooth + before)) * self._dt
             self._exchange(contacts, state[:, :2], velocity, gives, jump, impulse)
             if impulse.any():
                 self._batch.set_velocity(begins + jump)
         self.last = Impacts(np.asarray(jump.any(axis=1)), jump, velocity + jump, impulse)
         self._before = (
-            None if start else partial(_held, begins, self._begun, self._lasted, self._pull)
+            None if start else partial(_held, begins, self._begun, self._lasted, self._smooth)
         )
-        self._place, self._begun, self._pull = place, begins + jump, pull
+        self._place, self._begun, self._smooth = place, begins + jump, smooth
         self._lasted = self._dt / 2 if start else self._dt
 
     def shift(self, struck: Booleans, place: Array, jump: Array, change: Array) -> None:
@@ -130,7 +131,7 @@ class Sequence:
 
     def _held(self, begins: Array, place: Array) -> Array:
         """Return the accelerations by contacts, and by joints, which turn with the bodies."""
-        held = _held(begins, self._begun, self._lasted, self._pull)
+        held = _held(begins, self._begun, self._lasted, self._smooth)
         if self._joints and len(self._joints.tension):
             held += Grip(self._joints, self._inverse_mass, self._place).change(place)
         return held
@@ -170,9 +171,9 @@ class Sequence:
         np.add.at(impulse, b, pushes)
 
 
-def _held(ended: Array, begun: Array, lasted: float, pull: Array) -> Array:
+def _held(ended: Array, begun: Array, lasted: float, smooth: Array) -> Array:
     """Return the accelerations in a kick by all but gravity and laws: (n, 3) [m/s², rad/s²]."""
-    held: Array = (ended - begun) / lasted - pull
+    held: Array = (ended - begun) / lasted - smooth
     return held
 
 
@@ -200,11 +201,7 @@ class _Points(NamedTuple):
 
     def over(self, count: int) -> Array:
         """Return the Jacobian over all bodies: (k, n, 3)."""
-        whole = np.zeros((len(self.bodies), count, 3))
-        rows = np.arange(len(self.bodies))
-        for side in range(2):
-            whole[rows, self.bodies[:, side]] = self.jacobian[:, side]
-        return whole
+        return over_bodies(self.jacobian, self.bodies, count)
 
 
 def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
@@ -217,11 +214,7 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     partner[two], partner[count:] = count + np.arange(len(two)), two
     bodies, direction = contacts.bodies[pair], contacts.direction[pair]
     arm = contacts.points[pair, which][:, None] - place[bodies]
-    jacobian = np.empty((len(pair), 2, 3))
-    jacobian[:, :, :2] = direction[:, None]
-    jacobian[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
-    jacobian[:, 0] *= -1
-    return _Points(bodies, jacobian, partner)
+    return _Points(bodies, pair_jacobian(arm, direction), partner)
 
 
 def _allowed(points: _Points, parts: Array, gives: Array) -> Array:

@@ -17,7 +17,8 @@ import pymunk
 from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
-from sandbox.model.level import Body, Level
+from sandbox.model.level import Level
+from sandbox.physics.contacts.coefficients import own_coefficient, own_static_coefficient
 
 ROUNDING = 1e-9
 """Friction that is below its limit by less than this share of it is at its limit."""
@@ -131,9 +132,13 @@ def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
         return {}
     bodies = {name: body for name, body in level.bodies.items() if body.friction is not None}
     stick = {name for name, body in bodies.items() if body.static_friction}
+    own = {
+        name: (own_static_coefficient(body, values), own_coefficient(body, values, "friction"))
+        for name, body in (bodies if stick else {}).items()
+    }
     pairs = {
-        (a, b): _product(bodies[a], bodies[b], values)
-        for a, b in (combinations(sorted(bodies), 2) if stick else ())
+        (a, b): (own[a][0] * own[b][0], own[a][1] * own[b][1])
+        for a, b in combinations(sorted(own), 2)
         if a in stick or b in stick
     }
     for named in level.effects.friction.pairs:
@@ -145,16 +150,6 @@ def sticking(level: Level, values: Values) -> dict[tuple[str, str], Sticking]:
         for pair, (static, kinetic) in pairs.items()
         if static > kinetic
     }
-
-
-def _product(a: Body, b: Body, values: Values) -> tuple[float, float]:
-    """Return the static and the kinetic coefficient between two bodies."""
-    static, kinetic = 1.0, 1.0
-    for body in (a, b):
-        own = body.friction(values) if body.friction else 0.0
-        static *= own if body.static_friction is None else body.static_friction(values)
-        kinetic *= own
-    return static, kinetic
 
 
 def _since(load: Load, limit: float) -> float:

@@ -123,7 +123,7 @@ class Closer:
     def closing(self) -> Closing:
         """How they stand."""
         dt, bound = self._run.last.dt, ROUNDING * self._turned + KNOWN * self._scale
-        if not self._run.stepping.as_it_comes:
+        if not self._run.stepping.is_stock:
             strain = self._strain * (1 / 12 + self._bends / 4)
             bound += dt * self._slope / 6 + dt * dt * strain
         overlaps = self._ledger.balance.overlaps

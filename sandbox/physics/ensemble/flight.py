@@ -18,6 +18,7 @@ from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.many import ManyJoints
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
@@ -211,8 +212,8 @@ class _Energies:
         mass, moment = self._mass[runs, None], self._moment[runs, None]
         fall = np.einsum("ntbc,nc->ntb", place[..., :2], self._gravity[runs])
         stored = -(mass * fall).sum(axis=-1)
-        square = (velocity[..., :2] ** 2).sum(axis=-1)
-        energy = stored + ((mass * square + moment * velocity[..., 2] ** 2) / 2).sum(axis=-1)
+        motion = Instant.at(0.0, place, velocity)
+        energy = stored + kinetic_energy(mass, moment, motion).sum(axis=-1)
         self._least[runs] = np.minimum(self._least[runs], energy.min(axis=1))
         self._lowest[runs] = np.minimum(self._lowest[runs], stored.min(axis=1))
         there_was = self._least[runs] - self._lowest[runs]

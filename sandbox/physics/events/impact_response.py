@@ -9,8 +9,10 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
 from sandbox.physics.contacts.simultaneous_impacts import pushes, responses
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.time_of_impact import Hit, Path
@@ -234,16 +236,23 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
 
 def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
     """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
-    at = [(hit.bodies, point, hit.normal) for hit in hits for point in hit.points]
+    bodies = np.array([hit.bodies for hit in hits for _ in hit.points], dtype=np.intp)
+    points = np.array([point for hit in hits for point in hit.points], dtype=complex)
+    ways = np.array([hit.normal for hit in hits for _ in hit.points], dtype=complex)
     if rubs:
-        at += [(bodies, point, 1j * normal) for bodies, point, normal in at]
-    jacobian = np.zeros((len(at), *place.shape))
-    for row, (bodies, point, way) in enumerate(at):
-        for body, sign in zip(bodies, (-1, 1), strict=True):
-            arm = point - complex(*place[body, :2].tolist())
-            turning = arm.real * way.imag - arm.imag * way.real
-            jacobian[row, body] = sign * way.real, sign * way.imag, sign * turning
-    return jacobian
+        bodies, points, ways = (
+            np.tile(bodies, (2, 1)),
+            np.tile(points, 2),
+            np.append(ways, 1j * ways),
+        )
+    bodies = bodies.reshape(-1, 2)
+    arms = _vectors(points)[:, None] - place[bodies, :2]
+    return over_bodies(pair_jacobian(arms, _vectors(ways)), bodies, len(place))
+
+
+def _vectors(points: NDArray[np.complexfloating]) -> Array:
+    """Return points of the plane as x and y: (k, 2)."""
+    return points.view(float).reshape(-1, 2)
 
 
 def _impact(

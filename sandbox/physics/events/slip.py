@@ -7,6 +7,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.impulse_work import rubbing
+from sandbox.physics.contacts.kinematics import pair_jacobian
 from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.state.motion import momentum
 
@@ -52,10 +53,7 @@ class Slips(NamedTuple):
         """
         bodies, (x, y) = contacts.bodies, contacts.direction.T
         arm = contacts.on_surfaces(contacts.points[:, 0]) - place[bodies, :2]
-        way = np.empty((len(bodies), 2, 3))
-        way[:, :, 0], way[:, :, 1] = -y[:, None], x[:, None]
-        way[:, :, 2] = arm[..., 0] * x[:, None] + arm[..., 1] * y[:, None]
-        way[:, 0] *= -1
+        way = pair_jacobian(arm, np.stack((-y, x), axis=1))
         runs = np.einsum("kbc,kbc->k", way[..., :2], running[bodies])
         return cls(bodies, way, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
 

@@ -21,7 +21,7 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of, is_exact
 from sandbox.model.level import Level
-from sandbox.physics.contacts.materials import pair_coefficients
+from sandbox.physics.contacts.coefficients import pair_coefficients
 from sandbox.physics.contacts.post_impact import impacts, reached
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.events.restart import Onwards

@@ -28,7 +28,7 @@ def rates(turns: Sequence[Turn], motion: Motion) -> Array:
     return np.asarray(sum(turn.rate(motion) for turn in turns))
 
 
-def pull(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
+def turning_acceleration(rate: Array, velocity: Array, pulled: Array, length: float) -> Array:
     """Return the mean acceleration by which velocities are turned in a kick: (n, 2) [m/s²].
 
     Parameters

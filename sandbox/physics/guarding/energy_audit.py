@@ -7,12 +7,11 @@ when none does any more. The step that was the first to do so is booked as well.
 
 from math import isfinite
 
-import numpy as np
-
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.energy.step_record import Recorded
+from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 
 MUCH = 0.1
@@ -42,7 +41,6 @@ class Audit:
         always: bool,
     ) -> None:
         self._run, self._least, self._swing, self._always = run, least, swing, always
-        self._inertia = run.scene.inertia
         self._kinetic, self._most = 0.0, least
         self._books: Ledger | None = None
         self._lifted = 0.0  # before they were opened
@@ -62,8 +60,8 @@ class Audit:
         lifted
             What taking back overlaps has put in since the start [J].
         """
-        motion = np.column_stack((now.velocity, now.angular_velocity))
-        kinetic = float(np.sum(self._inertia * motion * motion)) / 2
+        scene = self._run.scene
+        kinetic = float(kinetic_energy(scene.mass, scene.moment, now).sum())
         if not isfinite(kinetic):
             return kinetic
         self._most = max(kinetic, self._most)

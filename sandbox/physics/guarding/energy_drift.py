@@ -64,8 +64,8 @@ class Gains:
         energy, self._lowest = self.energies(start)
         self._before = self._level = energy
         self._last = start
-        pull = self._pull(start)
-        strength = np.hypot(*pull[:, :2].T)
+        acceleration = self._acceleration(start)
+        strength = np.hypot(*acceleration[:, :2].T)
         rise = strength * UNNOTICED * thickness + (FALLS * strength * self._dt) ** 2 / 2
         self.least = float(scene.mass @ rise) + ROUNDING * abs(energy - self._lowest)
         shift = MOVED * (1 + np.abs(start.position).max(initial=0.0))  # no joint knows better
@@ -104,7 +104,7 @@ class Gains:
             return
         touching = np.zeros(len(self._scene.mass), dtype=bool)
         touching[contacts.bodies] = True
-        against = -np.sum(self._pull(now)[:, :2] * way, axis=1)
+        against = -np.sum(self._acceleration(now)[:, :2] * way, axis=1)
         self.lifted += max(float(self._scene.mass @ np.where(touching, against, 0.0)), 0.0)
 
     def look(self, now: Snapshot) -> float:
@@ -122,7 +122,7 @@ class Gains:
         gained = had - self._level
         return 0.0 if gained <= there_was * self._swing else gained
 
-    def _pull(self, now: Snapshot) -> Array:
+    def _acceleration(self, now: Snapshot) -> Array:
         """Return the accelerations by gravity and laws: (n, 3) [m/s², rad/s²]."""
         wrench = np.zeros((len(self._scene.mass), 3))
         motion = Instant.of(now)

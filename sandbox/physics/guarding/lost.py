@@ -57,7 +57,7 @@ class Lost:
         self._last = now
 
     def _cause(self, _row: int) -> tuple[str, float | None]:
-        if self._stepping.as_it_comes:
+        if self._stepping.is_stock:
             return f": the scheme '{self._stepping.scheme}' gives some in every step", None
         return "", MARGIN * self._stepping.rate
 

@@ -130,13 +130,13 @@ def _driven(scene: Scene, law: Law, row: int, motion: Instant) -> Instant:
     """Return a motion in which a body is at least as fast as a law lets other forces drive it."""
     speeds = np.zeros_like(motion.velocity)
     at_rest = _force(law, row, motion._replace(velocity=speeds))
-    pull = sum((_force(other, row, motion) for other in scene.laws if other is not law), at_rest)
+    force = sum((_force(other, row, motion) for other in scene.laws if other is not law), at_rest)
     if scene.gravity:
-        pull = pull + scene.mass[row] * np.array(scene.gravity.acceleration)
+        force = force + scene.mass[row] * np.array(scene.gravity.acceleration)
     for speed in SPEEDS[np.hypot(*motion.velocity[row]) < SPEEDS]:
         speeds[row, 0] = speed
         driven = motion._replace(velocity=speeds)
-        if np.hypot(*(_force(law, row, driven) - at_rest)) >= np.hypot(*pull):
+        if np.hypot(*(_force(law, row, driven) - at_rest)) >= np.hypot(*force):
             return driven
     return motion
 

@@ -1,8 +1,8 @@
 """Stops a run that has gone wrong, says what did, and at which rate it should hold.
 
-It looks at what is observed anyway, and changes nothing. What makes a look dear, energies and the
-joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad: of
-them it asks only that everything is somewhere, and that their energy does not go on multiplying.
+It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and
+the joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad:
+of them it asks only that everything is somewhere, and that their energy does not go on multiplying.
 """
 
 from collections.abc import Callable
@@ -97,7 +97,7 @@ class Watchdog:
         audit: Callable[[float, float, bool], Audit],
     ) -> None:
         self._scene, self._names, self._rate = scene, list(scene.bodies), stepping.rate
-        self._strict, self._scheme = not stepping.as_it_comes, stepping.scheme
+        self._strict, self._scheme = not stepping.is_stock, stepping.scheme
         joined = scene.joints.together is not None and level.effects.contact is not None
         self._turns = joined and scene.direct is None
         self._most_pairs = most_pairs(stepping.iterations, direct=scene.direct is not None)

@@ -6,8 +6,9 @@ from typing import Literal
 
 import numpy as np
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.challenge import Goal
-from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.model.expressions import Expression, Values
 from sandbox.physics.measuring.grading import samples
 from sandbox.physics.measuring.recording import Trace
 

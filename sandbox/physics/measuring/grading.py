@@ -5,7 +5,8 @@ from typing import Literal
 
 import numpy as np
 
-from sandbox.model.expressions import Array, Expression, ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Array, Expression, Values
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -133,7 +134,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     column = trace.columns[quantity]
     if at is None:
         # Euler's schemes know no forces before the first step
-        first = 1 if trace.stepping.as_it_comes else 0
+        first = 1 if trace.stepping.is_stock else 0
         return (trace.t[first:], column[first:]) if len(trace.t) > first else None
     if isinstance(at, ContactEvent):
         return _after_contact(trace, column, at)

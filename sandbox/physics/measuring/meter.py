@@ -10,6 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
 from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
@@ -159,10 +160,7 @@ class Meter:
     def _kinetic(self, s: Snapshot) -> Array:
         """T = m v² / 2 + I ω² / 2."""
         share = self._share(s.t)
-        return (
-            self._mass * share * np.sum(s.velocity * s.velocity, axis=-1)
-            + self._moment * share * s.angular_velocity**2
-        ) / 2
+        return kinetic_energy(self._mass * share, self._moment * share, s)
 
     def _potential(self, s: Snapshot) -> Array:
         potential = np.zeros(s.position.shape[:-1])

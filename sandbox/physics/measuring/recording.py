@@ -2,7 +2,6 @@
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import ceil
 from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
@@ -103,7 +102,7 @@ class Trace:
 
     def until(self, t: float) -> "Trace":
         """Return the part of the run up to a time [s]: to the first step not before it."""
-        count = _steps(t, self.stepping.rate) + 1
+        count = self.stepping.steps(t) + 1
         met = {p: [m for m in found if m.step < count] for p, found in self.meetings.items()}
         parted = {p: [i for i in found if i < count] for p, found in self.partings.items()}
         return replace(
@@ -294,11 +293,7 @@ def count_steps(world: World, duration: float | None = None) -> int:
     """Return how many steps reach a duration [s], that of the level if left out."""
     if duration is None:
         duration = world.level.duration(world.values)
-    return _steps(duration, world.stepping.rate)
-
-
-def _steps(duration: float, rate: float) -> int:
-    return ceil(duration * rate * (1 - 1e-12))
+    return world.stepping.steps(duration)
 
 
 def needed(level: Level) -> list[str]:

@@ -204,7 +204,7 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
 def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
     """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
     joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
-    drags = [law for law in forces if law.effect.sees_velocity and not stepping.as_it_comes]
+    drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
     if not (joints.springs or drags or turns):
         return
     from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn

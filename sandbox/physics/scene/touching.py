@@ -43,7 +43,7 @@ def make_contacts(
     stepping: Stepping,
 ) -> Pairs:
     """Give bodies the shapes with which they touch, and say what happens where they do."""
-    ours = not stepping.as_it_comes
+    ours = not stepping.is_stock
     if ours:
         skip_ids(space, level)
     sequence = level.effects.in_sequence and ours
@@ -96,7 +96,7 @@ def _skin(*, ours: bool, direct: bool) -> float:
 def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
     """Make what solves contacts and exact joints together, where the level wants it."""
     level, stepping = made.level, made.stepping
-    if stepping.as_it_comes or not is_direct(level):
+    if stepping.is_stock or not is_direct(level):
         return None
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.direct.surfaces import surfaces_of

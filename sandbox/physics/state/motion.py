@@ -55,8 +55,9 @@ class Instant(NamedTuple):
 
     @classmethod
     def at(cls, t: float, place: Array, velocity: Array) -> "Instant":
-        """Return the motion at a time [s], of two arrays (n, 3) [m, rad, m/s, rad/s]."""
-        return cls(np.asarray(t), place[:, :2], place[:, 2], velocity[:, :2], velocity[:, 2])
+        """Return the motion at a time [s], of two arrays (..., n, 3) [m, rad, m/s, rad/s]."""
+        moves, turns = velocity[..., :2], velocity[..., 2]
+        return cls(np.asarray(t), place[..., :2], place[..., 2], moves, turns)
 
 
 class Reading:
@@ -117,7 +118,7 @@ def kinetic_energy(mass: Array, moment: Array, motion: Motion) -> Array:
     Parameters
     ----------
     mass, moment
-        (n,), 0 of what nothing moves, or turns [kg, kg m²].
+        (..., n), 0 of what nothing moves, or turns [kg, kg m²].
     motion
         How they move.
     """

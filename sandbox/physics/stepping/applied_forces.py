@@ -68,12 +68,12 @@ class Forces:
     def smooth(self) -> Array:
         """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²].
 
-        Of bodies that move as told, what they are told.
+        Of kinematic bodies, what their levels say.
         """
         return self._field + self._wrench * self._inverse_mass
 
     def carry(self, bodies: Integers, acceleration: Array) -> None:
-        """Take in how fast bodies that move as told are to change their velocities: (k, 3)."""
+        """Take in the accelerations of kinematic bodies: (k, 3)."""
         self._field[bodies] = acceleration
 
     def start(self, begun: Array, after: Array) -> None:
@@ -132,13 +132,13 @@ class Forces:
 
     def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
         """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
-        from sandbox.physics.forces.turning import pull, rates
+        from sandbox.physics.forces.turning import rates, turning_acceleration
 
         self.turning = rates(self._turns, reading)
         velocity = self._older[:, :2] if self._guesses else reading.velocity
         inverse_mass = self._inverse_mass[:, :2]
         others = self._field[:, :2] + wrench[:, :2] * inverse_mass + gained / length
-        self.turned = turned = pull(self.turning, velocity, others, length)
+        self.turned = turned = turning_acceleration(self.turning, velocity, others, length)
         wrench[:, :2] += np.divide(
             turned, inverse_mass, out=np.zeros_like(turned), where=inverse_mass > 0
         )

@@ -77,20 +77,20 @@ class HeldKicks:
             self._space.collision_bias = bias
             self._holding = False
 
-    def kick(self, kick: Kick, pull: Array) -> Array:
+    def kick(self, kick: Kick, smooth: Array) -> Array:
         """Kick bodies that are held, and return their velocities after it: (n, 3).
 
         Parameters
         ----------
         kick
             Which, with the velocities at its start.
-        pull
+        smooth
             (n, 3), about how strong gravity and force laws are [m/s², rad/s²].
         """
         start, length = kick.start, kick.length
         assert start is not None
         swept = self._space.iterations
-        pulled = length * np.abs(pull).max(initial=0.0)
+        pulled = length * np.abs(smooth).max(initial=0.0)
         close = 1e-15 * (pulled or np.abs(start).max(initial=0.0))  # the rounding of what changes
         near = UNSETTLED * close
         if self._placed:

@@ -157,11 +157,11 @@ class Observer:
         from sandbox.physics.contacts.post_impact import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
-        scene, pull, dt = self._scene, self._forces.smooth, self._kicks.clock.dt
+        scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt
         if scene.hollows:
             contacts = scene.hollows.impacts(contacts)
         solid, place = scene.joints.joined, state[:, :3]
-        hit, onwards = impacts(contacts, solid, place, before, after, pull, scene.mass, dt)
+        hit, onwards = impacts(contacts, solid, place, before, after, smooth, scene.mass, dt)
         acceleration[hit] = onwards
         velocity[hit] = after[hit] - onwards * (dt / 2)
 

@@ -49,8 +49,8 @@ class Setup(NamedTuple):
 
     @property
     def leapfrog(self) -> bool:
-        """Whether velocities are half a step from places; else pymunk is taken as it comes."""
-        return not self.stepping.as_it_comes
+        """Whether velocities are half a step from places; else it is stock pymunk."""
+        return not self.stepping.is_stock
 
 
 Begin = Callable[[Setup], None] | None
@@ -133,7 +133,7 @@ def set_up(
     contact = level.effects.contact is not None
     # joints take turns with contacts: there their last pull acts from the start of a kick
     pulling = scene.joints.together if contact and scene.direct is None else None
-    forces = Forces(scene, pulling, leapfrog=not stepping.as_it_comes)
+    forces = Forces(scene, pulling, leapfrog=not stepping.is_stock)
     kicks = Kicks(scene, forces, 1 / stepping.rate, touching=contact)
     setup = Setup(level, values, stepping, scene, forces, kicks)
     if begin is not None:

@@ -18,7 +18,7 @@ from sandbox.app.pages.predict.questions import questions, read, when
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.model.expressions import ExpressionError
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.physics.run import simulate
 from tests.app import scenes
 from tests.app.person import Person

@@ -33,7 +33,7 @@ from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.chaos import chaotic
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
 from sandbox.physics.accuracy.estimation import estimate
-from sandbox.physics.accuracy.refinement import Ladder
+from sandbox.physics.accuracy.refinement import Refinement
 from sandbox.physics.accuracy.runs import apart, checked, never, record
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
@@ -318,7 +318,7 @@ def test_impacts_that_are_located_are_believed() -> None:
 
 
 def test_what_pymunk_makes_of_an_impact_is_judged_by_another_scheme() -> None:
-    """An impact that leaves nothing costs pymunk as it comes so little that it climbs alone."""
+    """An impact that leaves nothing costs stock pymunk so little that it is refined alone."""
     scene = catalog_level("momentum/inelastic")
     values = {"m1": 1.43, "m2": 8.49, "v1": 4.055, "v2": -2.107}
     chosen = calibrate(scene, values, 1e-3).chosen
@@ -450,19 +450,19 @@ def test_the_cusp_of_a_wire_is_followed() -> None:
 def test_rounding_that_grows_with_the_rate_is_expected_to_grow_on() -> None:
     """An acceleration is rounded by the square of the rate: a hundred times 60 Hz, 10,000 times."""
     run = simulate(oscillator(), record=["ball.position.x"], stepping=Stepping(rate=60))
-    ladder = Ladder((run,), (1e-4,), ((1e-12, -2.0), (1e-4, 2.0)))
+    refinement = Refinement((run,), (1e-4,), ((1e-12, -2.0), (1e-4, 2.0)))
 
-    assert ladder.rate_for(1e-8) == pytest.approx(6000)
-    assert ladder.error_at(6000) == pytest.approx(1e-8)
-    assert ladder.error_at(60_000) == pytest.approx(1e-6)
+    assert refinement.rate_for(1e-8) == pytest.approx(6000)
+    assert refinement.error_at(6000) == pytest.approx(1e-8)
+    assert refinement.error_at(60_000) == pytest.approx(1e-6)
 
 
 def test_what_pymunk_makes_of_impacts_as_it_comes_tells_nothing_of_other_rates() -> None:
     naive = Stepping(rate=60, scheme="symplectic-euler")
     run = simulate(oscillator(), record=["ball.position.x"], stepping=naive)
-    ladder = Ladder((run,), (1e-4,), ((1e-4, 1.0),))
+    refinement = Refinement((run,), (1e-4,), ((1e-4, 1.0),))
 
-    assert ladder.rate_for(1e-5) == ladder.error_at(600) == float("inf")
+    assert refinement.rate_for(1e-5) == refinement.error_at(600) == float("inf")
 
 
 @pytest.mark.sweep
@@ -470,11 +470,11 @@ def test_a_rate_between_two_runs_is_where_the_error_would_be_as_asked_for() -> N
     """1.6e-3 at 60 Hz, 1e-4 at 120 Hz: of fourth order, 3.2e-4 is had at 90 Hz, 4e-4 at 85 Hz."""
     steppings = (Stepping(rate=rate, scheme="fourth-order") for rate in (60, 120, 240))
     runs = [simulate(oscillator(), record=["ball.position.x"], stepping=s) for s in steppings]
-    ladder = Ladder(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),), seen=2)
+    refinement = Refinement(tuple(runs), (1.6e-3, 1e-4, 6e-6), ((6e-6, 4.0),), seen=2)
 
-    assert ladder.between(4e-4) == 90  # half-way: in step with both
-    assert ladder.between(1.01e-4) is None  # hardly lower
-    assert ladder.between(2e-3) is None  # nothing is known of lower ones
+    assert refinement.between(4e-4) == 90  # half-way: in step with both
+    assert refinement.between(1.01e-4) is None  # hardly lower
+    assert refinement.between(2e-3) is None  # nothing is known of lower ones
 
 
 def test_an_accuracy_below_rounding_is_refused() -> None:

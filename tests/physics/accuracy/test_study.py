@@ -108,7 +108,7 @@ def test_a_formula_out_of_its_range_has_no_error() -> None:
 def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(study, "CLIMB", 0.1)
+    monkeypatch.setattr(study, "REFINING", 0.1)
     level = scenes.level(effects={"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}})
 
     found = list(study.study(level, level.defaults))

@@ -54,7 +54,7 @@ def put_on_belt(angle: float, speed: float = 0.0, *, located: bool = True) -> Le
 
 
 def thrown_on_plate(*, located: bool = True) -> Level:
-    """A block on a plate that moves as told."""
+    """A block on a kinematic plate."""
     plate = fixed(FLAT, (0, -0.75), friction=1) | {"type": "kinematic", "velocity": [1.5, 0]}
     scene = {"block": box(friction=MU, velocity=[4, 0]), "plate": plate}
     return level(scene, rub(*["block"] * located))
@@ -385,7 +385,7 @@ def test_only_who_asks_pays(located: bool) -> None:
     assert build(thrown_along(3.0, located=located)).hooks == located
 
 
-def test_pymunk_as_it_comes_locates_nothing() -> None:
+def test_stock_pymunk_locates_nothing() -> None:
     assert build(thrown_along(3.0), stepping=Stepping(scheme="symplectic-euler")).hooks == 0
 
 

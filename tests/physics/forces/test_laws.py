@@ -61,7 +61,7 @@ CONSERVATIVE = st.one_of(
 
 
 def instant(places: Array, velocity: Array | float = 0.0) -> Instant:
-    """Bodies at x, y, angle, moving as told: (..., n, 3)."""
+    """Bodies at x, y, angle, moving as is said: (..., n, 3)."""
     moves = np.broadcast_to(velocity, places.shape)
     t = np.zeros(places.shape[:-2])
     return Instant(t, places[..., :2], places[..., 2], moves[..., :2], moves[..., 2])

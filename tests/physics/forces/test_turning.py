@@ -176,5 +176,5 @@ def test_without_its_rotation_the_same_force_would_not_keep_the_speed() -> None:
 
     velocity = np.array([[3.0, 0.0]])
     for _ in range(100):
-        velocity = velocity + h * turning.pull(rate, velocity, np.zeros((1, 2)), h)
+        velocity = velocity + h * turning.turning_acceleration(rate, velocity, np.zeros((1, 2)), h)
     assert np.hypot(*velocity[0]) == pytest.approx(3, rel=1e-13)

@@ -54,7 +54,7 @@ def lift(draft: Draft) -> None:
 
 
 def pusher(draft: Draft) -> None:
-    """Build a wall that moves as told pushes boxes with bars between them."""
+    """Build a kinematic wall pushes boxes with bars between them."""
     draft.surfaces()
     draft.floor()
     shape = {"type": "box", "width": 0.2, "height": 1}

@@ -13,7 +13,8 @@ from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
-from sandbox.model.expressions import Array, ExpressionError
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Array
 from sandbox.physics.accuracy.study import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.measuring.meter import Meter

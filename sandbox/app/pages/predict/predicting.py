@@ -1,13 +1,18 @@
 """What was asked and predicted, and what came of it, from one window's page to the next."""
 
+from typing import TYPE_CHECKING
+
 from sandbox.app.background import Background
 from sandbox.app.grading import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
 from sandbox.app.pages.predict.questions import questions, read, unit_of
 from sandbox.app.session import Session
-from sandbox.model.expressions import ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
+
+if TYPE_CHECKING:
+    from sandbox.model.expressions import Values
 
 FIRST = "Type what you predict first: the run waits for it (Q)."
 PUT_OFF = "The prediction is put off: the run is free again."

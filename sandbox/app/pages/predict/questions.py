@@ -4,7 +4,8 @@ import re
 from collections.abc import Mapping
 from math import pi
 
-from sandbox.model.expressions import Expression, ExpressionError, Values
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import (
     ApexEvent,
     Check,

@@ -14,7 +14,7 @@ from sandbox.app.theme import Color
 from sandbox.model.level import Scheme
 
 _REMARKS: Mapping[Scheme, str] = {
-    "symplectic-euler": "pymunk as it comes",
+    "symplectic-euler": "stock pymunk",
     "explicit-euler": "deliberately bad",
 }
 

@@ -9,9 +9,9 @@ import pymunk
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
+from sandbox.physics.contacts.coefficients import pair_coefficients
 from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.outlines import Figure, Figures
-from sandbox.physics.contacts.materials import pair_coefficients
 from sandbox.physics.contacts.shapes import DIRECT_SKIN, INSET
 from sandbox.physics.contacts.static_friction import sticking
 from sandbox.physics.engine.bodies import center_of, local_points

@@ -78,6 +78,17 @@ def angles(values: Array) -> Array:
     return values[..., values.shape[-1] // 3 * 2 :]
 
 
+def inertia_of(inverse: Array) -> Array:
+    """Return mass or moment of each coordinate from one over it, 0 of what nothing moves."""
+    moves = inverse > 0
+    return np.where(moves, 1 / np.where(moves, inverse, 1.0), 0.0)
+
+
+def kinetic_energy(inertia: Array, motion: Array) -> Array:
+    """Return T = q̇ᵀ M q̇ / 2 of velocities in the coordinates, both (..., 3 N): (...) [J]."""
+    return np.asarray(np.vecdot(motion * motion, inertia) / 2)
+
+
 @cache
 def order(count: int) -> NDArray[np.intp]:
     """Return where the coordinates of bodies stand, body by body, without the plane: (n, 3)."""

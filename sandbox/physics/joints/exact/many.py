@@ -14,6 +14,8 @@ from sandbox.physics.joints.exact.constraints import (
     MAX_ITERATIONS,
     QUADRATIC,
     Coordinates,
+    inertia_of,
+    kinetic_energy,
     order,
     planes,
 )
@@ -39,8 +41,7 @@ class ManyJoints:
         self._order, self._step = order(len(first.inverse) // 3 - 1), step
         self._reaches = first.reaches.holding(np.array([one.reaches.points for one in joints]))
         self._inverse = np.array([one.inverse for one in joints])
-        some = self._inverse > 0
-        self._inertia = np.where(some, 1 / np.where(some, self._inverse, 1.0), 0.0)
+        self._inertia = inertia_of(self._inverse)
         self._length = np.array([one.lengths(0.0) for one in joints])
         self._origin = np.array([[one.origin] for one in joints])
         depth = min(len(one.past) for one in joints)
@@ -71,8 +72,9 @@ class ManyJoints:
         response = self._reaches.look(here).jacobian * self._inverse[:, None]
         impulse, lost = self._newton(here.values, motion, response)
         moved = motion - _times(impulse, response)
-        rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2
-        gained = self._kinetic(moved) > DOUBTED * self._kinetic(motion) + rounding
+        rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2 / 2
+        left, had = (kinetic_energy(self._inertia, rates) for rates in (moved, motion))
+        gained = left > DOUBTED * had + rounding
         self._past = [impulse / self._step, *self._past[:2]]
         return moved[:, self._order], lost | gained
 
@@ -97,10 +99,6 @@ class ManyJoints:
         values = np.zeros((len(rows), self._inverse.shape[1]))
         values[:, self._order] = rows
         return values
-
-    def _kinetic(self, motion: Array) -> Array:
-        """Return twice the kinetic energies of velocities: (N,) [J]."""
-        return np.asarray((motion * motion * self._inertia).sum(axis=1))
 
 
 def _times(vectors: Array, matrices: Array) -> Array:

@@ -11,30 +11,28 @@ equations together, so that a chain is as stiff with a heavy load at its end as 
 """
 
 from collections.abc import Sequence
-from copy import copy
-from math import isfinite
-from typing import TypeVar, cast
+from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
-from sandbox.physics.joints.exact.angles import Turn
 from sandbox.physics.joints.exact.banded import FEWEST, Banded
 from sandbox.physics.joints.exact.constraints import (
     MAX_ITERATIONS,
     QUADRATIC,
-    Condition,
     Coordinates,
     Equation,
     Rows,
-    angles,
+    inertia_of,
+    kinetic_energy,
     order,
     planes,
 )
 from sandbox.physics.joints.exact.distances import Reaches, Row
+from sandbox.physics.joints.exact.equations import Equations
 from sandbox.physics.joints.exact.separate_rods import Rod, are_apart
+from sandbox.physics.joints.exact.solvability import independence, solved, steps_needed
 from sandbox.physics.state.errors import JointFailure
 
 MOMENT = 1e-3
@@ -54,12 +52,6 @@ GROWS = 1.1
 """How many times its kinetic energy a kick may leave with joints, of what it would leave without
 them: they give none but for what a step is too long for. Seen are 1.06 where errors are of second
 order, and 4 and more where Newton's method has come to another solution."""
-
-SMOOTH = 0.5
-"""ω dt of the fastest swing under tension at the rate that is advised."""
-
-NUDGE = 1e-6
-"""m, rad, by which coordinates are changed to see how the pull of joints changes."""
 
 Number = TypeVar("Number", float, Array)
 
@@ -116,15 +108,14 @@ class ExactJoints:
         self.inverse = np.concatenate(
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
-        some = self.inverse > 0
-        self._inertia = np.where(some, 1 / np.where(some, self.inverse, 1.0), 0.0)
+        self._inertia = inertia_of(self.inverse)
         self._order = order(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate((self._order, self._order + start), axis=1).ravel()
         self._lay_out(rows, others)
         self._length = np.array([equation.length for equation in (*rows, *others)])
         self._taut = ~self._pulls_only
-        self.bodies = [self._held_by(equation) for equation in (*rows, *others)]
+        self.bodies = self._equations.bodies(self.place())
         self.added = np.zeros_like(self._taut)
         self.tension = np.zeros_like(self._length)
         self.parts = 1
@@ -134,40 +125,30 @@ class ExactJoints:
         self.kick = self.drift = 0.0
 
     def _lay_out(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
-        """Make the tables of all equations, the rows first."""
-        equations: tuple[Condition, ...] = (*rows, *others)
-        self._equations = rows, others
-        self._joints = [equation.joint for equation in equations]
-        turns = [isinstance(equation, Turn) for equation in equations]
-        self._pulling, self._turning = (_by_joint(equations, turns, way) for way in (False, True))
-        self.alike = np.arange(len(equations))
-        for held in self._pulling.values():
-            self.alike[held] = held[:1]
-        self._changing = [(i, e.changing) for i, e in enumerate(equations) if e.changing]
-        self._pulls_only = np.array([e.pulls_only for e in equations], dtype=bool)
+        """Make the tables of all equations, and of how they are solved."""
+        self._equations = equations = Equations(rows, others, self._inverse_moment)
+        self._joints, self.alike = equations.names, equations.alike
+        self._pulls_only = equations.pulls_only
         self._unilateral = bool(self._pulls_only.any())
-        self._cold = np.zeros(len(equations))
-        shape = (len(equations), len(self._inverse_moment))
-        self._reaches = Reaches(rows, shape, self._inverse_moment, turns=bool(others))
-        self._others = list(enumerate(others, len(rows)))
-        inverse = self.inverse[: 2 * shape[1] : 2]
-        apart = rows if are_apart(equations, inverse) else ()
+        self._cold = np.zeros(len(self._joints))
+        inverse = self.inverse[: 2 * len(self._inverse_moment) : 2]
+        apart = rows if are_apart(equations.all, inverse) else ()
         self._rods = [Rod(row, self._batch, inverse, self.origin) for row in apart]
-        self._band = self._banded(len(equations))
+        self._band = self._banded(len(self._joints))
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
 
     def _banded(self, count: int) -> Banded | None:
         """Return the equations as a band, where there are many and each meets but a few."""
-        if count < FEWEST or self._others or self._unilateral:
+        if count < FEWEST or self._equations.others or self._unilateral:
             return None
-        band = Banded(self._reaches, count, self.inverse)
+        band = Banded(self.reaches, count, self.inverse)
         return band if band.pays else None
 
     def add(self, rows: Sequence[Row], others: Sequence[Equation]) -> None:
         """Take on more equations; what they stop at once is an impact, over with the next kick."""
-        old_rows, old_others = self._equations
-        where = [len(old_rows)] * len(rows) + [len(self._length)] * len(others)
+        old = self._equations
+        where = [len(old.rows)] * len(rows) + [len(self._length)] * len(others)
         lengths = [equation.length for equation in (*rows, *others)]
         self._length = np.insert(self._length, where, lengths)
         self._taut = np.insert(self._taut, where, values=True)
@@ -175,27 +156,21 @@ class ExactJoints:
         self._past = [np.insert(tension, where, 0.0) for tension in self._past]
         self._warm_start = np.insert(self._warm_start, where, 0.0)
         self.added = np.insert(np.zeros_like(self.added), where, values=True)
-        self._lay_out((*old_rows, *rows), (*old_others, *others))
-        self.bodies = [self._held_by(e) for part in self._equations for e in part]
+        self._lay_out((*old.rows, *rows), (*old.others, *others))
+        self.bodies = self._equations.bodies(self.place())
         self._struck = True
-
-    def _held_by(self, equation: Condition) -> NDArray[np.intp]:
-        """Return which bodies an equation is about."""
-        if isinstance(equation, Row):
-            ends = [end.body for reach in equation.reaches for end in reach]
-            return np.array([-1 if body is None else body for body in ends], dtype=np.intp)
-        _, shares = copy(cast("Equation", equation)).look(self.place())
-        return np.array([share.body for share in shares], dtype=np.intp)
 
     @property
     def plain(self) -> bool:
         """Whether all are sums of lengths that stay as they are, and are solved together."""
-        return not (self._others or self._changing or self._unilateral or self._rods)
+        return not (
+            self._equations.others or self._equations.changing or self._unilateral or self._rods
+        )
 
     @property
     def reaches(self) -> Reaches:
         """The pieces whose lengths add up."""
-        return self._reaches
+        return self._equations.reaches
 
     @property
     def past(self) -> list[Array]:
@@ -216,7 +191,7 @@ class ExactJoints:
             If some do.
         """
         if self._fresh and self._joints:
-            here = self._glance(self.place())
+            here = self._equations.glance(self.place())
             self._check_independent(here, here.jacobian * self.inverse, self._length)
 
     def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
@@ -247,7 +222,7 @@ class ExactJoints:
 
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
-        rows = self._pulling[name]
+        rows = self._equations.pulling[name]
         if len(rows) == 1:
             return self.tension.item(rows[0])
         return float(np.hypot(*self.tension[rows]))
@@ -257,7 +232,7 @@ class ExactJoints:
 
         0 of one that keeps no angle, or is solved elsewhere.
         """
-        return -float(sum(self.tension[row] for row in self._turning.get(name, ())))
+        return -float(sum(self.tension[row] for row in self._equations.turning.get(name, ())))
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
@@ -275,8 +250,8 @@ class ExactJoints:
 
     def go_on(self, t: float) -> None:
         """Take what is driven to have turned at a time as far as it has [s]."""
-        rows = len(self._equations[0])
-        driven = [i for i, _ in self._changing if i >= rows]
+        rows = len(self._equations.rows)
+        driven = [i for i, _ in self._equations.changing if i >= rows]
         if driven:
             off = self.look(self.place()).total - self.lengths(t)
             self._length[driven] += off[driven]
@@ -300,7 +275,7 @@ class ExactJoints:
 
         Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
         """
-        here = self._glance(self.place() if place is None else self.at(place))
+        here = self._equations.glance(self.place() if place is None else self.at(place))
         return here.jacobian[:, self._order]
 
     @property
@@ -311,9 +286,7 @@ class ExactJoints:
     @property
     def changes(self) -> Booleans:
         """Which rows are of a length that changes with time: (m,)."""
-        changes = np.zeros(len(self._length), dtype=bool)
-        changes[[row for row, _ in self._changing]] = True
-        return changes
+        return self._equations.changes
 
     def motion(self, mean: Array, smooth: Array) -> tuple[Array, Array]:
         """Return velocities and accelerations where the bodies are, and take up the forces there.
@@ -336,15 +309,15 @@ class ExactJoints:
         place, _ = self.coordinates()
         if self._band:
             return self._move_band(self._band, place, _coordinates(mean), _coordinates(smooth))
-        jacobian = self._glance(place).jacobian
+        jacobian = self._equations.glance(place).jacobian
         response = jacobian * self.inverse
         delassus, free = jacobian @ response.T, _coordinates(mean).values
-        moves = free - _solved(delassus, jacobian @ free) @ response
+        moves = free - solved(delassus, jacobian @ free) @ response
         way = MOMENT * abs(self.drift) * moves
-        ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
+        ahead, behind = (self._equations.glance(Coordinates(place.values + w)) for w in (way, -way))
         turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(self.drift))
         driven = _coordinates(smooth).values
-        self.tension = _solved(delassus, jacobian @ driven + turning)
+        self.tension = solved(delassus, jacobian @ driven + turning)
         return moves[self._order], (driven - self.tension @ response)[self._order]
 
     def _move_band(
@@ -485,29 +458,19 @@ class ExactJoints:
         JointFailure
             If they do; it names the one that gave most.
         """
-        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2
+        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2 / 2
         if self._driven(free):
             return
         if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
             raise self.lost(int(np.argmax(work)))
 
     def kinetic(self, motion: Array) -> float:
-        """Return twice the kinetic energy of velocities (3 N,) [J]."""
-        return float((motion * motion).dot(self._inertia))
+        """Return the kinetic energy of velocities (3 N,) [J]."""
+        return float(kinetic_energy(self._inertia, motion))
 
     def lengths(self, t: float) -> Array:
         """Return what each equation keeps at a time [s]: (m,) [m, rad]."""
-        if not self._changing:
-            return self._length
-        length = self._length.copy()
-        for i, changing in self._changing:
-            length[i] += changing(t)
-            if not isfinite(length[i]):
-                name = self._joints[i]
-                raise JointFailure(
-                    name, f"what '{name}' keeps has no finite value at t = {t:.3g} s"
-                )
-        return length
+        return self._equations.lengths(self._length, t)
 
     def coordinates(self) -> tuple[Coordinates, Coordinates]:
         """Return where everything is and how it moves, the plane itself last."""
@@ -519,25 +482,7 @@ class ExactJoints:
 
     def look(self, place: Coordinates) -> Rows:
         """Return what the rows add up to somewhere, and their Jacobian there."""
-        return self._with_others(self._reaches.look(place), place, self._others)
-
-    def _glance(self, place: Coordinates) -> Rows:
-        """Return the same, and leave no trace: the next look is as if this had not been."""
-        others = [(row, copy(equation)) for row, equation in self._others]
-        return self._with_others(self._reaches.look(place), place, others)
-
-    def _with_others(
-        self, rows: Rows, place: Coordinates, others: Sequence[tuple[int, Equation]]
-    ) -> Rows:
-        if not others:
-            return rows
-        in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
-        for row, equation in others:
-            rows.total[row], shares = equation.look(place)
-            for body, plane, angle in shares:
-                in_plane[row, body] += plane
-                in_angle[row, body] += angle
-        return rows
+        return self._equations.look(place)
 
     def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
         """Refuse rows that repeat each other at the start, as far as they are taut."""
@@ -548,7 +493,7 @@ class ExactJoints:
         delassus = (here.jacobian @ response.T)[np.ix_(taut, taut)]
         if not delassus.diagonal().all():
             raise self._overlapping(int(taut[np.argmin(delassus.diagonal())]))
-        self._independence, shares = _weakest(delassus)
+        self._independence, shares = independence(delassus)
         if self._independence < SINGULAR:
             raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
@@ -595,7 +540,7 @@ class ExactJoints:
                 delassus[slack] = 0.0
                 delassus[slack, slack] = 1.0
             try:
-                impulse = impulse + _solved(delassus, wrong) / h
+                impulse = impulse + solved(delassus, wrong) / h
             except np.linalg.LinAlgError:
                 raise self._overlapping(int(np.argmin(np.abs(delassus).sum(axis=1)))) from None
             if wrong.dot(wrong) <= QUADRATIC**2:
@@ -609,8 +554,8 @@ class ExactJoints:
         delassus = self._delassus(here)[np.ix_(taut, taut)]
         finer = self._finer(place)
         if delassus.any() and np.isfinite(delassus).all():
-            independence, shares = _weakest(delassus)
-            if independence < LOCKED * self._independence:
+            free, shares = independence(delassus)
+            if free < LOCKED * self._independence:
                 name = self._joints[taut[np.argmax(shares)]]
                 reason = (
                     f"'{name}' and the joints beside it are stretched: none gives way in a step"
@@ -622,40 +567,29 @@ class ExactJoints:
 
     def _driven(self, motion: Array) -> bool:
         """Whether lengths change, or a kinematic body moves."""
-        return bool(self._changing) or bool(motion[self.inverse == 0].any())
+        return bool(self._equations.changing) or bool(motion[self.inverse == 0].any())
 
     def _delassus(self, here: Rows) -> Array:
         """Return how fast each row shortens by a unit impulse of each: (m, m)."""
         return np.asarray(here.jacobian * self.inverse @ here.jacobian.T)
 
     def _finer(self, place: Coordinates) -> float:
-        """Return how many times as many steps joints under this tension need, at least 2.
-
-        Under tension joints are springs across: K = Σ λ ∂²C/∂q², of which the fastest swing is that
-        of the largest eigenvalue of M⁻¹ K; of a pendulum ω² = T / (m l).
-        """
+        """Return how many times as many steps joints under this tension need, at least 2."""
         tension = np.zeros(len(self._length))  # of what has just stuck, none is known yet
         tension[: len(self.tension)] = self.tension
-        root = np.sqrt(self.inverse)
-        stiffness = np.zeros((len(root), len(root)))
-        for at in np.flatnonzero(root):
-            step = np.zeros_like(root)
-            step[at] = NUDGE
-            sides = (self._glance(Coordinates(place.values + way)) for way in (step, -step))
-            ahead, behind = (tension @ side.jacobian for side in sides)
-            stiffness[at] = (ahead - behind) / (2 * NUDGE)
-        swing = root[:, None] * (stiffness + stiffness.T) / 2 * root
-        if not np.isfinite(swing).all():
-            return 2.0
-        omega = float(np.sqrt(np.abs(np.linalg.eigvalsh(swing)).max()))
-        return max(omega * abs(self.drift) / SMOOTH, 2.0)
+
+        def force(by: Array) -> Array:
+            there = self._equations.glance(Coordinates(place.values + by))
+            return np.asarray(tension @ there.jacobian)
+
+        return steps_needed(force, self.inverse, self.drift)
 
     def parting(self) -> tuple[str, float]:
         """Return the joint that is furthest from what it keeps, and by how much [m, rad]."""
         place, _ = self.coordinates()
-        off = self._glance(place).total - self._length
+        off = self._equations.glance(place).total - self._length
         off = np.where(self._pulls_only, np.maximum(off, 0.0), np.abs(off))
-        off[[row for row, _ in self._changing]] = 0.0  # what they keep now is not known any more
+        off[self.changes] = 0.0  # what they keep now is not known any more
         if not len(off):
             return "", 0.0
         worst = int(off.argmax())
@@ -665,17 +599,6 @@ class ExactJoints:
         name = self._joints[row]
         reason = f"'{name}' holds what is held already, or cannot hold it; leave it out"
         return JointFailure(name, reason)
-
-
-def _by_joint(
-    equations: Sequence[Condition], turns: Sequence[bool], way: bool
-) -> dict[str, list[int]]:
-    """Return for each joint which of its equations turn, or which do not."""
-    found: dict[str, list[int]] = {equation.joint: [] for equation in equations}
-    for row, (equation, turn) in enumerate(zip(equations, turns, strict=True)):
-        if turn == way:
-            found[equation.joint].append(row)
-    return found
 
 
 def _coordinates(rows: Array) -> Coordinates:
@@ -693,20 +616,3 @@ def parabola(past: list[Number]) -> Number:
         case [last, before]:
             return 2 * last - before
     return past[0]
-
-
-def _weakest(delassus: Array) -> tuple[float, Array]:
-    """Return the smallest singular value over the largest, and each row's share in it.
-
-    Every row counts as if it alone moved its bodies by one.
-    """
-    scale = np.sqrt(delassus.diagonal())
-    _, sizes, directions = np.linalg.svd(delassus / np.outer(scale, scale))
-    return float(sizes[-1] / sizes[0]), np.abs(directions[-1])
-
-
-def _solved(delassus: Array, violation: Array) -> Array:
-    """Solve a linear system; one equation in a tenth of the time."""
-    if len(violation) == 1:
-        return violation / delassus[0]
-    return np.linalg.solve(delassus, violation).astype(float, copy=False)

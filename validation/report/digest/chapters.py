@@ -1,0 +1,31 @@
+"""What is told of levels, chapter by chapter."""
+
+from collections.abc import Callable, Iterable
+from typing import Protocol, TypeVar
+
+TITLES = {"newton": "Newton's laws", "lagrange": "Lagrangian mechanics"}
+"""Of chapters that are not called as their folders are."""
+
+T = TypeVar("T")
+
+
+def chapter(level: str) -> str:
+    """Return the title of the chapter that a level belongs to."""
+    folder = level.partition("/")[0]
+    return TITLES.get(folder, folder.capitalize())
+
+
+class OfLevel(Protocol):
+    """What is about a level."""
+
+    @property
+    def level(self) -> str:
+        """Its name."""
+
+
+def by_chapter(things: Iterable[T], whose: Callable[[T], OfLevel]) -> list[tuple[str, list[T]]]:
+    """Return things chapter by chapter, each by the level of what it is about."""
+    groups: dict[str, list[T]] = {}
+    for thing in things:
+        groups.setdefault(chapter(whose(thing).level), []).append(thing)
+    return list(groups.items())

@@ -1,0 +1,115 @@
+"""How the claims of the cases came out."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+from sandbox.model.catalog import find
+from sandbox.model.errors import SandboxError
+from sandbox.model.loading import load
+from validation.case import Outcome
+from validation.cost.summary import ROUNDING
+from validation.report.digest.chapters import by_chapter
+
+CLOSEST = 5
+"""How many cases are shown that come closest to their bounds."""
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """What is claimed of a quantity, and how it came out for certain parameters."""
+
+    name: str
+    level: str
+    quantity: str
+    because: str
+    rows: tuple[tuple[str, Outcome], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """The claims of a chapter."""
+
+    title: str
+    claims: tuple[Claim, ...]
+
+    @property
+    def outcomes(self) -> list[Outcome]:
+        """Of all its claims."""
+        return [outcome for claim in self.claims for _, outcome in claim.rows]
+
+    @property
+    def held(self) -> int:
+        """How many hold."""
+        return sum(outcome.passed for outcome in self.outcomes)
+
+
+@dataclass(frozen=True, slots=True)
+class Cases:
+    """All cases.
+
+    Attributes
+    ----------
+    chapters
+        They, chapter by chapter.
+    failed
+        Those that do not hold.
+    closest
+        Those whose errors are the largest parts of their bounds.
+    exact
+        How many are off by rounding alone.
+    least_order
+        The least order of those that claim one.
+    naive_missed
+        How many of the bounds stock pymunk misses at the same rate.
+    """
+
+    chapters: tuple[Chapter, ...]
+    failed: tuple[Outcome, ...]
+    closest: tuple[Outcome, ...]
+    exact: int
+    ordered: int
+    least_order: float
+    naive_missed: int
+    total: int
+
+
+def cases(outcomes: Sequence[Outcome]) -> Cases:
+    """Return what the cases say."""
+    orders = [o.order for o in outcomes if o.order is not None and isfinite(o.order)]
+    return Cases(
+        chapters=tuple(
+            Chapter(title, tuple(_claims(group)))
+            for title, group in by_chapter(outcomes, lambda outcome: outcome)
+        ),
+        failed=tuple(o for o in outcomes if not o.passed),
+        closest=tuple(sorted(outcomes, key=share, reverse=True)[:CLOSEST]),
+        exact=sum(o.error <= ROUNDING for o in outcomes),
+        ordered=len(orders),
+        least_order=min(orders, default=float("nan")),
+        naive_missed=sum(o.naive_error > o.tolerance for o in outcomes),
+        total=len(outcomes),
+    )
+
+
+def share(outcome: Outcome) -> float:
+    """Return which part of its bound an error takes up."""
+    return outcome.error / outcome.tolerance
+
+
+def _claims(outcomes: Iterable[Outcome]) -> Iterator[Claim]:
+    groups: dict[tuple[str, str, str, str], list[Outcome]] = {}
+    for o in outcomes:
+        groups.setdefault((o.name, o.level, o.quantity, o.because), []).append(o)
+    for which, group in groups.items():
+        yield Claim(*which, tuple((chosen(outcome), outcome) for outcome in group))
+
+
+def chosen(outcome: Outcome) -> str:
+    """Return the parameters that differ from the level's own, in words."""
+    try:
+        usual = load(find(outcome.level)).defaults
+    except SandboxError:
+        usual = {}
+    changed = {n: v for n, v in outcome.parameters.items() if usual.get(n) != v}
+    return ", ".join(f"{name} = {value:g}" for name, value in changed.items()) or "as it stands"

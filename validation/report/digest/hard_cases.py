@@ -1,0 +1,61 @@
+"""How scenes that break engines came out, and how hard they can be made."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from validation.stability import report as stability
+from validation.stability.run import Outcome as Hard
+
+GROUPS = {
+    "A": "exact, to rounding",
+    "B": "converging",
+    "C": "standing, holding together, or keeping their energy",
+    "D": "beyond pymunk's own solver",
+}
+"""What is claimed of the hard cases."""
+
+
+@dataclass(frozen=True, slots=True)
+class HardCases:
+    """Scenes that break engines, and how hard they can be made.
+
+    Attributes
+    ----------
+    cases, frontiers
+        Those that must hold, and those that are made harder until they break.
+    failed
+        What does not hold, and should.
+    out_of_reach
+        What is known not to hold, and why.
+    """
+
+    cases: tuple[Hard, ...]
+    frontiers: tuple[Hard, ...]
+    failed: tuple[str, ...]
+    out_of_reach: tuple[str, ...]
+
+    @property
+    def held(self) -> int:
+        """How many cases hold."""
+        return sum(case.passed for case in self.cases)
+
+    @property
+    def further(self) -> int:
+        """How many frontiers lie no nearer than pymunk's at the same cost."""
+        return sum((f.frontier or 0) >= (f.naive_frontier or 0) for f in self.frontiers)
+
+    @property
+    def groups(self) -> list[tuple[str, list[Hard]]]:
+        """The cases, by what is claimed of them."""
+        found = {name: [c for c in self.cases if c.group == name] for name in GROUPS}
+        return [(GROUPS[name], group) for name, group in found.items() if group]
+
+
+def hard_cases(outcomes: Sequence[Hard]) -> HardCases:
+    """Return what the hard cases say."""
+    return HardCases(
+        cases=tuple(o for o in outcomes if o.frontier is None),
+        frontiers=tuple(o for o in outcomes if o.frontier is not None),
+        failed=tuple(stability.failures(outcomes)),
+        out_of_reach=tuple(stability.out_of_reach(outcomes)),
+    )
