@@ -111,7 +111,7 @@ def _way(vx: float, vy: float) -> str:
 def _joints(world: World) -> Iterator[str]:
     for column, (name, joint) in enumerate(world.level.joints.items()):
         tension = float(world.snapshot.tension[column])
-        pulls = "pulls" if tension >= 0 else "pushes"
+        pulls = "pulls" if tension >= 0 or isinstance(joint, Wire) else "pushes"
         force = wording.quantity(abs(tension), "N", 4)
         yield f"{name}: {_ties(joint, world)}; {pulls} with {force}"
 

@@ -4,7 +4,15 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from sandbox.app import wording
-from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, Instant, LandingEvent, Level
+from sandbox.model.level import (
+    ApexEvent,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+    SeparationEvent,
+)
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import Result
@@ -67,7 +75,7 @@ def _body(level: Level, at: Instant | None) -> str | None:
     match at:
         case ApexEvent(body=body) | LandingEvent(body=body):
             return body
-        case ContactEvent(bodies=bodies):
+        case ContactEvent(bodies=bodies) | SeparationEvent(bodies=bodies):
             return next((body for body in bodies if level.bodies[body].type == "dynamic"), None)
         case CrossingEvent(quantity=quantity):
             subject = quantity.partition(".")[0]

@@ -3,9 +3,17 @@
 from collections.abc import Iterator, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
-from sandbox.model.level import ApexEvent, Check, ContactEvent, CrossingEvent, LandingEvent
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    LandingEvent,
+    SeparationEvent,
+)
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
+from sandbox.physics.accuracy.study import Trust
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
@@ -101,12 +109,18 @@ def moment(check: Check) -> str:
             return f"the apex of {body}"
         case LandingEvent(body=body):
             return f"the landing of {body}"
-        case ContactEvent(bodies=(a, b)):
-            return f"{a} to meet {b}"
+        case ContactEvent(bodies=(a, b), nth=nth):
+            return f"{a} to meet {b}{_times(nth)}"
+        case SeparationEvent(bodies=(a, b), nth=nth):
+            return f"{a} to part from {b}{_times(nth)}"
         case CrossingEvent(quantity=name, value=value):
             return f"{name} to cross {value.source}"
         case time:
             return f"t = {time.source} s"
+
+
+def _times(nth: int) -> str:
+    return f" {nth} times" if nth > 1 else ""
 
 
 def occasion(check: Check) -> str:
@@ -118,6 +132,8 @@ def occasion(check: Check) -> str:
             return "landing"
         case ContactEvent():
             return "contact"
+        case SeparationEvent():
+            return "parting"
         case CrossingEvent():
             return "crossing"
         case _:
@@ -178,6 +194,13 @@ def surviving(value: float, off: float) -> int:
     if off >= abs(value):
         return 0
     return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
+
+
+def trusted(found: Trust) -> str:
+    """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
+    digits = surviving(found.size, found.off)
+    told = {0: "no digit holds", 1: "1 digit holds"}.get(digits, f"{digits} digits hold")
+    return told if found.until is None else f"{told}; foretold until t = {seconds(found.until)}"
 
 
 def certain(value: float, off: float, unit: str) -> str:

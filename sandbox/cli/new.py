@@ -22,7 +22,9 @@ def new(name: str, template: str) -> None:
     Raises
     ------
     UsageError
-        If the file is there already or cannot be written, or there is no such template.
+        If the file cannot be written, or there is no such template.
+    TakenError
+        If it is there already.
     LevelError
         If the other level has mistakes.
     """
@@ -30,7 +32,7 @@ def new(name: str, template: str) -> None:
     source = _source(template)
     typed = read(source)
     level = parse(typed, str(source))
-    write_atomically(target, with_schema(typed, _schema(target)))
+    write_atomically(target, with_schema(typed, _schema(target)), new=True)
     typer.echo(
         f"{target}: {level.title}; open it with 'play {target}', and let 'check --watch {target}'"
         " tell mistakes while you write"
@@ -43,9 +45,8 @@ def _target(name: str) -> Path:
     if not stem or stem.endswith((os.sep, "/", ".")):
         raise usage.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
     path = Path(stem + _ENDING)
-    if os.path.lexists(path):
-        raise usage.UsageError(f"{path} is there already; nothing is overwritten")
-    usage.output_file(path)
+    if not os.path.lexists(path):  # told by what writes it
+        usage.output_file(path)
     return path
 
 

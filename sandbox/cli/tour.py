@@ -31,19 +31,25 @@ def tour(folder: Path) -> int:
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
         visits = [visit(name, folder) for name in bar.track(catalog.names(), description="Tour")]
+    unwritten = _write(folder / INDEX, page(visits))  # first: whoever reads may have gone
     Console(highlight=False).print(_table(visits))
     for visited in visits:
         _explain(visited)
     bad = sum(not visited.passed for visited in visits)
-    told = f"{usage.levels(len(visits))}, {bad or 'none'} failed"
+    where = "" if unwritten else f"; see {folder / INDEX}"
+    typer.echo(f"{usage.levels(len(visits))}, {bad or 'none'} failed{where}")
+    if unwritten:
+        typer.echo(unwritten, err=True)
+    return int(bad > 0 or unwritten is not None)
+
+
+def _write(path: Path, text: str) -> SandboxError | None:
+    """Write a page, or return why there is none: what was found is told all the same."""
     try:
-        write_atomically(folder / INDEX, page(visits))
-    except SandboxError as error:  # of a full disk, say: what was found is told all the same
-        typer.echo(told)
-        typer.echo(error, err=True)
-        return 1
-    typer.echo(f"{told}; see {folder / INDEX}")
-    return int(bad > 0)
+        write_atomically(path, text)
+    except SandboxError as error:
+        return error
+    return None
 
 
 def _table(visits: "list[Visit]") -> Table:

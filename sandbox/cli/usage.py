@@ -8,7 +8,7 @@ from sandbox.model import catalog
 from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.crowds import CrowdError
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
-from sandbox.model.files import check_writable, make_folder
+from sandbox.model.files import TakenError, check_writable, make_folder
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
 from sandbox.model.quantities import QuantityError
@@ -19,7 +19,7 @@ class UsageError(SandboxError):
     """Something typed on the command line that cannot be meant."""
 
 
-MISUSES = (UsageError, QuantityError, ValueRangeError, EffectError, CrowdError)
+MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)
 """The errors that say so."""
 
 

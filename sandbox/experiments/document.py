@@ -115,8 +115,8 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
         yield Fault((), "must be an object, {...}")
         return
     for detail in error.errors(include_url=False):
-        known = document.values if document else {detail["loc"][:1]: None}
-        path = wording.path_of(detail, known)
+        known = document.values.keys() if document else {detail["loc"][:1]}
+        path = wording.path_of(detail, known.__contains__)
         yield Fault(path, _rule(detail, path))
 
 

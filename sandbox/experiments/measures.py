@@ -2,7 +2,8 @@
 
     ball.position.x@end           at the end of the run, or where `until` has ended it
     ball.position.x@1.5           at a time [s], which may be a formula over the parameters
-    t@landing, t@apex(ball)       at an event: landing(BODY, HEIGHT), apex(BODY), contact(A, B),
+    t@landing, t@apex(ball)       at an event: landing(BODY, HEIGHT), apex(BODY),
+                                  contact(A, B, NTH), separation(A, B, NTH),
                                   crossing(QUANTITY, VALUE, up|down|either)
     t@until                       where the condition of `until` came to hold; nothing if it did not
     max(ball.speed)               an extreme, mean or integral over the run
@@ -12,7 +13,7 @@ In place of a quantity may stand arithmetic over several.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -20,7 +21,8 @@ import numpy as np
 
 from sandbox.experiments.observables import Observable
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.expressions import Array, Expression
+from sandbox.model.expressions import Expression
+from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -29,8 +31,9 @@ from sandbox.model.level import (
     Instant,
     LandingEvent,
     Level,
+    SeparationEvent,
 )
-from sandbox.model.quantities import quantity
+from sandbox.model.quantities import OVER_TIME, quantity
 from sandbox.model.suggest import suggestion
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import (
@@ -40,22 +43,14 @@ from sandbox.physics.measuring.grading import (
     relative_error,
     samples,
 )
+from sandbox.physics.measuring.over_time import over_time
 from sandbox.physics.measuring.recording import Trace, needed_at
 
 Place = Literal["end", "until"]
 
-_REDUCTIONS: Mapping[str, Callable[[Array, Array], float]] = {
-    "min": lambda _, y: float(y.min()),
-    "max": lambda _, y: float(y.max()),
-    "largest": lambda _, y: float(np.abs(y).max()),
-    "amplitude": lambda _, y: float(y.max() - y.min()) / 2,
-    "mean": lambda t, y: float(np.trapezoid(y, t) / (t[-1] - t[0])),
-    "integral": lambda t, y: float(np.trapezoid(y, t)),
-}
-_OF_TIME = {"integral": "s"}
 _CALL = re.compile(r"([a-z]+)\((.*)\)", re.DOTALL)
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
-_EVENTS = ("end", "until", "landing", "apex", "contact", "crossing")
+_EVENTS = ("end", "until", "landing", "apex", "contact", "separation", "crossing")
 
 
 class MeasureError(ValueError):
@@ -90,7 +85,7 @@ class Measure:
     def unit(self) -> str:
         """In SI; empty where it has none, or none is known."""
         unit = self.of.unit if self.of else ""
-        return "·".join(part for part in (unit, _OF_TIME.get(self.reduction, "")) if part)
+        return "·".join(part for part in (unit, OVER_TIME.get(self.reduction, "")) if part)
 
     @property
     def quantities(self) -> list[str]:
@@ -118,7 +113,7 @@ class Measure:
         assert self.of
         column = self.of.over(trace.columns, trace.t, trace.values)
         if self.reduction:
-            return _REDUCTIONS[self.reduction](trace.t, column), None
+            return float(over_time(self.reduction, trace.t, column)[-1]), None
         if self.at == "end":
             return float(column[-1]), float(trace.t[-1])
         if self.at == "until":
@@ -163,13 +158,13 @@ def parse(text: str, level: Level, *, until: bool) -> Measure:
         call = _CALL.fullmatch(text)
         if call and call[1] == "error":
             return Measure(text, None, None, "error", _check(call[2], level))
-        if call and call[1] in _REDUCTIONS and _closes_last(text):
+        if call and call[1] in OVER_TIME and _closes_last(text):
             return Measure(text, Observable.of(call[2], level), None, call[1], None)
         name, at, place = text.rpartition("@")
         if not at:
             raise MeasureError(
                 f"'{brief(text)}' does not say when: QUANTITY@end, QUANTITY@TIME, QUANTITY@landing"
-                f" and so on, or one of {', '.join(_REDUCTIONS)} of (QUANTITY), or error(CHECK)"
+                f" and so on, or one of {', '.join(OVER_TIME)} of (QUANTITY), or error(CHECK)"
             )
         of, instant = Observable.of(name, level), _instant(place.strip(), level)
     except SandboxError as error:
@@ -228,9 +223,9 @@ def _instant(text: str, level: Level) -> Instant | Place:
             )
         case "apex", [*body] if len(body) < 2:
             return ApexEvent(event="apex", body=_body(body, level, text))
-        case "contact", [a, b]:
+        case "contact" | "separation", [a, b, *nth] if len(nth) < 2:
             pair = (_body([a], level, text), _body([b], level, text))
-            return ContactEvent(event="contact", bodies=pair)
+            return _meeting(name, pair, nth, text)
         case "crossing", [of, *rest] if len(rest) < 3:
             return _crossing(of, rest, level)
     if name in _EVENTS:
@@ -243,9 +238,21 @@ _HOW: Mapping[str, str] = {
     "until": "until",
     "landing": "landing, landing(BODY) or landing(BODY, HEIGHT)",
     "apex": "apex or apex(BODY)",
-    "contact": "contact(BODY, BODY)",
+    "contact": "contact(BODY, BODY) or contact(BODY, BODY, 2) for the second",
+    "separation": "separation(BODY, BODY) or separation(BODY, BODY, 2) for the second",
     "crossing": "crossing(QUANTITY), crossing(QUANTITY, VALUE) or crossing(QUANTITY, VALUE, up)",
 }
+
+
+def _meeting(
+    name: str, pair: tuple[str, str], nth: list[str], text: str
+) -> ContactEvent | SeparationEvent:
+    count = nth[0] if nth else "1"
+    if not (count.isdecimal() and 1 <= int(count) <= MOST_MEETINGS):
+        raise MeasureError(f"'{brief(text)}' counts from 1 to {MOST_MEETINGS}")
+    if name == "contact":
+        return ContactEvent(event="contact", bodies=pair, nth=int(count))
+    return SeparationEvent(event="separation", bodies=pair, nth=int(count))
 
 
 def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:

@@ -10,6 +10,7 @@ from sandbox.model.level import (
     Instant,
     LandingEvent,
     Level,
+    SeparationEvent,
 )
 
 
@@ -29,8 +30,9 @@ def written(at: Instant) -> str:
             return f"landing({at.body}, {_typed(at.height)})"
         case ApexEvent():
             return f"apex({at.body})"
-        case ContactEvent():
-            return f"contact({', '.join(at.bodies)})"
+        case ContactEvent() | SeparationEvent():
+            nth = [str(at.nth)] if at.nth > 1 else []
+            return f"{at.event}({', '.join([*at.bodies, *nth])})"
         case CrossingEvent():
             return f"crossing({at.quantity}, {_typed(at.value)}, {at.direction})"
         case _:

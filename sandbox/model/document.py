@@ -50,9 +50,12 @@ class Document(Origin):
         return data
 
     def refuse(self, faults: Iterable[Fault]) -> NoReturn:
-        """Raise everything that is wrong, in the order of the text."""
+        """Raise everything that is wrong, in the order of the text; of copies, of the first."""
         found = islice(dict.fromkeys(faults), MAX_MISTAKES + 1)
-        self._raise(sorted(map(self._mistake, found), key=lambda m: (m.line or 0, m.column or 0)))
+        once: dict[Any, Mistake] = {}
+        for mistake in map(self._mistake, found):
+            once.setdefault((mistake.line, mistake.column, mistake.rule), mistake)
+        self._raise(sorted(once.values(), key=lambda m: (m.line or 0, m.column or 0)))
 
     def start(self, path: Path) -> int:
         """Return where in the text something stands, or what is around it if it is missing."""
@@ -77,7 +80,8 @@ class Document(Origin):
         """Place a fault; where the text has nothing there, at what is around it."""
         value = self.nearest(fault.path)
         mistake = self._at(value, fault.path, fault.rule)
-        tells = value.path == fault.path and value.text not in "{[" and not _says(fault, value)
+        there = value.path == self.typed(fault.path)
+        tells = there and value.text not in "{[" and not _says(fault, value)
         return replace(mistake, value=brief(value.text)) if tells else mistake
 
     def _at(self, value: Value, path: Path, rule: str) -> Mistake:

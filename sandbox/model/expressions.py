@@ -96,10 +96,11 @@ class Expression:
         If the source is anything else.
     """
 
-    __slots__ = ("_code", "_constant", "names", "source")
+    __slots__ = ("_code", "_constant", "_defined", "names", "source", "written")
 
     _code: CodeType | None
     _constant: float | None
+    _defined: "Definitions"
 
     rule: ClassVar[str] = ""
     """What a value must satisfy, in words; empty if any finite number will do."""
@@ -115,16 +116,43 @@ class Expression:
     """What the expression may use beside the parameters, such as the time ``t``."""
 
     source: float | str
+    written: frozenset[str]
+    """The names in its text."""
     names: frozenset[str]
+    """The names on whose values its own depends: as they are written, but for constants."""
 
     def __init__(self, source: float | str) -> None:
         self.source = source if isinstance(source, str) else _number(source)
+        self._defined = ()
         if isinstance(self.source, str):
-            self._code, self.names = _compiled(self.source)
-            self._constant = None if self.names else self._finite(self._evaluate({}))
+            self._code, self.written = _compiled(self.source)
+            self.names = self.written
+            self._constant = None if self.written else self._finite(self._evaluate({}))
         else:
-            self._code, self.names = None, frozenset()
+            self._code, self.written, self.names = None, frozenset(), frozenset()
             self._constant = self._finite(self.source)
+
+    def define(self, constants: Mapping[str, "Expression"]) -> None:
+        """Let names in its text stand for constants.
+
+        Parameters
+        ----------
+        constants
+            By name, in such an order that each uses only those before it.
+        """
+        names, used = set(self.written), list[tuple[str, Expression]]()
+        for name, constant in reversed([*constants.items()]):
+            if name in names:
+                names |= constant.written
+                used.append((name, constant))
+        self.taking(tuple(reversed(used)))
+
+    def taking(self, defined: "Definitions") -> Self:
+        """Return itself, with the values of its constants computed before its own."""
+        names = self.written.union(*(constant.written for _, constant in defined))
+        self.names = names.difference(name for name, _ in defined)
+        self._defined = defined
+        return self
 
     def __call__(self, values: Values) -> float:
         """Return the value for the given parameters.
@@ -139,14 +167,20 @@ class Expression:
         return self._finite(self._evaluate(values))
 
     def _evaluate(self, values: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-        assert self._code is not None
         scope = {name: np.asarray(values[name], dtype=float)[()] for name in self.names}
         try:
             with np.errstate(all="ignore"):
-                result = eval(self._code, _NAMESPACE, scope)  # the tree has passed _parse
+                for name, constant in self._defined:
+                    scope[name] = constant.within(scope)
+                return self.within(scope)
         except ZeroDivisionError:
             raise ExpressionError(f"{self._shown}divides by zero") from None
-        return result
+
+    def within(self, scope: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
+        """Return the value, finite or not, where every name in its text has one."""
+        if self._code is None:
+            return self._constant
+        return eval(self._code, _NAMESPACE, scope)  # the tree has passed _parse
 
     @property
     def _shown(self) -> str:
@@ -193,7 +227,9 @@ class Expression:
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.source!r})"
 
-    def __reduce__(self) -> tuple[type[Self], tuple[float | str]]:
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._defined:
+            return _restored, (type(self), self.source, self._defined)
         return type(self), (self.source,)  # code cannot be pickled
 
     @classmethod
@@ -234,6 +270,15 @@ class Expression:
         if cls.least or not cls.bounds:
             said["minimum"] = cls.least or -cls.most
         return said
+
+
+Definitions = tuple[tuple[str, Expression], ...]
+"""Constants by their names, each after those that it uses."""
+
+
+def _restored(kind: type[Expression], source: str, defined: Definitions) -> Expression:
+    """Return an expression that has been pickled together with its constants."""
+    return kind(source).taking(defined)
 
 
 class Positive(Expression):
@@ -305,6 +350,10 @@ class Profile(Formula):
 
     __slots__ = ()
     variable = "x"
+
+
+VARIABLES = frozenset(kind.variable for kind in (Formula, Curve, Profile))
+"""What some formulas may use beside the parameters."""
 
 
 def _number(source: float) -> float:

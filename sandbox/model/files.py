@@ -13,6 +13,11 @@ import platformdirs
 
 from sandbox.model.errors import SandboxError
 
+
+class TakenError(SandboxError):
+    """A place for a new file at which there is something already."""
+
+
 _PART = re.compile(r"\.([0-9a-f]{8})-(\d+)-[0-9a-f]{32}\.part")
 """What a file is called while it is written: by which machine, by which process, and a number."""
 
@@ -22,10 +27,13 @@ def data_folder() -> Path:
     return platformdirs.user_data_path("mechanics-sandbox")
 
 
-def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> None:
+def write_atomically(
+    path: Path, data: str | bytes, *, follow: bool = True, new: bool = False
+) -> None:
     """Write a file beside its place, then move it there: nobody ever finds half of it.
 
-    What a process that was killed has left of such files in the folder is removed.
+    Who may read and write it stays as it was, and whose it is, where that may be said. What a
+    process that was killed has left of such files in the folder is removed.
 
     Parameters
     ----------
@@ -35,12 +43,18 @@ def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> N
         What it holds.
     follow
         Whether it belongs where a link leads that has its name; else it takes the link's place.
+    new
+        Whether nothing may be there yet, not even a link.
 
     Raises
     ------
+    TakenError
+        If something is there that must not be.
     SandboxError
         If it cannot be written; what was there before is then still there.
     """
+    if new and os.path.lexists(path):
+        raise _taken(path)
     check_writable(path)
     target = Path(os.path.realpath(path)) if follow else path
     _sweep(target.parent)
@@ -48,13 +62,57 @@ def write_atomically(path: Path, data: str | bytes, *, follow: bool = True) -> N
     try:
         with beside.open("xb") as file:
             file.write(data.encode() if isinstance(data, str) else data)
-        beside.replace(target)
+        _keep_access(target, beside)
+        (_link if new else Path.replace)(beside, path if new else target)
     except BaseException as error:
         with suppress(OSError):
             beside.unlink(missing_ok=True)
+        if new and isinstance(error, FileExistsError):
+            raise _taken(path) from None
         if isinstance(error, OSError):
             raise _refusal(path, error.strerror or str(error)) from error
         raise
+
+
+def _keep_access(old: Path, made: Path) -> None:
+    """Give a file the owner and the permissions of the one whose place it takes, if there is one.
+
+    Who is not allowed to give files away keeps it. Bits that run a program as its owner are lost,
+    as with any writing.
+    """
+    try:
+        before = old.lstat()
+    except FileNotFoundError:
+        return
+    if not stat.S_ISREG(before.st_mode):  # a link that gives way has no permissions of its own
+        return
+    if hasattr(os, "chown") and (before.st_uid, before.st_gid) != _owner(made):
+        with suppress(OSError):
+            os.chown(made, before.st_uid, before.st_gid)
+    if (mode := stat.S_IMODE(before.st_mode) & 0o777) != stat.S_IMODE(made.stat().st_mode):
+        made.chmod(mode)
+
+
+def _owner(path: Path) -> tuple[int, int]:
+    status = path.stat()
+    return status.st_uid, status.st_gid
+
+
+def _link(made: Path, place: Path) -> None:
+    """Move a file to a place at which nothing is; whoever comes first has it.
+
+    A file system without links is asked beforehand, which is all that it offers.
+    """
+    try:
+        os.link(made, place, follow_symlinks=False)
+    except FileExistsError:
+        raise
+    except OSError:
+        if os.path.lexists(place):
+            raise FileExistsError from None
+        made.replace(place)
+    else:
+        made.unlink()
 
 
 def read_ordinary(path: Path, largest: int) -> bytes | None:
@@ -143,6 +201,10 @@ def make_folder(folder: Path) -> None:
         reason = "it is a file" if folder.is_file() else error.strerror
         raise SandboxError(f"cannot make the folder {folder}: {reason}") from error
     check_writable(folder / "any")
+
+
+def _taken(path: Path) -> TakenError:
+    return TakenError(f"{path} is there already; nothing is overwritten")
 
 
 def _refusal(path: Path, reason: str) -> SandboxError:

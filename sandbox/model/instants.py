@@ -1,24 +1,47 @@
-"""When something is measured: at a time, or when something happens for the first time."""
+"""When something is measured: at a time, or when something happens."""
 
 from collections.abc import Mapping
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Tag
+from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import Coordinate
 from sandbox.model.expressions import Expression
 from sandbox.model.mention import BodyName, Couple, QuantityName
 
+MOST_MEETINGS = 100
+"""How often two bodies may meet and part, for that to be counted."""
+
+
+def _counted(said: object) -> object:
+    """Take a number in quotes for one: it stands so where an index was put in."""
+    return int(said) if isinstance(said, str) and said.isdecimal() and len(said) < 5 else said
+
+
+Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
+"""The how many-th time; the first is 1."""
+
 
 class ContactEvent(Model):
-    """Two bodies first come to touch; measured one step later, when the impact is over.
+    """Two bodies come to touch; measured one step later, when the impact is over.
 
     Just after the impact itself where it is located in time.
     """
 
     event: Literal["contact"]
     bodies: Couple
+    nth: Nth = 1
+    """how many times they have come to touch by then; those that touch at the start part before"""
+
+
+class SeparationEvent(Model):
+    """Two bodies that have touched do so no longer; measured at the first step at which they do."""
+
+    event: Literal["separation"]
+    bodies: Couple
+    nth: Nth = 1
+    """how many times they have parted by then"""
 
 
 class CrossingEvent(Model):
@@ -55,6 +78,7 @@ def _kind(at: object) -> str | None:
 Instant = Annotated[
     Annotated[Expression, Tag("a number")]
     | Annotated[ContactEvent, Tag("contact")]
+    | Annotated[SeparationEvent, Tag("separation")]
     | Annotated[CrossingEvent, Tag("crossing")]
     | Annotated[ApexEvent, Tag("apex")]
     | Annotated[LandingEvent, Tag("landing")],

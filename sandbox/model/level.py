@@ -7,7 +7,7 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 from cmath import rect
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import Annotated, Literal, cast
+from typing import Annotated, Literal, Self, cast
 
 from pydantic import (
     BeforeValidator,
@@ -15,6 +15,7 @@ from pydantic import (
     PrivateAttr,
     SerializerFunctionWrapHandler,
     model_serializer,
+    model_validator,
 )
 from pydantic_core import PydanticCustomError
 
@@ -32,8 +33,9 @@ from sandbox.model.bounds import (
     Spin,
 )
 from sandbox.model.challenge import Challenge
+from sandbox.model.constants import define
 from sandbox.model.effects import Effects
-from sandbox.model.expressions import Formula, Fraction, Positive, Values
+from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -48,6 +50,9 @@ from sandbox.model.instants import (
 )
 from sandbox.model.instants import (
     LandingEvent as LandingEvent,
+)
+from sandbox.model.instants import (
+    SeparationEvent as SeparationEvent,
 )
 from sandbox.model.joints import (
     End,
@@ -78,6 +83,15 @@ def _version(value: object) -> object:
 
 MAX_BODIES = 20_000
 """How many bodies a level may have: ten thousand are in time at 60 Hz."""
+
+MAX_LABELS = 100
+"""How many labels a level may have."""
+
+MAX_POINTS = 100
+"""How many points of a body may have names."""
+
+MAX_CONSTANTS = 200
+"""How many names for formulas a level may have."""
 
 HIGHEST_RATE = 100_000
 """Hz, the most steps that a second may have."""
@@ -127,8 +141,16 @@ class Body(Model):
     """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
+    points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
+    """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
+    [x, y] in m, from its position, along its own axes"""
     color: Annotated[str, Field(pattern=r"^#[0-9a-fA-F]{6}$")] | None = None
     """as it is drawn, such as "#4cc9f0"; chosen from a palette if left out"""
+    hidden: bool = False
+    """whether it is left out of pictures; it takes part in everything else"""
+    layer: Annotated[int, Field(ge=-100, le=100)] = 0
+    """what has a higher one is drawn over what has a lower one; bodies that never move lie behind
+    all that do, unless theirs is above 0"""
 
 
 def place(end: End, bodies: Mapping[str, Body], values: Values) -> complex:
@@ -207,8 +229,17 @@ class Stepping(Model):
         return self.scheme in ("symplectic-euler", "explicit-euler")
 
 
+class Label(Model):
+    """Words on the stage."""
+
+    text: Annotated[str, Field(min_length=1, max_length=80)]
+    """one short line"""
+    at: End
+    """the body, the point of a body or the fixed point [x, y] that they are written over"""
+
+
 class View(Model):
-    """What part of the plane is shown."""
+    """What part of the plane is shown, and what is written on it."""
 
     center: Point = (Coordinate(0), Coordinate(0))
     """[x, y] in m, of the middle of the picture"""
@@ -216,6 +247,8 @@ class View(Model):
     """m, of the picture"""
     components: bool = False
     """whether velocities are drawn with their components"""
+    labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
+    """words at points or on bodies, always written"""
     landscape: Landscape | None = None
     """a body's potential, drawn as a curve over the places that it can reach"""
 
@@ -235,6 +268,8 @@ class Level(Model):
     """the part of the document that it comes from"""
     parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
     """the numbers that a person may change; any number of the scene may be a formula over them"""
+    constants: Annotated[Mapping[Name, Expression], Field(max_length=MAX_CONSTANTS)] = {}
+    """names for formulas over the parameters and over other constants; any formula may use them"""
     effects: Effects = Effects()
     """what acts; an effect that is not named here is not simulated"""
     bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
@@ -254,6 +289,11 @@ class Level(Model):
     view: View = View()
     """what part of the plane is shown"""
     _origin: Origin | None = PrivateAttr(default=None)
+
+    @model_validator(mode="after")
+    def _define(self) -> Self:
+        define(self, self.constants)
+        return self
 
     def read_from(self, origin: Origin) -> None:
         """Note the text that it was read from."""

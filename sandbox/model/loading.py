@@ -25,6 +25,7 @@ from sandbox.model.locating import Path as Place
 from sandbox.model.locating import position
 from sandbox.model.origin import Origin
 from sandbox.model.parts import Fault
+from sandbox.model.shorthand import write_out
 from sandbox.model.suggest import meant
 
 MAX_BYTES = 5_000_000
@@ -123,20 +124,25 @@ def parse(text: str, source: str = "<text>") -> Level:
 
 def _parsed(text: str, source: str) -> Level:
     document = Document(text, source)
-    data = document.read()
+    typed = document.read()
+    data, *_ = made = write_out(typed, text)
+    if made.faults:
+        document.refuse(made.faults)
+    document.typed = made.place
     if (length := _formulas_length(data)) > MAX_FORMULAS:
         rule = f"holds formulas of {length:,} characters, and {MAX_FORMULAS:,} are the most"
         refuse(source, rule)
     try:
-        level = Level.model_validate_json(text)
+        level = Level.model_validate_json(text if data is typed else json.dumps(data))
     except ValidationError as error:
         details = error.errors(include_url=False)
         if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
-            refuse(source, *wording.refused(details[0]["ctx"]["error"]))
+            rule, place = wording.refused(details[0]["ctx"]["error"])
+            refuse(source, rule, place if data is typed else None)
         document.refuse(_faults(document, data, details))
     if found := rules.faults(level):
-        document.refuse(found)
-    level.read_from(Origin(text, source))
+        document.refuse(made.hinted(fault, typed) for fault in found)
+    level.read_from(Origin(text, source, made.place))
     return level
 
 
@@ -220,7 +226,7 @@ def _content(path: Path, source: str) -> bytes:
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
-    paths = [wording.path_of(detail, document.values) for detail in details]
+    paths = [wording.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)
         for path, detail in zip(paths, details, strict=True)
@@ -246,7 +252,7 @@ def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level |
     """
     try:
         for detail in details:
-            *outside, last = wording.path_of(detail, document.values)
+            *outside, last = wording.path_of(detail, document.has)
             part = reduce(getitem, outside, data)
             if detail["type"] == "extra_forbidden":
                 del part[last]

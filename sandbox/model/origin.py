@@ -1,10 +1,15 @@
 """The text that a level was read from, so that it can be told where a part of it stands."""
 
+from collections.abc import Callable
 from functools import cached_property
 
 from sandbox.model import locating
 from sandbox.model.errors import brief
 from sandbox.model.locating import Path, Value
+
+
+def _there(path: Path) -> Path:
+    return path
 
 
 class Origin:
@@ -18,11 +23,14 @@ class Origin:
         The JSON.
     source
         Where it came from, for the messages.
+    typed
+        Where in the text a part was typed, by its path in the level; the same if left out.
     """
 
-    def __init__(self, text: str, source: str) -> None:
+    def __init__(self, text: str, source: str, typed: Callable[[Path], Path] = _there) -> None:
         self.text = text
         self.source = source
+        self.typed = typed
 
     def __eq__(self, other: object) -> bool:
         return True
@@ -35,8 +43,13 @@ class Origin:
         """Every value of the text, by its path."""
         return {value.path: value for value in locating.values(self.text)}
 
+    def has(self, path: Path) -> bool:
+        """Whether something was typed for a path of the level."""
+        return self.typed(path) in self.values
+
     def nearest(self, path: Path) -> Value:
         """Return what stands at a path, or what is around it if it is missing."""
+        path = self.typed(path)
         while path not in self.values:
             path = path[:-1]
         return self.values[path]

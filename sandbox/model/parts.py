@@ -1,13 +1,12 @@
 """Walking through the parts of a level."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
-from sandbox.model.base import Model
-from sandbox.model.expressions import Expression
 from sandbox.model.instants import Instant
 from sandbox.model.level import Check, Level
 from sandbox.model.locating import Path
+from sandbox.model.walking import expressions as expressions
 
 if TYPE_CHECKING:
     from sandbox.model.challenge import Goal
@@ -18,29 +17,6 @@ class Fault(NamedTuple):
 
     path: Path
     rule: str
-
-
-def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:
-    """Yield every expression below a part of a level, with the path to it."""
-    pending = [(path, part)]
-    while pending:
-        path, part = pending.pop()
-        if isinstance(part, Expression):
-            yield path, part
-        else:
-            pending += [
-                ((*path, name), child)
-                for name, child in reversed(_children(part))
-                if not (child is None or isinstance(child, str))  # most of what there is
-            ]
-
-
-def _children(part: object) -> Sequence[tuple[str | int, object]]:
-    if isinstance(part, Model):
-        return list(vars(part).items())
-    if isinstance(part, tuple):
-        return list(enumerate(part))
-    return list(part.items()) if isinstance(part, Mapping) else ()
 
 
 def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:

@@ -3,10 +3,15 @@
 A quantity has one name everywhere: in a level's checks, on the command line, in a CSV header, in a
 graph and on the screen. It reads `subject.attribute`, with `.x` or `.y` for a component; a vector
 without a component stands for its magnitude. The subject is a body, a joint, or `system`.
+
+Two bodies, or a body and one of its points, have quantities of their own, which name both:
+`block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`. Of most
+quantities there is also what becomes of it over time, such as `string.tension.max`.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Literal
 
 from sandbox.model import accounts
@@ -44,6 +49,28 @@ _SCALARS: Mapping[Owner, Mapping[str, str]] = {
     },
 }
 
+_OF_CONTACT = {"contact.normal": "N", "contact.friction": "N"}
+"""What two bodies exert on each other where they touch."""
+
+_KINDS_OF_CONTACT = tuple(name.partition(".")[2] for name in _OF_CONTACT)
+
+MOST_MUTUAL = 6
+"""How many bodies a level may have for all that two of them have together to be listed."""
+
+_OF_POINTS = {"position": "m", "velocity": "m/s"}
+"""What can be measured of a point of a body."""
+
+OVER_TIME: Mapping[str, str] = {
+    "min": "",
+    "max": "",
+    "largest": "",
+    "amplitude": "",
+    "mean": "",
+    "integral": "s",
+}
+"""What may become of a quantity from the start on, and by what its unit is multiplied; `largest` is
+that of its size, `amplitude` half the way from the least to the most."""
+
 _BOOKS: Mapping[str, str] = {
     "work": "J",
     "loss": "J",
@@ -74,6 +101,10 @@ class Quantity:
         Of a vector; None for its magnitude, and for scalars.
     unit
         In SI.
+    other
+        The second body that it is about, or the point; empty if there is none.
+    over_time
+        What becomes of it from the start on, one of `OVER_TIME`; empty if it is what it is now.
     """
 
     name: str
@@ -82,6 +113,8 @@ class Quantity:
     attribute: str
     component: Component | None
     unit: str
+    other: str = ""
+    over_time: str = ""
 
     @property
     def adds_up(self) -> bool:
@@ -93,6 +126,16 @@ class Quantity:
         """Whether it is known only to a ledger that has seen every step."""
         return self.attribute.partition(".")[0] in _BOOKS
 
+    @property
+    def between(self) -> bool:
+        """Whether it is a force of two bodies that touch, which no state tells."""
+        return bool(self.other) and self.attribute in _OF_CONTACT
+
+    @property
+    def momentary(self) -> bool:
+        """Whether one state of the bodies and joints tells it."""
+        return not (self.booked or self.adds_up or self.between or self.over_time)
+
 
 TIME = Quantity("t", "time", "t", "t", None, "s")
 
@@ -102,11 +145,21 @@ class QuantityError(SandboxError, ValueError):
 
 
 def quantities(level: Level) -> Iterator[Quantity]:
-    """Yield every quantity of a level that can be measured."""
+    """Yield every quantity of a level that can be measured, but for those that go on without end.
+
+    These are what two bodies have together, see `mutual`, and what becomes of others over time.
+    """
     yield TIME
     for subject, owner in _owners(level).items():
         yield from _of(owner, subject, level)
     yield from _of_accounts(level)
+
+
+def momentary(level: Level) -> Iterator[Quantity]:
+    """Yield those that a state tells by itself, without what went before; the time is none."""
+    for found in chain(quantities(level), mutual(level)):
+        if found.momentary and found is not TIME:
+            yield found
 
 
 def quantity(name: str, level: Level) -> Quantity:
@@ -119,6 +172,9 @@ def quantity(name: str, level: Level) -> Quantity:
     """
     if name == TIME.name:
         return TIME
+    whole, _, what = name.rpartition(".")
+    if what in OVER_TIME:
+        return _over_time(quantity(whole, level), what)
     owners = _owners(level)
     subject, dot, rest = name.partition(".")
     if subject not in owners:
@@ -128,11 +184,69 @@ def quantity(name: str, level: Level) -> Quantity:
     found = [*_of(owners[subject], subject, level)]
     if owners[subject] == "system":
         found += _of_accounts(level)
+    if owners[subject] == "body":
+        found += _of_two(subject, rest, level)
     known = {quantity.name: quantity for quantity in found}
     if name not in known:
-        hint = suggestion(name, known, most=len(known))
+        followed = [f"{whole}.{form}" for form in OVER_TIME if whole in known]
+        hint = suggestion(name, [*known, *followed], most=len(known))
         raise QuantityError(f"'{brief(name)}' is not a quantity of this level{hint}")
     return known[name]
+
+
+def base(quantity: Quantity) -> str:
+    """Return the name of what is followed over time."""
+    return quantity.name.removesuffix(f".{quantity.over_time}")
+
+
+def mutual(level: Level, most: int = MOST_MUTUAL) -> Iterator[Quantity]:
+    """Yield what each two bodies of a level have together; nothing of more bodies than `most`."""
+    if len(level.bodies) <= most:
+        for subject in level.bodies:
+            for other in level.bodies:
+                if other != subject:
+                    yield from _mutual(subject, other, level)
+
+
+def _over_time(quantity: Quantity, what: str) -> Quantity:
+    """Return what becomes of a quantity from the start on."""
+    name = f"{quantity.name}.{what}"
+    if quantity.over_time or quantity.owner == "time":
+        rule = f"'{brief(quantity.name)}' has no '{what}' over time"
+        raise QuantityError(f"'{brief(name)}' is not a quantity of this level; {rule}")
+    unit = "·".join(part for part in (quantity.unit, OVER_TIME[what]) if part)
+    return replace(quantity, name=name, unit=unit, over_time=what)
+
+
+def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:
+    """Yield what a body has together with the one that a name is about, or probably is."""
+    kind, _, after = rest.partition(".")
+    other = after.partition(".")[0]
+    if kind in ("contact", "relative") and other not in ("", *_KINDS_OF_CONTACT):
+        found = other if other in level.bodies else closest(other, level.bodies)
+        if found and found != subject:
+            yield from _mutual(subject, found, level)
+
+
+def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
+    name = f"{subject}.relative.{other}"
+    for attribute, unit in _OF_POINTS.items():
+        for component in ("x", "y", None):
+            told = f"{name}.{attribute}" + (f".{component}" if component else "")
+            yield Quantity(told, "body", subject, f"relative.{attribute}", component, unit, other)
+    yield Quantity(f"{name}.distance", "body", subject, "relative.distance", None, "m", other)
+    if level.effects.contact:
+        for attribute, unit in _OF_CONTACT.items():
+            told = f"{subject}.contact.{other}.{attribute.partition('.')[2]}"
+            yield Quantity(told, "body", subject, attribute, None, unit, other)
+
+
+def _of_points(subject: str, level: Level) -> Iterator[Quantity]:
+    for point in level.bodies[subject].points:
+        for attribute, unit in _OF_POINTS.items():
+            for component in ("x", "y", None):
+                name = f"{subject}.{point}.{attribute}" + (f".{component}" if component else "")
+                yield Quantity(name, "body", subject, f"point.{attribute}", component, unit, point)
 
 
 def _owners(level: Level) -> dict[str, Owner]:
@@ -176,3 +290,12 @@ def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
     scalars = level.joints[subject].kind.quantities if owner == "joint" else _SCALARS[owner]
     for attribute, unit in scalars.items():
         yield Quantity(f"{subject}.{attribute}", owner, subject, attribute, None, unit)
+    if owner == "body":
+        yield from _of_points(subject, level)
+
+
+ATTRIBUTES_OF_BODIES = frozenset(
+    name.partition(".")[0]
+    for name in (*_VECTORS["body"], *_SCALARS["body"], "relative", *OVER_TIME)
+)
+"""What a point of a body cannot be called."""

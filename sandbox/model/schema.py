@@ -15,6 +15,7 @@ from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
 from sandbox.model.mention import NAMES
+from sandbox.model.shorthand.schema import Each, Typed, with_repeats
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -54,13 +55,17 @@ def _grammar(model: type[Model]) -> dict[str, Any]:
 
 
 def schema() -> dict[str, Any]:
-    """Return the JSON Schema of a level."""
-    return of(Level)
+    """Return the JSON Schema of a level as its author types it, with all shorthand."""
+    return _told(with_repeats(_grammar(Typed), _grammar(Each)))
 
 
 def of(model: type[Model]) -> dict[str, Any]:
     """Return the JSON Schema of a format."""
-    explained: dict[str, Any] = _explain({"$schema": DIALECT, **_grammar(model)})
+    return _told(_grammar(model))
+
+
+def _told(made: dict[str, Any]) -> dict[str, Any]:
+    explained: dict[str, Any] = _explain({"$schema": DIALECT, **made})
     return explained
 
 

@@ -13,6 +13,7 @@ from pydantic_core import ErrorDetails
 
 from sandbox.model import wording
 from sandbox.model.consistency import inconsistencies
+from sandbox.model.constants import define
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Settings
 from sandbox.model.errors import SandboxError, brief
@@ -166,7 +167,9 @@ def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
     many = [{**entry, **fields} for entry in entries]
     for entry in (many,) if before is entries else (many[0], many):
         try:
-            return Effects.model_validate_json(json.dumps({**said, effect: entry}))
+            made = Effects.model_validate_json(json.dumps({**said, effect: entry}))
+            define(made, level.constants)
+            return made
         except ValidationError as error:
             detail = error.errors(include_url=False)[0]
             if detail["type"] != "tuple_type" or len(detail["loc"]) > 1:

@@ -1,7 +1,7 @@
 """What a reader of JSON or of types complains of, in the words of the level format."""
 
 import re
-from collections.abc import Container, Mapping
+from collections.abc import Callable, Mapping
 from math import isnan
 from types import UnionType
 from typing import Annotated, Any, Union, get_args, get_origin
@@ -66,7 +66,7 @@ def refused(message: str) -> tuple[str, Position | None]:
     return rule, (found[0], found[1]) if len(found) == 2 else None
 
 
-def path_of(detail: ErrorDetails, known: Container[Path]) -> Path:
+def path_of(detail: ErrorDetails, known: Callable[[Path], bool]) -> Path:
     """Drop from pydantic's location what is not in the file, such as the chosen type of a shape.
 
     Parameters
@@ -74,11 +74,11 @@ def path_of(detail: ErrorDetails, known: Container[Path]) -> Path:
     detail
         The error.
     known
-        The paths of the values in the file.
+        Whether a value stands at a path in the file.
     """
     path: Path = ()
     for step in detail["loc"]:
-        if (*path, step) in known:
+        if known((*path, step)):
             path = (*path, step)
     step = detail["loc"][-1] if detail["loc"] else 0
     return (*path, step) if detail["type"] == "missing" and isinstance(step, str) else path

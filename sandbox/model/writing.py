@@ -11,14 +11,15 @@ from typing import Any
 
 from sandbox.model.level import Level
 from sandbox.model.locating import TOKEN
+from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100
 """Columns: what stands a line a member is put on one line if it fits in so many."""
 
 _INDENT = "  "
-_ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
+_ORDER = order(known.alias or name for name, known in Level.model_fields.items())
 
-NAMED = ("parameters", "bodies", "joints", "checks", "ghosts")
+NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
 """The parts whose members come and go, so that each may have a line of its own, however short."""
 
 

@@ -20,6 +20,7 @@ from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, ne
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
 from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.patience import Patience
 from sandbox.physics.stepping.world import World
 
 
@@ -94,8 +95,12 @@ def simulate(
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
             closer = Closer(world) if books else None
-            for _ in range(count_steps(world, duration)):
-                world.advance()
+            steps, patience = count_steps(world, duration), Patience(world)
+            if until is None:
+                recorder.require(steps + 1)
+            for taken in range(steps):
+                patience.advance()
+                recorder.require(taken + 2)
                 recorder.note()
                 if closer:
                     closer.note()

@@ -3,8 +3,9 @@ from pathlib import Path
 
 import pytest
 
+from sandbox.model import files
 from sandbox.model.errors import SandboxError
-from sandbox.model.files import check_writable, read_ordinary, write_atomically
+from sandbox.model.files import TakenError, check_writable, read_ordinary, write_atomically
 from tests.elsewhere import python
 
 
@@ -136,3 +137,60 @@ def test_what_is_read_only_stays_as_it_is(
 
     with pytest.raises(SandboxError, match=reason):
         check_writable(tmp_path / "file")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="permissions as on Unix")
+@pytest.mark.parametrize("mode", [0o600, 0o640, 0o755])
+def test_who_may_read_and_write_a_file_stays_as_it_was(tmp_path: Path, mode: int) -> None:
+    (tmp_path / "real").touch()
+    (tmp_path / "real").chmod(mode)
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+
+    write_atomically(tmp_path / "link", "new")
+
+    assert (tmp_path / "real").stat().st_mode & 0o777 == mode
+    assert (tmp_path / "real").read_text() == "new"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="owners as on Unix")
+def test_a_file_stays_whose_it_was(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").touch()
+    theirs = 4321, 1234
+    monkeypatch.setattr(files, "_owner", lambda _path: theirs)  # as if somebody else wrote
+    given = list[tuple[int, int]]()
+    monkeypatch.setattr(os, "chown", lambda _path, *owner: given.append(owner))
+
+    write_atomically(tmp_path / "file", "new")
+
+    status = (tmp_path / "file").stat()
+    assert given == [(status.st_uid, status.st_gid)]
+
+
+@pytest.mark.parametrize("linked", [True, False])
+def test_of_two_who_make_one_file_the_first_has_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, linked: bool
+) -> None:
+    """Whoever looks and then writes overwrites what came between the two."""
+    path, check = tmp_path / "file", check_writable
+
+    def overtaken(path: Path) -> None:
+        check(path)
+        path.write_text("theirs")
+
+    monkeypatch.setattr(files, "check_writable", overtaken)
+    if not linked:  # a file system that has none
+        monkeypatch.setattr(os, "link", lambda *_args, **_rest: os.stat("/nowhere"))
+
+    with pytest.raises(TakenError, match="is there already"):
+        write_atomically(path, "mine", new=True)
+
+    assert path.read_text() == "theirs"
+    assert list(tmp_path.iterdir()) == [path]
+    with pytest.raises(TakenError):
+        write_atomically(path, "mine", new=True)
+
+
+def test_a_new_file_is_written_where_nothing_is(tmp_path: Path) -> None:
+    write_atomically(tmp_path / "file", "new", new=True)
+
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("file", "new")]

@@ -10,6 +10,7 @@ from sandbox.model import catalog
 from sandbox.model.effects import Effects
 from sandbox.model.level import Level
 from sandbox.model.schema import main, schema, text, write
+from sandbox.model.shorthand.schema import TEMPLATE
 
 SCHEMA = schema()
 
@@ -92,7 +93,7 @@ def test_a_shape_is_chosen_by_its_tag(tag: str) -> None:
 def test_names_have_the_form_that_the_loader_asks_for(kind: str) -> None:
     part = SCHEMA["properties"][kind]
 
-    assert list(part["patternProperties"]) == ["^[A-Za-z][A-Za-z0-9_]{0,30}$"]
+    assert list(part["patternProperties"]) == ["^[A-Za-z][A-Za-z0-9_]{0,30}$|" + TEMPLATE]
     assert part["additionalProperties"] is False
 
 

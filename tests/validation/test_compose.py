@@ -81,7 +81,7 @@ def test_scenes_are_well_formed_and_nothing_overlaps_at_the_start(family: str) -
         here = places(document)
         position = np.stack((here.x, here.y), axis=-1)
         for couple in couples(document, position, here.angle):
-            assert couple.separation[0] > -1e-9, (seed, couple.names)  # the hair of surfaces
+            assert couple.separation[0] > -1e-9, (seed, couple.names)  # the skin of surfaces
 
 
 @pytest.mark.parametrize("family", RESTING)

@@ -27,7 +27,7 @@ from validation.stability.scene import Document
 
 FORCES = 1e-6
 """Of all weights together. The linear programme is solved to 1e-7, and surfaces are where they are
-to a hair of 1e-9 m, a millionth of the least arm of 1 cm at a lever of ten."""
+to a skin of 1e-9 m, a millionth of the least arm of 1 cm at a lever of ten."""
 
 MARGIN = 0.9
 """The share of its friction with which a scene must stand to be called at rest: what stands by a

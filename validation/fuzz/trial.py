@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 import warnings
+from contextlib import suppress
 from dataclasses import dataclass
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
@@ -23,6 +24,9 @@ HANGS = 30.0
 
 BYTES = 500_000_000
 """Of memory, beside what the libraries take, that an answer may take."""
+
+STARTS = 300.0
+"""s, that the process may take to begin, on a machine that others use."""
 
 STEPS = 8
 
@@ -143,6 +147,9 @@ class Trial:
             )
             self._process.start()
             theirs.close()
+            if self._line.poll(STARTS):  # what it has to import is no part of an answer
+                with suppress(EOFError):
+                    self._line.recv()
         return self._process, self._line
 
     def close(self) -> None:
@@ -160,6 +167,7 @@ def _serve(line: Connection, seconds: float) -> None:
     sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115 (as long as it lives)
     attempt("{}")
     _limit_memory()
+    line.send(None)
     while True:
         try:
             text = line.recv()

@@ -120,8 +120,18 @@ def _looked_at(level: Level, values: Values, setting: Setting) -> tuple[float, s
     best = record(level, values, finer, wanted, seen=max(chosen.rate, 240.0))
     wanted = scaled(wanted, best)
     run = record(level, values, chosen, wanted, seen=inf)
-    delivered = furthest(run, best, wanted)[0]
+    half = finer.model_copy(update={"rate": finer.rate / 2})
+    other = record(level, values, half, wanted, seen=max(chosen.rate, 240.0))
+    delivered = max(_off(run, (best, other), item) for item in wanted)
     return delivered, _cheaper(level, values, setting, wanted, best)
+
+
+def _off(run: Trace, finer: Sequence[Trace], item: Watched) -> float:
+    """Return how far off a run is in a quantity, against the finer run that it is nearer to.
+
+    Forces are rounded more and more as the rate grows: it may be the finest that is off.
+    """
+    return min(furthest(run, trace, [item])[0] for trace in finer)
 
 
 def _finer(level: Level, values: Values, chosen: Stepping) -> Stepping | None:

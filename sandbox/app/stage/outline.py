@@ -41,6 +41,10 @@ class Outline:
         Whether only the rim is drawn.
     thickness
         Of a line [m].
+    hidden
+        Whether it is left out of the picture.
+    layer
+        What has a higher one is drawn over what has a lower one.
     """
 
     name: str
@@ -54,6 +58,8 @@ class Outline:
     curved: bool
     hollow: bool
     thickness: float
+    hidden: bool = False
+    layer: int = 0
 
     def placed(self, position: XY, angle: float) -> list[XY]:
         """Return the corners in the plane [m]."""
@@ -121,6 +127,8 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         curved=isinstance(shape, Curve),
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
+        hidden=spec.hidden,
+        layer=spec.layer,
     )
 
 

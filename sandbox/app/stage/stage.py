@@ -9,7 +9,7 @@ from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
-from sandbox.app.stage import bodies, flows, grid, joints, marks
+from sandbox.app.stage import bodies, flows, grid, joints, marks, texts
 from sandbox.app.stage.forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
@@ -105,6 +105,7 @@ class Stage:
         self._draw_beside(surface, beside)
         if view.few:
             marks.draw_milestones(surface, self.camera, self._pen, milestones, view.labels)
+        texts.draw_texts(surface, view)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
@@ -154,10 +155,9 @@ class Stage:
         self._base_key, self._trail_key = key, None
         grid.draw_grid(self._base, camera)
         middle = self._middle()
-        for outline in self.view.outlines.values():
-            if not outline.moves:
-                inside = self._nearest(outline) if outline.curved else middle
-                bodies.draw_surface(self._base, camera, outline, *self.view.state(outline), inside)
+        for outline in self.view.still:
+            if outline.layer <= 0:
+                self._draw_surface(self._base, outline, middle)
         self._draw_centers()
         if self._relief:
             self._relief.draw_curve(self._base, camera, self._pen)
@@ -165,6 +165,10 @@ class Stage:
             draw(self._base, self.view)
         grid.draw_rulers(self._base, camera, self._pen)
         grid.draw_scale_bar(self._base, camera, self._pen)
+
+    def _draw_surface(self, surface: pygame.Surface, outline: Outline, middle: XY) -> None:
+        inside = self._nearest(outline) if outline.curved else middle
+        bodies.draw_surface(surface, self.camera, outline, *self.view.state(outline), inside)
 
     def _middle(self) -> XY:
         """Return a point where things happen [m]."""
@@ -237,9 +241,11 @@ class Stage:
     def _draw_bodies(self, surface: pygame.Surface) -> None:
         many = len(self.view.moving) > bodies.FEW
         turns = self.view.world.level.effects.rotation is not None
-        for outline in self.view.moving:
+        for outline in self.view.in_front:
             position, angle = self.view.state(outline)
-            if many:
+            if not outline.moves:
+                self._draw_surface(surface, outline, self._middle())
+            elif many:
                 bodies.draw_crowd(surface, self.camera, outline, position, angle)
             else:
                 bodies.draw_body(surface, self.camera, outline, position, angle, turns)

@@ -31,8 +31,11 @@ class View:
     ----------
     world, camera, pen
         What is looked at, from where, and what writes on it.
-    outlines, moving
-        The outlines of all bodies by name, and those of the bodies that move.
+    outlines, moving, still
+        The outlines of all bodies by name, and those of the bodies that move, and that do not, but
+        for hidden ones; the lowest layer first.
+    in_front
+        What is drawn anew in every frame: what moves, and what is raised above it.
     few
         Whether so few bodies move that each can be explained.
     duration
@@ -52,7 +55,11 @@ class View:
     def __init__(self, world: World, camera: Camera, pen: Pen, shown: Mapping[str, bool]) -> None:
         self.world, self.camera, self.pen, self.shown = world, camera, pen, shown
         self.outlines = outlines(world.level, world.values)
-        self.moving: Sequence[Outline] = [o for o in self.outlines.values() if o.moves]
+        seen = sorted((o for o in self.outlines.values() if not o.hidden), key=lambda o: o.layer)
+        self.moving: Sequence[Outline] = [o for o in seen if o.moves]
+        self.still: Sequence[Outline] = [o for o in seen if not o.moves]
+        raised = [o for o in self.still if o.layer > 0]
+        self.in_front = sorted([*self.moving, *raised], key=lambda o: o.layer)
         self.few = len(self.moving) <= NAMED
         self.duration = count_steps(world) * world.dt
         self.forces = Forces(world.level)

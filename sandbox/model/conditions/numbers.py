@@ -15,7 +15,7 @@ MAX_STEPS = 10_000_000
 def conditions(level: Level) -> Iterator[Condition]:
     """Yield what must hold of a level's numbers."""
     for path, expression in expressions(level):
-        if expression.names and not isinstance(expression, Formula):
+        if expression.written and not isinstance(expression, Formula):
             work = 3 + len(str(expression.source)) / 50
             yield Condition(path, expression.names, partial(_value_fault, expression), work)
     yield Condition(("duration",), level.duration.names, partial(_too_long, level))

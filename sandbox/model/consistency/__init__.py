@@ -20,6 +20,7 @@ from sandbox.model.parts import Fault
 
 _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.known_names,
+    names.no_circle,
     names.known_bodies,
     names.known_quantities,
 )
@@ -27,6 +28,7 @@ _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.parameters_fit,
     *_NAMES,
+    names.constants_fit,
     names.timeless_conditions,
     challenge.known_parameters,
     challenge.solution_within_ranges,
@@ -34,6 +36,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     challenge.goals_can_be_met,
     surfaces.contact_declared,
     bodies.fields_fit,
+    bodies.points_fit,
     bodies.rise_and_fall,
     joints.something_to_hold,
     joints.own_apart,
@@ -57,6 +60,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
 _ALONE = frozenset(
     {
         names.parameters_fit,
+        names.constants_fit,
         *_NAMES,
         names.timeless_conditions,
         challenge.known_parameters,

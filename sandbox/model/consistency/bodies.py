@@ -5,6 +5,7 @@ from collections.abc import Iterator, Mapping
 from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
 from sandbox.model.parts import Fault, instants
+from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
 from sandbox.model.shapes import Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
@@ -78,3 +79,11 @@ def _pieces(shape: Shape) -> int:
         case Polygon(vertices=corners):
             return len(corners) - 2
     return 1
+
+
+def points_fit(level: Level) -> Iterator[Fault]:
+    """Points of bodies have names that no quantity has."""
+    for body, said in level.bodies.items():
+        for name in sorted(ATTRIBUTES_OF_BODIES.intersection(said.points)):
+            rule = f"'{name}' is what is measured of the body itself; choose another name"
+            yield Fault(("bodies", body, "points", name), rule)

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 from keyword import iskeyword
 
 from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
+from sandbox.model.constants import circle
 from sandbox.model.errors import brief
-from sandbox.model.expressions import RESERVED, Formula
+from sandbox.model.expressions import RESERVED, VARIABLES, Formula
 from sandbox.model.level import Level
 from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
@@ -17,7 +18,7 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
     scene, formulas = _used(level, scene=True), _used(level, scene=False)
     for name, parameter in level.parameters.items():
         path = ("parameters", name)
-        if name in RESERVED or iskeyword(name):
+        if _is_taken(name):
             yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
         if parameter.min > parameter.max:
             yield Fault((*path, "min"), f"must not be greater than 'max', {parameter.max:g}")
@@ -32,12 +33,31 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
             yield Fault(path, rule)
 
 
+def constants_fit(level: Level) -> Iterator[Fault]:
+    """Constants have names of their own, and something uses them."""
+    used = set().union(*(expression.written for _, expression in expressions(level)))
+    for name in level.constants:
+        path = ("constants", name)
+        if _is_taken(name) or name in VARIABLES:
+            yield Fault(path, f"'{name}' already has a meaning in formulas; choose another name")
+        elif name in level.parameters:
+            yield Fault(path, f"'{name}' is already the name of a parameter")
+        if name not in used:
+            yield Fault(path, f"'{name}' is declared but nothing uses it")
+
+
+def _is_taken(name: str) -> bool:
+    return name in RESERVED or iskeyword(name)
+
+
 def _used(level: Level, *, scene: bool) -> set[str]:
     """Return the names that the scene uses, or that only tell what it should do."""
     told = ("checks", "ghosts", "view", "challenge")
+    known = not circle(level.constants)
     used = (
         e.names
         for path, e in expressions(level)
+        if not (known and path[0] == "constants")
         if (path[0] == "challenge" or (isinstance(e, Formula) and path[0] in told)) is not scene
     )
     return set().union(*used)
@@ -45,19 +65,31 @@ def _used(level: Level, *, scene: bool) -> set[str]:
 
 def known_names(level: Level) -> Iterator[Fault]:
     """Expressions use parameters that exist, and nothing has a name that is taken."""
-    for path, expression in expressions(level):
-        known = [*level.parameters, *filter(None, [expression.variable])]
-        for name in sorted(expression.names.difference(known)):
+    named = ((path, expression) for path, expression in expressions(level) if expression.written)
+    for path, expression in named:
+        known = [*level.parameters, *level.constants, *filter(None, [expression.variable])]
+        for name in sorted(expression.written.difference(known)):
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
             else:
                 yield Fault(path, f"unknown parameter '{name}'{suggestion(name, known)}")
+    yield from _taken_names(level)
+
+
+def _taken_names(level: Level) -> Iterator[Fault]:
     for kind, names in (("bodies", level.bodies), ("joints", level.joints)):
         for name in names:
             if name in ("system", "t"):
                 yield Fault((kind, name), f"the name '{name}' is taken")
             elif kind == "joints" and name in level.bodies:
                 yield Fault((kind, name), f"'{name}' is already the name of a body")
+
+
+def no_circle(level: Level) -> Iterator[Fault]:
+    """No constant leads back to itself."""
+    if found := circle(level.constants):
+        rule = f"leads back to itself: {' -> '.join(found)}; each may use only others"
+        yield Fault(("constants", found[0]), rule)
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:

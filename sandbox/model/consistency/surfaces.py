@@ -7,7 +7,7 @@ from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, na
 from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
-from sandbox.model.level import Body, ContactEvent, Level, is_alone
+from sandbox.model.level import Body, ContactEvent, Level, SeparationEvent, is_alone
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
@@ -27,8 +27,8 @@ def contact_declared(level: Level) -> Iterator[Fault]:
         if ".contact." in name:
             yield undeclared(path, name, "contact")
     for index, check in enumerate(level.checks):
-        if isinstance(check.at, ContactEvent):
-            yield undeclared(("checks", index, "at", "event"), "contact", "contact")
+        if isinstance(check.at, ContactEvent | SeparationEvent):
+            yield undeclared(("checks", index, "at", "event"), check.at.event, "contact")
 
 
 def _left_to_pymunk(level: Level) -> Iterator[Fault]:

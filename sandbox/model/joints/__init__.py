@@ -197,7 +197,7 @@ class Wire(Model):
     A wire whose ends meet is closed. A bead that comes to an open end ends the run.
     """
 
-    kind: ClassVar[Kind] = Kind(quantities={"tension": "N"}, pull="normal force")
+    kind: ClassVar[Kind] = Kind(quantities={"tension": "N", "push": "N"}, pull="normal force")
 
     type: Literal["wire"]
     bead: End

@@ -37,6 +37,9 @@ class Setting:
         The most accurate setting that can be had in real time, where the chosen one cannot.
     decided_by
         The quantity with the largest error; empty if none is off.
+    onset
+        How far off a velocity may be at the one step in which a force sets in or ends, if that is
+        more than was asked for; else 0.
     """
 
     target: float
@@ -45,6 +48,7 @@ class Setting:
     verified: bool
     in_real_time: Offer | None = None
     decided_by: str = ""
+    onset: float = 0.0
 
     @property
     def playable(self) -> Offer:
@@ -57,6 +61,10 @@ class Setting:
             told += f", of which {self.decided_by} decided"
         if not self.verified:
             told += "; expected of its order, for a run that shows it takes too long"
+        if self.onset:
+            told += (
+                f"; velocities are off by {self.onset:.1g} at a step where a force sets in or ends"
+            )
         if self.in_real_time is None:
             return told
         return f"{told}; not in real time, in which there is {self.in_real_time}"
@@ -124,7 +132,9 @@ def _setting(found: Found, judged_by: str) -> Setting:
     offer = found.priced()
     affordable = None if offer.price <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None
-    return Setting(found.target, offer, judged_by, verified, affordable, found.decided_by)
+    return Setting(
+        found.target, offer, judged_by, verified, affordable, found.decided_by, found.onset
+    )
 
 
 def _refused(found: Found, target: float, judged_by: str, until: str) -> AccuracyError:

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from sandbox.model.level import HIGHEST_RATE, Stepping
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Ladder, furthest, in_step
 from sandbox.physics.accuracy.runs import Watched
+from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5
@@ -100,12 +101,14 @@ class Offers:
 
     def decisive(self, found: Candidate, wanted: Sequence[Watched]) -> str:
         """Return the quantity that is furthest off in a setting's run, or in the nearest to it."""
-        best = self.ladders[0].traces[-1]
+        *_, before, best = self.ladders[0].traces
         trace = found.trace or self._nearest(found.stepping)
-        if trace is best:
-            trace = self.ladders[0].traces[-2]
-        item = furthest(trace, best, wanted)[1]
-        return "" if item is None else item.quantity
+        late = lateness(best, wanted)
+        for run in (trace, before):  # the finest differs from itself in nothing
+            worst = max(furthest(run, best, wanted), late, key=lambda off: off[0])
+            if worst[1] is not None:
+                return worst[1].quantity
+        return ""
 
     def _nearest(self, stepping: Stepping) -> Trace:
         """Return the finest run of a scheme."""

@@ -13,6 +13,7 @@ from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.accuracy.refinement import Ladder
 from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
+from sandbox.physics.accuracy.sudden import timely
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.making import make_world
@@ -100,7 +101,10 @@ def _parting(first: World, other: World, stop: Stop) -> tuple[Array, Array]:
 
 
 def foretold(ladders: Sequence[Ladder], wanted: Sequence[Watched], error: float) -> float:
-    """Return until when the two finest runs of the best ladder agree to an error [s]."""
+    """Return until when the two finest runs of the best ladder tell where things are [s].
+
+    That is as long as they agree to an error, and nothing is found so late that it leaves a larger.
+    """
     coarse, fine = ladders[0].traces[-2:]
     times = (departure(coarse, fine, item, error) for item in wanted)
-    return min((t for t in times if t is not None), default=float(fine.t[-1]))
+    return min([timely(fine, wanted, error), *(t for t in times if t is not None)])

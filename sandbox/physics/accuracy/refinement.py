@@ -9,6 +9,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
 from sandbox.physics.accuracy.runs import Watched, apart, scale, size
+from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.stepping.making import make_world
@@ -138,8 +139,12 @@ def step_prices(level: Level, values: Values, *steppings: Stepping) -> tuple[flo
 def judged(traces: Sequence[Trace], wanted: Sequence[Watched]) -> Ladder:
     """Return runs with their errors, as far as they tell them themselves."""
     parts = [errors for item in wanted if (errors := extrapolated(traces, item))]
-    worst = tuple(max(column) for column in zip(*(part.relative for part in parts), strict=True))
+    late = lateness(traces[-1], wanted).error
+    worst = tuple(
+        max(late, *column) for column in zip(*(part.relative for part in parts), strict=True)
+    )
     growth = tuple((part.relative[-1], part.order or -part.rise) for part in parts)
+    growth += ((late, 1.0),) if late else ()
     seen = max(len(traces) - WITNESSES, 0)
     ladder = Ladder(tuple(traces), worst or (inf,) * len(traces), growth, seen)
     shown = len(traces) >= RUNS and ladder.believable(COUNTS * ladder.errors[-1])

@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.bounds import Duration
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Check, ContactEvent, Instant, Level, Stepping
+from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationEvent, Stepping
 from sandbox.model.quantities import quantity
 from sandbox.physics.accuracy.errors import Cancelled
 from sandbox.physics.engine.batch import Integers
@@ -34,12 +34,19 @@ ROUNDING = 1e-12
 SAME = 1e-9
 """Times that differ by this share are the same."""
 
-
 LITTLE = 1e-2
 """The share of the largest in the scene to which a small coordinate or velocity is relative."""
 
 JUMPS = 5.0
 """How many times as much as around it a velocity changes, at the least, where it jumps."""
+
+
+RATES = {
+    "position.x": ("velocity.x", "acceleration.x"),
+    "position.y": ("velocity.y", "acceleration.y"),
+    "angle": ("angular_velocity", "angular_acceleration"),
+}
+"""Of each coordinate: how it changes, and how that does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,6 +68,15 @@ class Watched:
     at: Instant | None = None
     scale: float = 0.0
     motion: bool = False
+
+    @property
+    def rates(self) -> tuple[str, str] | None:
+        """How a coordinate changes, and how that does; None if it is none that is followed."""
+        subject, _, rest = self.quantity.partition(".")
+        if self.at is not None or rest not in RATES:
+            return None
+        first, second = RATES[rest]
+        return f"{subject}.{first}", f"{subject}.{second}"
 
 
 def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Watched, ...]:
@@ -163,27 +179,36 @@ def record(
         If the run had to stop.
     """
     world = make_world(level, values, stepping)
-    names = dict.fromkeys(name for item in wanted for name in needed_at(item.quantity, item.at))
+    names = dict.fromkeys(name for item in wanted for name in _needed(item))
     recorder = Recorder(world, names)
     all_ = any(_needs_all(level, item) for item in wanted)
-    stride = 1 if all_ else _stride(stepping.rate / seen)
-    for look in range(-(-count_steps(world) // stride)):  # to the end at the least:
+    steps = 1 if all_ else stride(stepping.rate, seen)
+    for look in range(-(-count_steps(world) // steps)):  # to the end at the least:
         if look % BLOCK == 0 and stop():
             raise Cancelled
-        world.advance(stride)  # instants are read off samples at equal steps
+        world.advance(steps)  # instants are read off samples at equal steps
         recorder.note()
     return recorder.trace
 
 
-def _stride(steps: float) -> int:
-    """Return how many of them are taken at a time: a power of two, so that runs share instants."""
-    return 1 << int(log2(max(steps, 1)))
+def _needed(item: Watched) -> Iterator[str]:
+    """Yield what is recorded: of places also how they change."""
+    yield from needed_at(item.quantity, item.at)
+    yield from item.rates or ()
+
+
+def stride(rate: float, seen: float = SEEN) -> int:
+    """Return how many steps go from look to look, at rates of both [Hz].
+
+    It is a power of two, so that runs share instants.
+    """
+    return 1 << int(log2(max(rate / seen, 1)))
 
 
 def _needs_all(level: Level, item: Watched) -> bool:
     """Whether what is watched depends on every step; books miss none."""
     known = quantity(item.quantity, level)
-    return isinstance(item.at, ContactEvent) or known.adds_up or known.booked
+    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
 
 
 def apart(one: Trace, other: Trace, item: Watched) -> float | None:
@@ -236,15 +261,20 @@ def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) ->
 
 
 def _jumps(t: Array, values: Array) -> Array:
-    """Return when values jump for good: between two looks, by far more than around them."""
+    """Return when values jump."""
+    sharp = jumps(values)
+    return (t[:-1][sharp] + t[1:][sharp]) / 2
+
+
+def jumps(values: Array) -> Array:
+    """Return between which looks values jump for good, by far more than around them: (T - 1,)."""
     change = np.abs(np.diff(values))
     padded = np.concatenate(([0.0, 0.0], change, [0.0, 0.0]))
     around = np.maximum(padded[:-4], padded[4:])
     apart = np.abs(values[2:] - values[:-2])  # what returns at once is no jump
     stays = np.minimum(np.append(apart, np.inf), np.append(np.inf, apart))
     sharp = (change > JUMPS * around) & (stays > change / 2)
-    sharp &= change > ROUNDING * np.abs(values).max(initial=0.0)
-    return (t[:-1][sharp] + t[1:][sharp]) / 2
+    return np.asarray(sharp & (change > ROUNDING * np.abs(values).max(initial=0.0)))
 
 
 def size(trace: Trace, item: Watched) -> float:

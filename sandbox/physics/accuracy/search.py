@@ -142,13 +142,17 @@ def climb(
 
 
 def held(climbers: Sequence[Climber]) -> list[Ladder]:
-    """Return what has been climbed, each ladder with its errors against the best, that first."""
+    """Return what has been climbed, each ladder with its errors against the best, that first.
+
+    None as long as there is but pymunk as it comes, which agrees with itself on what is wrong.
+    """
     found = [climber.ladder for climber in climbers if climber.ladder]
-    if not found:
+    judges = [ladder for ladder in found if not ladder.traces[0].stepping.as_it_comes]
+    if not judges:
         return []
-    best = min(found, key=lambda ladder: ladder.errors[-1])
+    best = min(judges, key=lambda ladder: ladder.errors[-1])
     if climbers[0].level.effects.contact:
-        best = found[0]  # only more sweeps of the solver show what it still owes
+        best = judges[0]  # only more sweeps of the solver show what it still owes
     wanted = climbers[0].wanted
     others = [held_against(ladder, best, wanted) for ladder in found if ladder is not best]
     return [best, *others]

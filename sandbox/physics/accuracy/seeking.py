@@ -16,8 +16,9 @@ from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_prices
 from sandbox.physics.accuracy.richardson import ORDERS
-from sandbox.physics.accuracy.runs import Stop, Watched, record, scaled
+from sandbox.physics.accuracy.runs import Stop, Watched, record, scaled, stride
 from sandbox.physics.accuracy.search import FEWEST, Climber, Progress, climb, price
+from sandbox.physics.accuracy.sudden import onset
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -51,6 +52,18 @@ class Found:
     def decided_by(self) -> str:
         """The quantity with the largest error; empty if none is off."""
         return self.offers.decisive(self.chosen, self.wanted)
+
+    @property
+    def onset(self) -> float:
+        """How far off a velocity may be where a force sets in or ends.
+
+        0 if that is as little as asked for, or all steps were looked at.
+        """
+        best, rate = self.offers.ladders[0].traces[-1], self.chosen.stepping.rate
+        if stride(rate) == 1:
+            return 0.0
+        off = onset(best, self.wanted, rate).error
+        return off if off > self.target else 0.0
 
     def priced(self) -> Offer:
         """Return the setting at its price, which is measured."""

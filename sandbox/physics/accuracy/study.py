@@ -7,17 +7,27 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from itertools import zip_longest
+from itertools import islice, zip_longest
 from math import isfinite
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.refinement import Ladder, foot, held_against, step_prices
 from sandbox.physics.accuracy.richardson import extrapolated
-from sandbox.physics.accuracy.runs import Watched, by_check, never, record, watched
+from sandbox.physics.accuracy.runs import (
+    Watched,
+    by_check,
+    departure,
+    never,
+    record,
+    size,
+    watched,
+)
 from sandbox.physics.accuracy.search import Climber, climb
+from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
@@ -35,6 +45,13 @@ FINEST = 1e-10
 
 EXACT = 1e-10
 """What a formula is off by less than that at a small step is rounding, and no approximation."""
+
+
+MANY = 200
+"""Of how many quantities it is told, at the most, how far they can be trusted."""
+
+SEEN = 1e-2
+"""The share of its largest value by which a quantity is seen to be off in a graph."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +107,33 @@ class Split:
 
 
 @dataclass(frozen=True, slots=True)
+class Trust:
+    """How far a quantity of the run can be trusted.
+
+    Attributes
+    ----------
+    quantity
+        Its name.
+    size, off
+        Its largest value, and its largest numerical error [its unit].
+    until
+        When half of the step makes a difference that is seen in a graph [s]; None if it never does.
+    """
+
+    quantity: str
+    size: float
+    off: float
+    until: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class Failed:
     """Why there is no more to be found."""
 
     told: str
 
 
-Finding = Progress | Point | Here | Split | Setting | Failed
+Finding = Progress | Point | Here | Split | Trust | Setting | Failed
 
 
 def study(level: Level, values: Values) -> Iterator[Finding]:
@@ -130,8 +167,10 @@ def _own(level: Level, values: Values) -> Iterator[Finding]:
     yield Progress(0.9, "halving the step")
     items = [by_check(check, values) for check in level.checks]
     items = items or list(watched(level, values))
+    drawn = [Watched(found.name) for found in islice(momentary(level), MANY)]
     own = level.stepping
-    traces = list(_halved(level, values, items))
+    traces = list(_halved(level, values, [*items, *drawn]))
+    yield from _trusted(traces, drawn)
     errors = [0.0]
     results = zip(grade(traces[-2]), grade(traces[-1]), strict=True)
     for index, (item, result) in enumerate(zip_longest(items, results)):
@@ -144,6 +183,17 @@ def _own(level: Level, values: Values) -> Iterator[Finding]:
             yield _split(index, result, found.of[-2], numerical, rest)
     [step] = brief_costs(partial(make_world, level, values, own))
     yield Here(own.scheme, own.rate, max(errors), step * own.rate)
+
+
+def _trusted(traces: Sequence[Trace], drawn: Sequence[Watched]) -> Iterator[Trust]:
+    """Yield how far quantities of the run before the last can be trusted."""
+    run, finer = traces[-2:]
+    for item in drawn:
+        if found := extrapolated(traces, item):
+            largest, unit = size(finer, item), found.unit
+            late = lateness(finer, [item]).error * unit
+            until = departure(run, finer, item, SEEN)
+            yield Trust(item.quantity, largest, max(found.of[-2], late), until)
 
 
 def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
@@ -183,11 +233,18 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
         ladders += [climber.ladder] if climber.ladder else []
     if not ladders:
         return
-    best = min(ladders, key=lambda ladder: ladder.errors[-1])
+    best = min(ladders, key=_doubt)
     steps = step_prices(level, values, *(ladder.traces[-1].stepping for ladder in ladders))
     for ladder, step in zip(ladders, steps, strict=True):
         told = ladder if ladder is best else held_against(ladder, best, wanted)
         yield from _points(told, step)
+
+
+def _doubt(ladder: Ladder) -> tuple[bool, float]:
+    """Return what makes a ladder a worse judge: what pymunk makes of impacts agrees by chance."""
+    last = ladder.traces[-1]
+    naive = last.stepping.as_it_comes and last.level.effects.contact is not None
+    return naive, ladder.errors[-1]
 
 
 def _points(ladder: Ladder, step: float) -> Iterator[Point]:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import pymunk
 
-from sandbox.physics.contacts.shapes import HAIR
+from sandbox.physics.contacts.shapes import SKIN
 
 REACH = 1e-7
 """m, by which a corner may fall short: one of 20° does so by 9.5e-8 at the most."""
@@ -23,7 +23,7 @@ def reach_out(space: pymunk.Space) -> None:
             for polygon, gap in _gaps(space, shape):
                 short[polygon] = max(gap, short.get(polygon, 0.0))
     for polygon, gap in short.items():
-        polygon.unsafe_set_radius(polygon.radius + gap + HAIR)
+        polygon.unsafe_set_radius(polygon.radius + gap + SKIN)
 
 
 def _gaps(space: pymunk.Space, shape: pymunk.Shape) -> Iterator[tuple[pymunk.Poly, float]]:

@@ -49,11 +49,11 @@ class Made(NamedTuple):
         return self.spec.type == "dynamic"
 
 
-def half_of(body: Made, values: Values, hair: float) -> float:
+def half_of(body: Made, values: Values, skin: float) -> float:
     """Return how far the sides of a line are from its middle [m]."""
     shape = body.spec.shape
     assert isinstance(shape, Segment | Polyline | Curve)
-    return shape.thickness(values) / 2 + hair
+    return shape.thickness(values) / 2 + skin
 
 
 def make_feeler(shape: pymunk.Shape, corner: complex, reach: float) -> pymunk.Circle:

@@ -28,7 +28,7 @@ def make_hollow(
     level: Level,
     values: Values,
     shapes: Mapping[str, Sequence[pymunk.Shape]],
-    hair: float,
+    skin: float,
     drift: float | None,
 ) -> Hollows | None:
     """Make hollow what is to be; None if nothing is.
@@ -41,7 +41,7 @@ def make_hollow(
         What they were made from.
     shapes
         Of all bodies, in the level's order.
-    hair
+    skin
         How far flat surfaces stand proud [m].
     drift
         See `Hollows`.
@@ -62,7 +62,7 @@ def make_hollow(
     if not pairs:
         return None
     lines: dict[str, Arc | Course] = {
-        name: _line(made[name], values, hair)
+        name: _line(made[name], values, skin)
         for name in made
         if any(name == hollow for hollow, _ in pairs)
     }
@@ -72,12 +72,12 @@ def make_hollow(
     )
     for shape in space.shapes:
         shape.filter = ORDINARY
-    for shape, piece in _pieces(made, lines, values, pairs, hair):
+    for shape, piece in _pieces(made, lines, values, pairs, skin):
         hollows.know(shape, piece)
-    for shape, piece in make_ends(made, lines, values, hair):
+    for shape, piece in make_ends(made, lines, values, skin):
         space.add(shape)
         hollows.know(shape, piece)
-    for shape, piece in _feelers(made, pairs, hair):
+    for shape, piece in _feelers(made, pairs, skin):
         space.add(shape)
         hollows.know(shape, piece)
     return hollows
@@ -147,15 +147,15 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
         raise SimulationError(other, 0.0, rule)
 
 
-def _line(hollow: Made, values: Values, hair: float) -> Arc | Course:
+def _line(hollow: Made, values: Values, skin: float) -> Arc | Course:
     shape = hollow.spec.shape
     if isinstance(shape, CurveShape):
         return course_of(shape, values)
     if isinstance(shape, Hoop):
         radius = shape.radius(values)
-        return Arc(hollow.row, 0j, radius, radius - hair, radius, 1 + 0j, -2.0)
+        return Arc(hollow.row, 0j, radius, radius - skin, radius, 1 + 0j, -2.0)
     assert isinstance(shape, ArcShape)
-    radius, half = shape.radius(values), shape.thickness(values) / 2 + hair
+    radius, half = shape.radius(values), shape.thickness(values) / 2 + skin
     start, end = shape.start(values), shape.end(values)
     whole = end - start >= tau - ROUND_OFF
     return Arc(
@@ -174,7 +174,7 @@ def _pieces(
     lines: Mapping[str, Arc | Course],
     values: Values,
     pairs: Sequence[tuple[str, str]],
-    hair: float,
+    skin: float,
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield the shapes that there are, as arcs and curves see them."""
     for name, body in made.items():
@@ -184,13 +184,13 @@ def _pieces(
         if isinstance(line, Arc):
             yield body.shapes[0], Piece(body.row, (line.center,), line.outer, line)
         elif line:
-            half = half_of(body, values, hair)
+            half = half_of(body, values, skin)
             for shape, stretch in zip(body.shapes, line.stretches, strict=True):
                 curve = Side(body.row, line, stretch, half)
                 yield shape, Piece(body.row, (stretch.center,), stretch.reach, curve=curve)
         elif any(name == other for _, other in pairs):
             for shape, core in zip(body.shapes, _cores(body), strict=True):
-                radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+                radius = skin if isinstance(shape, pymunk.Poly) else _radius(shape)
                 yield shape, Piece(body.row, tuple(core), radius)
 
 
@@ -214,7 +214,7 @@ def _cores(body: Made) -> list[list[complex]]:
 
 
 def _feelers(
-    made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], hair: float
+    made: Mapping[str, Made], pairs: Sequence[tuple[str, str]], skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield a small disc for each corner that may touch an arc from inside."""
     for other in dict.fromkeys(other for _, other in pairs):
@@ -223,7 +223,7 @@ def _feelers(
             continue
         known: set[complex] = set()
         for shape, core in zip(body.shapes, _cores(body), strict=True):
-            radius = hair if isinstance(shape, pymunk.Poly) else _radius(shape)
+            radius = skin if isinstance(shape, pymunk.Poly) else _radius(shape)
             reach = radius + FELT * max(abs(a - b) for a in core for b in core)
             for corner in core:
                 if corner not in known:

@@ -36,14 +36,14 @@ class _End(NamedTuple):
 
 
 def make_ends(
-    made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, hair: float
+    made: Mapping[str, Made], lines: Mapping[str, Arc | Course], values: Values, skin: float
 ) -> Iterator[tuple[pymunk.Shape, Piece]]:
     """Yield the round ends of arcs and curves, with feelers, unless another line goes on there."""
-    straight = [end for body in made.values() for end in _line_ends(body, values, hair)]
+    straight = [end for body in made.values() for end in _line_ends(body, values, skin)]
     rounds = [
         (end, line)
         for name, line in lines.items()
-        for end in _round_ends(made[name], line, values, hair)
+        for end in _round_ends(made[name], line, values, skin)
     ]
     ends = [*straight, *(end for end, _ in rounds)]
     for own in {end.made.row: end.made for end in straight}.values():
@@ -71,7 +71,7 @@ def _meets(end: _End, other: _End) -> bool:
     return still and near and other is not end
 
 
-def _round_ends(body: Made, line: Arc | Course, values: Values, hair: float) -> Iterator[_End]:
+def _round_ends(body: Made, line: Arc | Course, values: Values, skin: float) -> Iterator[_End]:
     """Yield the ends of an arc or curve; what goes all the way round has none."""
     shape = body.spec.shape
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
@@ -79,7 +79,7 @@ def _round_ends(body: Made, line: Arc | Course, values: Values, hair: float) -> 
         for foot in line.ends:
             at, tangent, first = place + turned * foot.point, turned * foot.tangent, foot.at == 0
             onwards = -tangent if first else tangent
-            yield _End(at, onwards, half_of(body, values, hair), body, first)
+            yield _End(at, onwards, half_of(body, values, skin), body, first)
     elif isinstance(shape, ArcShape) and line.cosine >= -1:
         for angle, sign in ((shape.start(values), -1j), (shape.end(values), 1j)):
             out = rect(1, angle) * turned
@@ -88,12 +88,12 @@ def _round_ends(body: Made, line: Arc | Course, values: Values, hair: float) -> 
             yield _End(at, sign * out, half, body, angle == shape.start(values))
 
 
-def _line_ends(body: Made, values: Values, hair: float) -> Iterator[_End]:
+def _line_ends(body: Made, values: Values, skin: float) -> Iterator[_End]:
     shape = body.spec.shape
     if not isinstance(shape, Segment | Polyline) or body.spec.type != "static":
         return
     place, turned = complex(*body.body.position), complex(*body.body.rotation_vector)
-    half = half_of(body, values, hair)
+    half = half_of(body, values, skin)
     for index, neighbour in ((0, 1), (-1, -2)):
         at, before = (place + turned * body.points[i] for i in (index, neighbour))
         yield _End(at, (at - before) / abs(at - before), half, body, index == 0)

@@ -9,7 +9,7 @@ import pymunk
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.physics.contacts.hollow_contacts import Hollows
-from sandbox.physics.contacts.shapes import HAIR
+from sandbox.physics.contacts.shapes import SKIN
 from sandbox.physics.contacts.static_friction import Sticking, sticking
 
 Rub = Literal["friction", "restitution"]
@@ -46,7 +46,7 @@ def stand_proud(space: pymunk.Space) -> None:
     """Let discs stand proud, as all else does."""
     for shape in space.shapes:
         if isinstance(shape, pymunk.Circle):
-            shape.unsafe_set_radius(shape.radius + HAIR)
+            shape.unsafe_set_radius(shape.radius + SKIN)
 
 
 def give_coefficients(

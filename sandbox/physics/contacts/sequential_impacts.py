@@ -17,7 +17,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.post_impact import reached
-from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, answers
+from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -57,7 +57,7 @@ class Sequence:
         Reads and writes the bodies.
     restitution
         (n, n), the pairs' coefficients.
-    agility
+    inverse_mass
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     joints
         Those that hold together what collides, if there are any. An impulse passes through what
@@ -70,19 +70,19 @@ class Sequence:
         self,
         batch: Batch,
         restitution: Array,
-        agility: Array,
+        inverse_mass: Array,
         joints: ExactJoints | None,
         dt: float,
     ) -> None:
         self._batch, self._joints, self._dt = batch, joints, dt
-        self._restitution, self._agility = restitution, agility
-        self._moving: Booleans = agility[:, 0] > 0
-        self._turning: Booleans = agility[:, 2] > 0
+        self._restitution, self._inverse_mass = restitution, inverse_mass
+        self._moving: Booleans = inverse_mass[:, 0] > 0
+        self._turning: Booleans = inverse_mass[:, 2] > 0
         # the last kick: places, velocities, accelerations
-        self._place = self._begun = self._pull = np.zeros_like(agility)
+        self._place = self._begun = self._pull = np.zeros_like(inverse_mass)
         self._lasted = dt
         self._before: partial[Array] | None = None  # what held in the kick before that
-        none = np.zeros(len(agility), dtype=bool)
+        none = np.zeros(len(inverse_mass), dtype=bool)
         self.last = Impacts(none, self._begun, self._begun, self._begun[:, 0])
         self._asked, self._pushes = b"", np.zeros(0)  # the last pile-up, and what came of it
 
@@ -132,7 +132,7 @@ class Sequence:
         """Return the accelerations by contacts, and by joints, which turn with the bodies."""
         held = _held(begins, self._begun, self._lasted, self._pull)
         if self._joints and len(self._joints.tension):
-            held += Grip(self._joints, self._agility, self._place).change(place)
+            held += Grip(self._joints, self._inverse_mass, self._place).change(place)
         return held
 
     def _exchange(
@@ -146,7 +146,7 @@ class Sequence:
     ) -> None:
         """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
         points = _points(contacts, place, self._turning)
-        parts = np.einsum("kbc,kbc->kb", points.gradient, velocity[points.bodies])
+        parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
         parting, allowed = parts.sum(axis=1), _allowed(points, parts, gives)
         struck = parting < -allowed
         if not struck.any():
@@ -155,17 +155,17 @@ class Sequence:
             touched = reached(points.bodies, struck, self._moving)
             near = touched[points.bodies[:, 0]] | touched[points.bodies[:, 1]]
             points, parting, allowed = points.only(near), parting[near], allowed[near]
-        gradient = points.over(len(place))
+        jacobian = points.over(len(place))
         holds = self._joints.stiff() if self._joints else None
-        answer = answers(gradient, self._agility, holds)
-        matrix = answer.reshape(len(parting), -1) @ gradient.reshape(len(parting), -1).T
+        response = responses(jacobian, self._inverse_mass, holds)
+        delassus = response.reshape(len(parting), -1) @ jacobian.reshape(len(parting), -1).T
         a, b = points.bodies.T
-        asked = b"".join(x.tobytes() for x in (points.bodies, matrix, parting, allowed))
+        asked = b"".join(x.tobytes() for x in (points.bodies, delassus, parting, allowed))
         if asked != self._asked:  # bodies that are held are kicked again and again
-            pile = Pile(matrix, parting, allowed, self._restitution[a, b], points.partner)
+            pile = Pile(delassus, parting, allowed, self._restitution[a, b], points.partner)
             self._asked, self._pushes = asked, pile.settle(points.bodies)
         pushes = self._pushes
-        jump += np.tensordot(pushes, answer, 1)
+        jump += np.tensordot(pushes, response, 1)
         np.add.at(impulse, a, pushes)
         np.add.at(impulse, b, pushes)
 
@@ -183,27 +183,27 @@ class _Points(NamedTuple):
     ----------
     bodies
         (k, 2).
-    gradient
+    jacobian
         (k, 2, 3), how fast the two bodies' velocities take them apart.
     partner
         (k,), the other point of the same two sides; −1 if there is none.
     """
 
     bodies: Integers
-    gradient: Array
+    jacobian: Array
     partner: Integers
 
     def only(self, near: Booleans) -> "_Points":
         """Return some of the points; partners go together."""
         renumbered = np.append(np.cumsum(near) - 1, -1)
-        return _Points(self.bodies[near], self.gradient[near], renumbered[self.partner[near]])
+        return _Points(self.bodies[near], self.jacobian[near], renumbered[self.partner[near]])
 
     def over(self, count: int) -> Array:
-        """Return the gradients over all bodies: (k, n, 3)."""
+        """Return the Jacobian over all bodies: (k, n, 3)."""
         whole = np.zeros((len(self.bodies), count, 3))
         rows = np.arange(len(self.bodies))
         for side in range(2):
-            whole[rows, self.bodies[:, side]] = self.gradient[:, side]
+            whole[rows, self.bodies[:, side]] = self.jacobian[:, side]
         return whole
 
 
@@ -217,11 +217,11 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     partner[two], partner[count:] = count + np.arange(len(two)), two
     bodies, direction = contacts.bodies[pair], contacts.direction[pair]
     arm = contacts.points[pair, which][:, None] - place[bodies]
-    gradient = np.empty((len(pair), 2, 3))
-    gradient[:, :, :2] = direction[:, None]
-    gradient[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
-    gradient[:, 0] *= -1
-    return _Points(bodies, gradient, partner)
+    jacobian = np.empty((len(pair), 2, 3))
+    jacobian[:, :, :2] = direction[:, None]
+    jacobian[:, :, 2] = arm[..., 0] * direction[:, None, 1] - arm[..., 1] * direction[:, None, 0]
+    jacobian[:, 0] *= -1
+    return _Points(bodies, jacobian, partner)
 
 
 def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
@@ -240,8 +240,8 @@ def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
     gives
         (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
     """
-    sizes = [np.linalg.norm(a, axis=2) for a in (points.gradient, gives[2, points.bodies])]
-    adds = np.einsum("kbc,skbc->sk", points.gradient, gives[:2, points.bodies])
+    sizes = [np.linalg.norm(a, axis=2) for a in (points.jacobian, gives[2, points.bodies])]
+    adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
     alone, held = np.abs(adds)
     held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
     rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST

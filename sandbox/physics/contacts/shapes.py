@@ -27,11 +27,11 @@ from sandbox.physics.geometry.curves import course_of
 from sandbox.physics.geometry.distance import smallest
 from sandbox.physics.geometry.plane_curve import Stretch
 
-HAIR = 1e-9
+SKIN = 1e-9
 """m, how far flat surfaces stand proud. To pymunk, touching exactly is not touching: a block that
 is placed on a surface would fall freely for half a step. Discs keep their radius, for rolling."""
 
-DIRECT_HAIR = 1e-8
+DIRECT_SKIN = 1e-8
 """m, the same where contacts are solved directly. A corner falls short of a side by 4e-9 m, for the
 inset of polygons rounds it off; it is in touch all the same."""
 
@@ -72,10 +72,10 @@ def skip_ids(space: pymunk.Space, level: Level) -> None:
 
 
 def make_surfaces(
-    spec: Body, body: pymunk.Body, level: Level, values: Values, hair: float, kind: int
+    spec: Body, body: pymunk.Body, level: Level, values: Values, skin: float, kind: int
 ) -> list[pymunk.Shape]:
     """Make the shapes with which a body touches others."""
-    shapes = _outline(spec, spec.shape, body, values, hair, kind)
+    shapes = _outline(spec, spec.shape, body, values, skin, kind)
     effects = level.effects
     for shape in shapes:
         shape.collision_type = kind
@@ -96,24 +96,24 @@ def run_belts(level: Level, values: Values, bodies: dict[str, pymunk.Body]) -> N
 
 
 def _outline(
-    spec: Body, shape: Shape, body: pymunk.Body, values: Values, hair: float, kind: int
+    spec: Body, shape: Shape, body: pymunk.Body, values: Values, skin: float, kind: int
 ) -> list[pymunk.Shape]:
     points = local_points(spec, values)
     match shape:
         case Disc(radius=radius) | Hoop(radius=radius):
             return [pymunk.Circle(body, radius(values))]
         case Box():
-            return [_convex(body, points, hair, kind)]
+            return [_convex(body, points, skin, kind)]
         case Polygon():
-            return [_convex(body, part, hair, kind) for part in convex_parts(points)]
+            return [_convex(body, part, skin, kind) for part in convex_parts(points)]
         case Segment(thickness=thickness) | Polyline(thickness=thickness):
-            return _line(body, points, thickness(values) / 2 + hair)
+            return _line(body, points, thickness(values) / 2 + skin)
         case Arc(radius=radius, thickness=thickness):
             center = center_of(shape, spec, values)
-            outer = radius(values) + thickness(values) / 2 + hair
+            outer = radius(values) + thickness(values) / 2 + skin
             return [pymunk.Circle(body, outer, (center.real, center.imag))]
         case Curve(thickness=thickness):
-            half = thickness(values) / 2 + hair
+            half = thickness(values) / 2 + skin
             return [_around(body, part, half) for part in course_of(shape, values).stretches]
 
 
@@ -122,12 +122,12 @@ def _around(body: pymunk.Body, part: Stretch, half: float) -> pymunk.Shape:
     return pymunk.Circle(body, part.reach + half, (part.center.real, part.center.imag))
 
 
-def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymunk.Shape:
-    """Make a convex polygon that stands proud by a hair, as a smaller one with a radius.
+def _convex(body: pymunk.Body, points: list[XY], skin: float, kind: int) -> pymunk.Shape:
+    """Make a convex polygon that stands proud by a skin, as a smaller one with a radius.
 
-    A part of a cut polygon may be too thin for that; then it has the hair alone.
+    A part of a cut polygon may be too thin for that; then it has the skin alone.
     """
-    if not hair:
+    if not skin:
         return pymunk.Poly(body, points)
     inset = INSET * (1 + kind * GOLDEN % 1)
     a = np.array(points)
@@ -137,9 +137,9 @@ def _convex(body: pymunk.Body, points: list[XY], hair: float, kind: int) -> pymu
     before = np.roll(outwards, 1, axis=0)
     blunt = 1 + np.sum(before * outwards, axis=1)
     if blunt.min() < SHARPEST:
-        return pymunk.Poly(body, points, radius=hair)
+        return pymunk.Poly(body, points, radius=skin)
     core = a - inset * (before + outwards) / blunt[:, None]
-    return pymunk.Poly(body, [(float(x), float(y)) for x, y in core], radius=inset + hair)
+    return pymunk.Poly(body, [(float(x), float(y)) for x, y in core], radius=inset + skin)
 
 
 def _line(body: pymunk.Body, points: list[XY], radius: float) -> list[pymunk.Shape]:

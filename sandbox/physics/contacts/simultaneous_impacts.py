@@ -53,18 +53,18 @@ WEDGED = (
 TINY = 1e-300
 
 
-def answers(gradient: Array, agility: Array, holds: Array | None) -> Array:
-    """Return how bodies answer a unit impulse along each gradient: (k, n, 3).
+def responses(jacobian: Array, inverse_mass: Array, holds: Array | None) -> Array:
+    """Return how bodies respond to a unit impulse along each row of the Jacobian: (k, n, 3).
 
-    Joints included: `holds`, (m, n, 3), are the gradients of those that push as well as pull.
+    Joints included: `holds`, (m, n, 3), are the Jacobian of those that push as well as pull.
     """
-    answer = gradient * agility
+    response = jacobian * inverse_mass
     if holds is None:
-        return answer
-    holds = holds.reshape(-1, agility.size)
-    held = holds * agility.reshape(-1)
-    flat = answer.reshape(len(answer), -1)
-    return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(answer.shape)
+        return response
+    holds = holds.reshape(-1, inverse_mass.size)
+    held = holds * inverse_mass.reshape(-1)
+    flat = response.reshape(len(response), -1)
+    return (flat - np.linalg.solve(held @ holds.T, holds @ flat.T).T @ held).reshape(response.shape)
 
 
 class Pile:
@@ -72,7 +72,7 @@ class Pile:
 
     Parameters
     ----------
-    answers
+    delassus
         (k, k), how fast each parts by a unit impulse of each [1/kg].
     parting
         (k,), how fast each parts [m/s].
@@ -86,13 +86,13 @@ class Pile:
 
     def __init__(
         self,
-        answers: Array,
+        delassus: Array,
         parting: Array,
         allowed: Array,
         restitution: Array,
         partner: Integers,
     ) -> None:
-        self._answers, self._parting, self._allowed = answers, parting.copy(), allowed
+        self._delassus, self._parting, self._allowed = delassus, parting.copy(), allowed
         self._restitution, self._partner = restitution, partner
         self._impulse = np.zeros(len(parting))
 
@@ -137,14 +137,14 @@ class Pile:
 
     def _rest(self) -> Array:
         """Let what is left stop bouncing, and return the impulses: (k,) [N s]."""
-        self._impulse += pushes(self._answers, self._parting)
+        self._impulse += pushes(self._delassus, self._parting)
         return self._impulse
 
     def _wedged(self) -> bool:
         """Whether some would approach whatever pushed them apart, by more than rounding."""
-        push = pushes(self._answers, self._parting)
-        left = self._parting + self._answers @ push
-        rounding = LOST * np.finfo(float).eps * (np.abs(self._answers) @ push)
+        push = pushes(self._delassus, self._parting)
+        left = self._parting + self._delassus @ push
+        rounding = LOST * np.finfo(float).eps * (np.abs(self._delassus) @ push)
         return bool((left + rounding).min() < PRESSED * self._parting.min())
 
     def _bounce(self) -> tuple[int, float]:
@@ -159,15 +159,15 @@ class Pile:
             return 0, e
         equal = approach <= (1 - EQUAL) * fastest
         if np.count_nonzero(equal) == 1 and self._partner[first] < 0:
-            push = -(1 + e) * self._parting[first] / self._answers[first, first]
+            push = -(1 + e) * self._parting[first] / self._delassus[first, first]
             self._impulse[first] += push
-            self._parting += push * self._answers[first]
+            self._parting += push * self._delassus[first]
             return 1, e
         group = self._with_partners(np.flatnonzero(equal & (self._restitution == e)))
-        answers = self._answers[group]
-        sizes = _at_once(answers[:, group], (1 + e) * self._parting[group])
+        delassus = self._delassus[group]
+        sizes = _at_once(delassus[:, group], (1 + e) * self._parting[group])
         self._impulse[group] += sizes
-        self._parting += sizes @ answers
+        self._parting += sizes @ delassus
         return len(group), e
 
     def _with_partners(self, group: Integers) -> Integers:
@@ -183,43 +183,43 @@ def _work(count: int) -> int:
     return SEVERAL + count**3 // 1000
 
 
-def _at_once(answers: Array, parting: Array) -> Array:
+def _at_once(delassus: Array, parting: Array) -> Array:
     """Return impulses that push and let nothing approach: (k,) [N s].
 
     After them nothing parts either, unless some would have to pull for that.
     """
-    if np.count_nonzero(answers) == len(parting):  # they do not reach each other
-        return np.asarray(-parting / answers.diagonal())
-    if np.isfinite(answers).all() and np.isfinite(parting).all():
-        sizes: Array = np.asarray(np.linalg.lstsq(answers, -parting, rcond=None)[0], np.float64)
-        left = np.abs(parting + answers @ sizes).max()
+    if np.count_nonzero(delassus) == len(parting):  # they do not reach each other
+        return np.asarray(-parting / delassus.diagonal())
+    if np.isfinite(delassus).all() and np.isfinite(parting).all():
+        sizes: Array = np.asarray(np.linalg.lstsq(delassus, -parting, rcond=None)[0], np.float64)
+        left = np.abs(parting + delassus @ sizes).max()
         if sizes.min() >= 0 and left <= ROUNDING * np.abs(parting).max():
             return sizes
-    return pushes(answers, parting)
+    return pushes(delassus, parting)
 
 
-def pushes(answers: Array, parting: Array) -> Array:
+def pushes(delassus: Array, parting: Array) -> Array:
     """Return the smallest impulses after which nothing approaches, all at once: (k,) [N s].
 
-    They are no numbers where the answers, or the rates, are none.
+    They are no numbers where the matrix, or the rates, are none.
 
     Of all impulses that push, those that leave the least kinetic energy: impulse · (parting +
-    answers · impulse / 2) is least. C. L. Lawson, R. J. Hanson: Solving Least Squares Problems,
+    delassus · impulse / 2) is least. C. L. Lawson, R. J. Hanson: Solving Least Squares Problems,
     chapter 23.
     """
-    if not (np.isfinite(answers).all() and np.isfinite(parting).all()):
+    if not (np.isfinite(delassus).all() and np.isfinite(parting).all()):
         return np.full(len(parting), np.nan)  # LAPACK never comes back from an infinity
     impulse, active = np.zeros(len(parting)), np.zeros(len(parting), dtype=bool)
     close = ROUNDING * np.abs(parting).max()
     for _ in range(3 * len(parting)):
-        approach = np.where(active, -np.inf, -(parting + answers @ impulse))
+        approach = np.where(active, -np.inf, -(parting + delassus @ impulse))
         worst = int(approach.argmax())
         if approach[worst] <= close:
             break
         active[worst] = True
         while True:
             now = np.flatnonzero(active)
-            wanted = np.linalg.lstsq(answers[np.ix_(now, now)], -parting[now], rcond=None)[0]
+            wanted = np.linalg.lstsq(delassus[np.ix_(now, now)], -parting[now], rcond=None)[0]
             if wanted.min() > 0:
                 impulse[now] = wanted
                 break

@@ -257,7 +257,7 @@ class Ledger:
         impacts = collided.impacts
         self._go_on(collided.begun, collided.lifted)
         self._put_in(
-            {"bodies": sum(i.told for i in impacts), "belt": sum(i.driven for i in impacts)}
+            {"bodies": sum(i.kinematic for i in impacts), "belt": sum(i.driven for i in impacts)}
         )
         self._rub(sum(impact.rubbed for impact in impacts))
         if not self._elastic:
@@ -373,9 +373,9 @@ class Ledger:
 
     def _joints(self, kick: Kick, pulls: Pulls) -> Array:
         """Book the impulses of the exact joints, and return them: (n, 3)."""
-        told = kick.inertia[:, 0] == 0
-        drives = pulls.changes | (pulls.gradient[:, told] != 0).any(axis=(1, 2))
-        impulses = -pulls.tension[:, None, None] * pulls.gradient
+        kinematic = kick.inertia[:, 0] == 0
+        drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
+        impulses = -pulls.tension[:, None, None] * pulls.jacobian
         impulses = np.where(kick.inertia > 0, impulses, 0.0)
         works = np.sum(impulses * kick.mean, axis=(1, 2))
         if "joints" in self._works:

@@ -42,7 +42,7 @@ class Hand:
             self._space.remove(self._grip)
             self._grip = None
 
-    def pull(self, velocity: Array, agility: Array, dt: float) -> Array:
+    def pull(self, velocity: Array, inverse_mass: Array, dt: float) -> Array:
         """Return the accelerations with which it pulls in a kick: (n, 3) [m/s², rad/s²].
 
         That is what pymunk's joint does, for kicks that are not pymunk's.
@@ -51,7 +51,7 @@ class Hand:
         ----------
         velocity
             (n, 3), those before the kick [m/s, rad/s].
-        agility
+        inverse_mass
             (n, 3), what a force or torque is multiplied by to give an acceleration.
         dt
             How long the kick is [s].
@@ -61,12 +61,12 @@ class Hand:
             return pulls
         row, (x, y) = self.hold
         vx, vy, spin = velocity[row]
-        inverse, turns = agility[row, 0], agility[row, 2]
+        inverse, turns = inverse_mass[row, 0], inverse_mass[row, 2]
         gap = self._grip.anchor_a - self._grip.b.position - (x, y)
         back = (1 - self._grip.error_bias**dt) / dt
         wanted = np.array([gap.x * back - vx + spin * y, gap.y * back - vy - spin * x])
-        answers = inverse * np.eye(2) + turns * np.array([[y * y, -x * y], [-x * y, x * x]])
-        impulse = np.linalg.solve(answers, wanted)
+        delassus = inverse * np.eye(2) + turns * np.array([[y * y, -x * y], [-x * y, x * x]])
+        impulse = np.linalg.solve(delassus, wanted)
         impulse *= min(1.0, self._grip.max_force * dt / max(float(np.hypot(*impulse)), TINY))
         turned = x * impulse[1] - y * impulse[0]
         pulls[row] = impulse[0] * inverse, impulse[1] * inverse, turned * turns

@@ -28,7 +28,7 @@ DOUBTED = 0.25
 """The share of the energy there was that a run may gain before it is run alone: the watchdog stops
 it at once this energy, or more."""
 
-_UNKNOWN = ("tension", "torque", "normal", "friction", "contact.normal", "contact.friction")
+_UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal", "contact.friction")
 """What only a world of its own knows."""
 
 Stop = Callable[[Mapping[str, Array], Array, World], int | None]
@@ -52,7 +52,7 @@ _EFFECTS = {"gravity", "rotation"}
 
 
 def _known(name: Quantity) -> bool:
-    return not (name.adds_up or name.booked or name.attribute in _UNKNOWN)
+    return name.momentary and name.attribute not in _UNKNOWN
 
 
 def accepts(world: World) -> bool:

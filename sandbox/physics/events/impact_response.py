@@ -11,14 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.simultaneous_impacts import answers, pushes
+from sandbox.physics.contacts.simultaneous_impacts import pushes, responses
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.time_of_impact import Hit, Path
 from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.motion import momentum
 
-SWEEPS = 200
+ITERATIONS = 200
 """How often the impulses at the points of an impact are gone through."""
 
 STILL = 1e-15
@@ -40,8 +40,8 @@ class Impact(NamedTuple):
         Where they touched [m].
     impulse
         What the second got; the first got the opposite [N s].
-    told, driven
-        The works of a body that nothing moves, but that moves as told, and of belts [J].
+    kinematic, driven
+        The works of a kinematic body, and of belts [J].
     rubbed, pressed
         The works of friction, and of what presses the bodies apart [J].
     given
@@ -54,7 +54,7 @@ class Impact(NamedTuple):
     normal: complex
     points: tuple[complex, ...]
     impulse: complex
-    told: float
+    kinematic: float
     driven: float
     rubbed: float
     pressed: float
@@ -119,19 +119,19 @@ class _Points(NamedTuple):
 
     Attributes
     ----------
-    gradient
+    jacobian
         (k, n, 3), how fast velocities take them apart, and along.
-    answer
+    response
         (k, n, 3), how velocities jump by a unit impulse at each.
-    matrix
+    delassus
         (k, k), how fast each parts, or slips, by a unit impulse at each.
     runs
         (k,), how fast they slip by belts that run.
     """
 
-    gradient: Array
-    answer: Array
-    matrix: Array
+    jacobian: Array
+    response: Array
+    delassus: Array
     runs: Array
 
 
@@ -151,7 +151,11 @@ class Collision:
     def __init__(self, coefficients: Coefficients, scene: Scene, dt: float) -> None:
         self._coefficients, self._dt = coefficients, dt
         self._running = surfaces(scene.bodies.values())
-        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._mass, self._inertia, self._inverse_mass = (
+            scene.mass,
+            scene.inertia,
+            scene.inverse_mass,
+        )
         self._joints = scene.joints.together
 
     def restitution(self, hit: Hit) -> float:
@@ -177,46 +181,48 @@ class Collision:
         time, of = hits[0].time, np.repeat(range(len(hits)), [len(hit.points) for hit in hits])
         place, velocity = path.at(time)
         e, mu = (np.array([table[hit.bodies] for hit in hits])[of] for table in self._coefficients)
-        gradient, answer, matrix, runs = self._points(hits, place, rubs=bool(mu.any()))
+        jacobian, response, delassus, runs = self._points(hits, place, rubs=bool(mu.any()))
         count = len(of)
-        rates = np.einsum("knc,nc->k", gradient, velocity) + runs
-        pulls = np.einsum("knc,nc->k", gradient[:count], path.pull_at(time))
+        rates = np.einsum("knc,nc->k", jacobian, velocity) + runs
+        pulls = np.einsum("knc,nc->k", jacobian[:count], path.acceleration_at(time))
         leaves = -(0.0 if dead else e) * np.minimum(rates[:count], 0.0)
         rises = leaves > np.maximum(-pulls, 0.0) * (self._dt / 2)
         rests = (np.bincount(of, rises) == 0)[of]
         leaves[rests] = 0.0
-        impulse = _impulses(matrix, rates, leaves, mu)
-        works = impulse * (rates + matrix @ impulse / 2)
+        impulse = _impulses(delassus, rates, leaves, mu)
+        works = impulse * (rates + delassus @ impulse / 2)
         coming = rates[:count] < 0
         if not coming.all() and works[:count].sum() > 0:
             return self.bounce(path, _only(hits, coming), dead=dead)
         holds = np.zeros_like(rates)
         rests &= (np.bincount(of, impulse[:count]) > 0)[of]
         if rests.any():
-            block = matrix[:count, :count][np.ix_(rests, rests)]
+            block = delassus[:count, :count][np.ix_(rests, rests)]
             holds[:count][rests] = _impulses(block, pulls[rests], np.zeros(len(block)), mu[rests])
         lasts = (self._dt - time) - self._dt / 2
         impacts = []
         for index, hit in enumerate(hits):
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
             push, held = impulse[rows], holds[rows] * lasts
-            given = np.einsum("k,knc->nc", push + held, gradient[rows])
-            moves = self._inertia * np.einsum("k,knc->nc", push, answer[rows])
-            told = -float(np.sum((given * velocity)[self._mass == 0]))
+            given = np.einsum("k,knc->nc", push + held, jacobian[rows])
+            moves = self._inertia * np.einsum("k,knc->nc", push, response[rows])
+            kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
             driven = -float(push @ runs[rows])
-            impacts.append(_impact(hit, push, works[rows], told, driven, momentum(moves, place)))
-        struck: Booleans = np.asarray(answer.any(axis=(0, 2)))
-        jump, onwards = (np.tensordot(sizes, answer, 1) for sizes in (impulse, holds))
+            impacts.append(
+                _impact(hit, push, works[rows], kinematic, driven, momentum(moves, place))
+            )
+        struck: Booleans = np.asarray(response.any(axis=(0, 2)))
+        jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
-        gradient = _gradient(hits, place, rubs=rubs)
+        jacobian = _jacobian(hits, place, rubs=rubs)
         stiff = self._joints.stiff(place) if self._joints else None
-        answer = answers(gradient, self._agility, stiff)
-        matrix = np.einsum("knc,lnc->kl", answer, gradient)
-        runs = np.einsum("knc,nc->k", gradient[..., :2], self._running)
+        response = responses(jacobian, self._inverse_mass, stiff)
+        delassus = np.einsum("knc,lnc->kl", response, jacobian)
+        runs = np.einsum("knc,nc->k", jacobian[..., :2], self._running)
         runs[: sum(len(hit.points) for hit in hits)] = 0.0  # what runs lies along a surface
-        return _Points(gradient, answer, matrix, runs)
+        return _Points(jacobian, response, delassus, runs)
 
 
 def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
@@ -226,42 +232,42 @@ def _only(hits: Sequence[Hit], wanted: Booleans) -> list[Hit]:
     return [hit for hit in kept if hit.points]
 
 
-def _gradient(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
+def _jacobian(hits: Sequence[Hit], place: Array, *, rubs: bool) -> Array:
     """Return how fast velocities take the points of impacts apart, and along: (k, n, 3)."""
     at = [(hit.bodies, point, hit.normal) for hit in hits for point in hit.points]
     if rubs:
         at += [(bodies, point, 1j * normal) for bodies, point, normal in at]
-    gradient = np.zeros((len(at), *place.shape))
+    jacobian = np.zeros((len(at), *place.shape))
     for row, (bodies, point, way) in enumerate(at):
         for body, sign in zip(bodies, (-1, 1), strict=True):
             arm = point - complex(*place[body, :2].tolist())
             turning = arm.real * way.imag - arm.imag * way.real
-            gradient[row, body] = sign * way.real, sign * way.imag, sign * turning
-    return gradient
+            jacobian[row, body] = sign * way.real, sign * way.imag, sign * turning
+    return jacobian
 
 
 def _impact(
-    hit: Hit, impulse: Array, works: Array, told: float, driven: float, given: Array
+    hit: Hit, impulse: Array, works: Array, kinematic: float, driven: float, given: Array
 ) -> Impact:
     """Return a hit with the impulses at its points, pushes before frictions, and their works."""
     count = len(hit.points)
     whole = hit.normal * complex(impulse[:count].sum(), impulse[count:].sum())
     rubbed, pressed = float(works[count:].sum()), float(works[:count].sum())
     known = hit.bodies, hit.time, hit.normal, hit.points
-    return Impact(*known, whole, told, driven, rubbed, pressed, given)
+    return Impact(*known, whole, kinematic, driven, rubbed, pressed, given)
 
 
-def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
+def _impulses(delassus: Array, rates: Array, leaves: Array, mu: Array) -> Array:
     """Return the impulses at the points of impacts: pushes, and then friction: (k,) [N s].
 
-    Each push makes its point part as told or faster; friction stops it from slipping, as far as mu
-    times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto: Sequential
-    Impulses, GDC 2006); the pushes at once, for one after the other those of points that are close
-    come to terms late.
+    Each push makes its point part as fast as asked, or faster; friction stops it from slipping, as
+    far as mu times the push goes. Pushes and frictions in turn, until nothing changes (E. Catto:
+    Sequential Impulses, GDC 2006); the pushes at once, for one after the other those of points that
+    are close come to terms late.
 
     Parameters
     ----------
-    matrix
+    delassus
         (k, k), how fast each point parts, or slips, by a unit impulse at each.
     rates
         (k,), how fast they do so.
@@ -271,14 +277,14 @@ def _impulses(matrix: Array, rates: Array, leaves: Array, mu: Array) -> Array:
         The coefficient of friction of each.
     """
     impulse, count = np.zeros(len(rates)), len(leaves)
-    for _ in range(SWEEPS if len(rates) > count else 1):
+    for _ in range(ITERATIONS if len(rates) > count else 1):
         before = impulse.copy()
-        lacks = leaves - rates[:count] - matrix[:count, count:] @ impulse[count:]
-        impulse[:count] = pushes(matrix[:count, :count], -lacks)
+        lacks = leaves - rates[:count] - delassus[:count, count:] @ impulse[count:]
+        impulse[:count] = pushes(delassus[:count, :count], -lacks)
         for row in range(count, len(rates)):
-            slip = rates[row] + matrix[row] @ impulse
+            slip = rates[row] + delassus[row] @ impulse
             most = mu[row - count] * impulse[row - count]
-            impulse[row] = min(max(impulse[row] - slip / matrix[row, row], -most), most)
+            impulse[row] = min(max(impulse[row] - slip / delassus[row, row], -most), most)
         if np.abs(impulse - before).max() <= STILL * np.abs(impulse).max():
             break
     return impulse

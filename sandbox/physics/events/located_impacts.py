@@ -92,7 +92,11 @@ class Located:
     ) -> None:
         self._batch, self._outlines, self._dt = scene.batch, outlines, dt
         self._collision, self._held = Collision(coefficients, scene, dt), held
-        self._mass, self._inertia, self._agility = scene.mass, scene.inertia, scene.agility
+        self._mass, self._inertia, self._inverse_mass = (
+            scene.mass,
+            scene.inertia,
+            scene.inverse_mass,
+        )
         self._joints, self._all_joints = scene.joints.together, scene.joints
         linked = self._joints is not None
         self._turns = Turns(self._collision.restitution, scene.mass > 0, dt, linked=linked)
@@ -147,14 +151,14 @@ class Located:
         begun, self.begun = self.begun, drifts
         if not len(near):
             return None
-        pull = self._pull(smooth, total)
+        acceleration = self._acceleration(smooth, total)
         if struck is None:
-            self._without_impacts(pull, smooth, place, (begun, drifts))
-        grip = Grip(self._joints, self._agility, place) if self._joints else None
-        path = Path(place, drifts - pull * (self._dt / 2), pull, grip)
+            self._without_impacts(acceleration, smooth, place, (begun, drifts))
+        grip = Grip(self._joints, self._inverse_mass, place) if self._joints else None
+        path = Path(place, drifts - acceleration * (self._dt / 2), acceleration, grip)
         self._pulled = np.zeros(3)
         self._follow(path, near, smooth * self._dt)
-        return self._hand_over(path, state, pull) if self.impacts else None
+        return self._hand_over(path, state, acceleration) if self.impacts else None
 
     def _total(self, drifts: Array, struck: Array | None) -> Array:
         """Return the accelerations of the last kick but for impacts in sequence: (n, 3)."""
@@ -163,17 +167,17 @@ class Located:
         total = (drifts - self.begun) / self._dt
         return total if struck is None else total - struck / self._dt
 
-    def _hand_over(self, path: Path, state: Array, pull: Array) -> Cut:
+    def _hand_over(self, path: Path, state: Array, acceleration: Array) -> Cut:
         """Hand pymunk what came of a path that began with this state and these accelerations."""
         drifts, hit = self.begun, path.struck
         place, velocity = path.at(self._dt)
-        onwards = path.pull_at(self._dt)
+        onwards = path.acceleration_at(self._dt)
         self.begun = np.where(hit[:, None], velocity - onwards * (self._dt / 2), drifts)
-        self._compare(path, (pull, onwards), (state[:, :3], place))
+        self._compare(path, (acceleration, onwards), (state[:, :3], place))
         state[hit, :3] = (place - self.begun * self._dt)[hit]
         state[:, 3:] = self.begun
         self._batch.set_state(state)
-        change = np.where(hit[:, None], onwards - pull, 0.0)
+        change = np.where(hit[:, None], onwards - acceleration, 0.0)
         return Cut(hit, place, self.begun - drifts, change)
 
     def _compare(self, path: Path, pulls: tuple[Array, Array], places: tuple[Array, Array]) -> None:
@@ -182,22 +186,22 @@ class Located:
         The accelerations, and the places, are those at the kicks before and after it.
         """
         half, struck = self._dt / 2, path.struck[:, None]
-        before, after = (np.where(struck, pull, 0.0) for pull in pulls)
+        before, after = (np.where(struck, acceleration, 0.0) for acceleration in pulls)
         less = before * before - after * after
         self._lifted = float(np.sum(self._inertia * less)) * half * half / 2
         self._pulled += self._given(path, self._dt, path.struck)
-        for pull, place in zip((before, after), places, strict=True):
-            self._pulled -= momentum(self._inertia * pull * half, place)
+        for acceleration, place in zip((before, after), places, strict=True):
+            self._pulled -= momentum(self._inertia * acceleration * half, place)
 
     def _given(self, path: Path, t: float, bodies: Booleans) -> Array:
         """Return what pulls gave some bodies since each one's last impact: see `momentum`."""
         lasted = np.where(bodies, t - path.since, 0.0)[:, None]
-        mean = (path.pull + path.pull_at(t)) / 2
+        mean = (path.acceleration + path.acceleration_at(t)) / 2
         return momentum(self._inertia * mean * lasted, path.place + path.velocity * (lasted / 2))
 
     def _boxes(self, state: Array) -> tuple[Array, Array]:
         """Return the corners of boxes around the shapes, from their bodies' places: (s, 2) each."""
-        turns = (self._agility[:, 2] > 0) | (state[:, 5] != 0)
+        turns = (self._inverse_mass[:, 2] > 0) | (state[:, 5] != 0)
         low, high = np.empty((len(self._outlines), 2)), np.empty((len(self._outlines), 2))
         for index, outline in enumerate(self._outlines):
             corners = [rect(1, state[outline.body, 2]) * corner for corner in outline.corners]
@@ -218,19 +222,19 @@ class Located:
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
         return [(int(i), int(j)) for i, j in self._pairs[meet]]
 
-    def _pull(self, smooth: Array, total: Array) -> Array:
+    def _acceleration(self, smooth: Array, total: Array) -> Array:
         """Return the accelerations of the last kick; of what nothing holds, without rounding."""
         tied = self._held.copy()
         tied[self._batch.contacts().bodies] = True
         return np.where(tied[:, None], total, smooth)
 
     def _without_impacts(
-        self, pull: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
+        self, acceleration: Array, smooth: Array, place: Array, velocities: tuple[Array, Array]
     ) -> None:
         """Take what pymunk's impacts did in the last kick out of its accelerations."""
         contacts, solid = self._batch.contacts(), self._all_joints.joined
         hit, onwards = impacts(contacts, solid, place, *velocities, smooth, self._mass, self._dt)
-        pull[hit] = onwards
+        acceleration[hit] = onwards
 
     def _follow(self, path: Path, near: list[tuple[int, int]], adds: Array) -> None:
         """Let one impact come after the other until the drift is over."""
@@ -242,7 +246,7 @@ class Located:
             for group in groups:
                 struck |= self._collide(path, group, tally)
             place, end = path.place_at(time), path.place_at(self._dt)
-            bend = np.abs(path.pull) * (self._dt - time) ** 2
+            bend = np.abs(path.acceleration) * (self._dt - time) ** 2
             again = [p for p in self._near(place, end, bend) if struck[self._row[[*p]]].any()]
             hits = [h for h in hits if not struck[[*h.bodies]].any()]
             hits += self._hits(path, again, time, adds)
@@ -259,7 +263,7 @@ class Located:
         self, path: Path, near: list[tuple[int, int]], since: float, adds: Array
     ) -> list[Hit]:
         shapes = self._outlines
-        gives = np.stack((adds, path.pull_at(since) * (self._dt - since)))
+        gives = np.stack((adds, path.acceleration_at(since) * (self._dt - since)))
         found = (meet(path, shapes[a], shapes[b], since, self._dt, gives) for a, b in near)
         return [hit for hit in found if hit]
 
@@ -273,7 +277,7 @@ class Located:
         bounce = self._collision.bounce(path, around if dead else group, dead=dead)
         self._pulled += self._given(path, time, bounce.struck)
         path.turn(time, bounce.jump, bounce.struck)
-        path.pull += bounce.held
+        path.acceleration += bounce.held
         self.impacts += bounce.impacts
         if dead:
             left = min(self._around(path, group), key=lambda hit: hit.parting)

@@ -36,7 +36,7 @@ class Found(NamedTuple):
 
     Attributes
     ----------
-    pull
+    acceleration
         (n, 3), their accelerations [m/s², rad/s²].
     forces
         Their contacts, impulses standing for forces.
@@ -44,7 +44,7 @@ class Found(NamedTuple):
         Of the contacts, and which way each slips.
     """
 
-    pull: Array
+    acceleration: Array
     forces: Contacts
     slips: Slips
     sense: Array

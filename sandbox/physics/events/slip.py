@@ -59,9 +59,9 @@ class Slips(NamedTuple):
         runs = np.einsum("kbc,kbc->k", way[..., :2], running[bodies])
         return cls(bodies, way, runs, np.abs(contacts.points[:, 0]).sum(axis=1))
 
-    def change(self, pull: Array) -> Array:
+    def change(self, acceleration: Array) -> Array:
         """Return how fast the slips change with accelerations (n, 3): (k,) [m/s²]."""
-        return np.asarray(np.einsum("kbc,kbc->k", self.way, pull[self.bodies]))
+        return np.asarray(np.einsum("kbc,kbc->k", self.way, acceleration[self.bodies]))
 
     def speed(self, velocity: Array) -> Array:
         """Return how fast the second of each two bodies slips over the first: (k,) [m/s]."""
@@ -96,7 +96,7 @@ class Phase(NamedTuple):
     ----------
     lasts
         How long it is [s].
-    place, velocity, pull
+    place, velocity, acceleration
         (n, 3), places and velocities at its beginning, and the accelerations in it.
     forces
         What contacts do in it, impulses standing for forces.
@@ -105,12 +105,12 @@ class Phase(NamedTuple):
     lasts: float
     place: Array
     velocity: Array
-    pull: Array
+    acceleration: Array
     forces: Contacts
 
     def at(self, time: float) -> tuple[Array, Array]:
         """Return places and velocities so long after its beginning [s]."""
-        velocity = self.velocity + self.pull * time
+        velocity = self.velocity + self.acceleration * time
         return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
@@ -124,8 +124,8 @@ class Stop(NamedTuple):
     begun
         (n, 3), the velocities that the kick after the drift begins with [m/s, rad/s].
     rubbed, works
-        The work of friction beyond that of the halves of the two kicks; and of belts, and of bodies
-        that move as told [J].
+        The work of friction beyond that of the halves of the two kicks; and of belts, and of
+        kinematic bodies [J].
     way
         (n, 3), how much further the bodies went than the halves of the two kicks have them go
         [m, rad].
@@ -166,7 +166,7 @@ def booked(
     """
     first, last, half = phases[0], phases[-1], dt / 2
     place, velocity = last.at(last.lasts)
-    begun = velocity - last.pull * half
+    begun = velocity - last.acceleration * half
     halves = (
         first._replace(lasts=half),
         last._replace(lasts=half, place=place - velocity * half, velocity=begun),
@@ -174,16 +174,17 @@ def booked(
     rubbed, works, given = 0.0, {"bodies": 0.0, "belt": 0.0}, np.zeros(3)
     for sign, parts in ((1, phases), (-1, halves)):
         for part in parts:
-            mean = part.velocity + part.pull * (part.lasts / 2)
+            mean = part.velocity + part.acceleration * (part.lasts / 2)
             forces = part.forces.times(part.lasts)
             work, drives = rubbing(forces, part.place[:, :2], mean, inertia, running)
             rubbed += sign * work
             works = {name: works[name] + sign * drives[name] for name in works}
     for part in phases:
         middle = part.place + part.velocity * (part.lasts / 2)
-        given += momentum(inertia * part.pull * part.lasts, middle)
-    given -= momentum(inertia * first.pull * half, first.place)
-    given -= momentum(inertia * last.pull * half, place)
-    ways = sum(part.velocity * half + part.pull * (half * half / 2) for part in halves)
-    lifted = float(np.sum(inertia * smooth * (first.pull - last.pull))) * half * half / 2
+        given += momentum(inertia * part.acceleration * part.lasts, middle)
+    given -= momentum(inertia * first.acceleration * half, first.place)
+    given -= momentum(inertia * last.acceleration * half, place)
+    ways = sum(part.velocity * half + part.acceleration * (half * half / 2) for part in halves)
+    change = first.acceleration - last.acceleration
+    lifted = float(np.sum(inertia * smooth * change)) * half * half / 2
     return Stop(begun, rubbed, works, place - first.place - ways, lifted, given)

@@ -61,14 +61,14 @@ class Lookout:
         self._batch, self._named, self._coefficients = batch, named, coefficients
         self._onwards, self._dt = onwards, dt
 
-    def see(self, came: Array, velocity: Array, pull: Array) -> Seen:
+    def see(self, came: Array, velocity: Array, acceleration: Array) -> Seen:
         """Return which contacts slip at the step, and no longer at the next.
 
         Which way they slip is told by how they came to the step: the end of one slip, which pymunk
         takes for one of the whole kick, makes others slip after it.
         """
         contacts, place = self._batch.contacts(), self._batch.state()[:, :3]
-        slips, adds = Slips.of(contacts, place, self._onwards.running), pull * self._dt
+        slips, adds = Slips.of(contacts, place, self._onwards.running), acceleration * self._dt
         sense = self._onwards.sense(slips, contacts, came, adds)
         named = (sense != 0) & self._named[slips.bodies].any(axis=1)
         most = self._coefficients[contacts.bodies[:, 0], contacts.bodies[:, 1]] * contacts.normal
@@ -87,9 +87,9 @@ class Lookout:
         later = self._onwards.sense(slips, contacts, velocity, adds)
         return (sense != 0) & self._named[slips.bodies].any(axis=1) & (later != sense)
 
-    def wait(self, slips: Slips, sense: Array, velocity: Array, pull: Array) -> Array:
+    def wait(self, slips: Slips, sense: Array, velocity: Array, acceleration: Array) -> Array:
         """Return how long each contact of named bodies slips on, for ever if it does: (k,)."""
-        speed, change = sense * slips.speed(velocity), sense * slips.change(pull)
+        speed, change = sense * slips.speed(velocity), sense * slips.change(acceleration)
         slows = (change < 0) & self._named[slips.bodies].any(axis=1)
         wait = np.full(len(sense), np.inf)
         np.divide(speed, -change, out=wait, where=slows)

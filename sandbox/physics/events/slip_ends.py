@@ -51,12 +51,12 @@ class Cut(NamedTuple):
     ----------
     begun
         (n, 3), the velocities that the next kick begins with [m/s, rad/s].
-    pull
+    acceleration
         (n, 3), the accelerations since slipping last ended [m/s², rad/s²].
     """
 
     begun: Array
-    pull: Array
+    acceleration: Array
 
 
 class Stops:
@@ -105,26 +105,26 @@ class Stops:
         self._ground[:, :2] += onwards.running[scene.mass == 0]
         # how many steps need no look, while kicks differ by no more than that, squared
         self._quiet, self._alike = 0, 0.0
-        self._pull: Array | None = None  # the accelerations until the next step, if they are known
+        self._acceleration: Array | None = None  # until the next step, if it is known
         self._due: tuple[Phase, Slips, Array] | None = None
         self.kicked: Contacts | None = None
         self.last: Stop | None = None
 
-    def start(self, velocity: Array, pull: Array) -> Array:
+    def start(self, velocity: Array, acceleration: Array) -> Array:
         """Look at the first kick, of half a step; return its accelerations, right at the start.
 
         Parameters
         ----------
         velocity
             (n, 3), those at the start [m/s, rad/s].
-        pull
+        acceleration
             (n, 3), the accelerations that pymunk gave [m/s², rad/s²].
         """
         half, self._quiet, self.last = self._dt / 2, 0, None
         self._onwards.adds = np.abs(self._smooth()) * self._dt
-        self._pull = pull = self._look(velocity, velocity, pull, half)
-        self.begun, self._next = velocity - pull * half, velocity + pull * half
-        return pull
+        self._acceleration = acceleration = self._look(velocity, velocity, acceleration, half)
+        self.begun, self._next = velocity - acceleration * half, velocity + acceleration * half
+        return acceleration
 
     def look(self) -> None:
         """See whether slipping ends in the coming drift, and take the last kick again if so."""
@@ -139,14 +139,15 @@ class Stops:
         self._quiet, self._change = 0, change
         smooth = self._smooth()
         if self._struck(smooth):
-            self._pull = None
+            self._acceleration = None
             return
         self._onwards.adds = np.abs(smooth) * self._dt
-        pull = change / self._dt
-        came = begun + (pull if self._pull is None else self._pull) * (self._dt / 2)
-        self._pull = self._look(begun, came, pull, self._dt)
-        if self._pull is not pull:
-            self._next = begun + self._pull * self._dt
+        acceleration = change / self._dt
+        until = acceleration if self._acceleration is None else self._acceleration
+        came = begun + until * (self._dt / 2)
+        self._acceleration = self._look(begun, came, acceleration, self._dt)
+        if self._acceleration is not acceleration:
+            self._next = begun + self._acceleration * self._dt
             self._batch.set_velocity(self._next)
 
     def _struck(self, smooth: Array) -> bool:
@@ -158,7 +159,7 @@ class Stops:
         hit, _ = impacts(contacts, solid, place, self.begun, self._next, smooth, mass, self._dt)
         return bool(len(hit))
 
-    def _look(self, begun: Array, came: Array, pull: Array, length: float) -> Array:
+    def _look(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
         """Find out whether slipping ends, and return the accelerations until it does.
 
         Parameters
@@ -166,42 +167,43 @@ class Stops:
         begun, came
             (n, 3), the velocities that the kick began with, and those with which bodies came to the
             step by what pulled them until then [m/s, rad/s].
-        pull
+        acceleration
             (n, 3), the accelerations that it gave [m/s², rad/s²].
         length
             How long it was [s]: a step, or half of it where it began at the step.
         """
         if not len(self._batch.contacts().bodies):
-            return pull
-        velocity = begun + pull * (length - self._dt / 2)
-        seen = self._lookout.see(came, velocity, pull)
+            return acceleration
+        velocity = begun + acceleration * (length - self._dt / 2)
+        seen = self._lookout.see(came, velocity, acceleration)
         if not seen.ends.any():
             if (self._ground == self._ground[:1]).all():  # it is the same wherever a body goes
                 self._quiet = int(min(max(seen.steps - 2, 0) / 2, FAR))
                 self._alike = (ALIKE * float(self._onwards.adds.max())) ** 2
-            return pull
+            return acceleration
         contacts = self._batch.contacts()
         tied = (self._island(seen.slips, seen.ends) & self._tied).any()
         if tied or self._onwards.meets(contacts, seen.place, velocity, self._dt):
-            return pull
+            return acceleration
         if seen.weakened.any():
-            return self._again(begun, came, pull, length)
+            return self._again(begun, came, acceleration, length)
         forces = contacts.times(1 / length)
-        self._due = Phase(self._dt, seen.place, velocity, pull, forces), seen.slips, seen.sense
-        return pull
+        part = Phase(self._dt, seen.place, velocity, acceleration, forces)
+        self._due = part, seen.slips, seen.sense
+        return acceleration
 
-    def _again(self, begun: Array, came: Array, pull: Array, length: float) -> Array:
+    def _again(self, begun: Array, came: Array, acceleration: Array, length: float) -> Array:
         """Take the last kick again while everything slips on; see `_look`."""
         after, memory, since = self._batch.velocity(), self._onwards.memory(), length - self._dt / 2
-        told = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
-        seen = self._lookout.see(came, begun + told * since, told)
+        settled = (self._onwards.settled(0.0, begun, length, self._dt) - begun) / length
+        seen = self._lookout.see(came, begun + settled * since, settled)
         slips, sense = seen.slips, seen.sense
         found = self._onwards.solve(seen.place, begun, 0.0, self._dt / 2, slips, sense)
         self._onwards.recall(memory)
         self._batch.set_velocity(after)
         if found and seen.weakened.any():
             island = self._island(slips, seen.weakened)
-            slipping = np.where(island[:, None], found.pull, pull)
+            slipping = np.where(island[:, None], found.acceleration, acceleration)
             velocity = begun + slipping * since
             over = -LATE * np.abs(slips.change(slipping)) * self._dt
             if (sense * slips.speed(velocity) >= over)[seen.weakened].all():
@@ -212,11 +214,12 @@ class Stops:
         self._onwards.settled(0.0, begun, length, self._dt)  # what pymunk is to remember
         self._onwards.recall(memory)
         self._batch.set_velocity(after)
-        return pull
+        return acceleration
 
     def drop(self, begun: Array) -> None:
         """Leave the coming drift to an impact in it, after which kicks begin with a velocity."""
-        self._due, self.last, self._next, self._quiet, self._pull = None, None, begun, 0, None
+        self._due = self.last = self._acceleration = None
+        self._next, self._quiet = begun, 0
 
     def cut(self) -> Cut | None:
         """Let slipping end in the coming drift; return what came of it, if it does."""
@@ -235,35 +238,35 @@ class Stops:
         self._onwards.settled(1.0, begun, self._dt, self._dt)  # what pymunk is to remember
         self._onwards.recall({p: known for p, known in memory.items() if not moved[[*p]].any()})
         self._batch.set_state(np.concatenate((place, begun), axis=1))
-        self._next, self._pull = begun, phases[-1].pull
-        return Cut(begun, phases[-1].pull) if self.last else None
+        self._next, self._acceleration = begun, phases[-1].acceleration
+        return Cut(begun, phases[-1].acceleration) if self.last else None
 
     def _follow(
         self, part: Phase, slips: Slips, sense: Array, state: Array
     ) -> tuple[list[Phase], Booleans]:
         """Let one slip end after the other; return the parts of the drift, and whom it changed."""
         phases: list[Phase] = []
-        told = self._scene.mass == 0
-        moved = np.zeros_like(told)
+        kinematic = self._scene.mass == 0
+        moved = np.zeros_like(kinematic)
         while len(phases) < MOST:
-            adds, (_, velocity) = part.pull * self._dt, part.at(part.lasts)
+            adds, (_, velocity) = part.acceleration * self._dt, part.at(part.lasts)
             if not self._lookout.ends(slips, sense, part.forces, velocity, adds).any():
                 break
-            wait = self._lookout.wait(slips, sense, part.velocity, part.pull)
+            wait = self._lookout.wait(slips, sense, part.velocity, part.acceleration)
             first = min(float(wait.min()), part.lasts)
             place, velocity = part.at(first)
             still = self._onwards.sense(slips, part.forces, velocity, adds)
             still[wait <= first] = 0.0
             island = self._island(slips, (sense != 0) & (still == 0))
-            here = np.where((moved | island | told)[:, None], place, state[:, :3])
+            here = np.where((moved | island | kinematic)[:, None], place, state[:, :3])
             left = part.lasts - first
             ahead, longest = 1 - left / self._dt, self._dt / 2
             found = self._onwards.solve(here, velocity, ahead, longest, slips, still)
             if found is None:
                 break
             phases.append(part._replace(lasts=first))
-            pull = np.where(island[:, None], found.pull, part.pull)
-            part = Phase(left, place, velocity, pull, found.forces)
+            acceleration = np.where(island[:, None], found.acceleration, part.acceleration)
+            part = Phase(left, place, velocity, acceleration, found.forces)
             slips, sense, moved = found.slips, found.sense, moved | island
         return [*phases, part], moved
 

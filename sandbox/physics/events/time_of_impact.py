@@ -34,7 +34,7 @@ TRIES = 200
 
 ROUNDING = 1e-12
 """An approach slower than this share of the speeds that it is the difference of, or of what their
-pull adds to these in a step, is none."""
+acceleration adds to these in a step, is none."""
 
 
 class Hit(NamedTuple):
@@ -70,16 +70,17 @@ class Path:
         (n,), when that was [s].
     place, velocity
         (n, 3), x, y and angle then, and their rates [m, rad, m/s, rad/s].
-    pull
+    acceleration
         (n, 3), their accelerations then [m/s², rad/s²].
     struck
         (n,), which had an impact.
     """
 
     def __init__(
-        self, place: Array, velocity: Array, pull: Array, grip: Grip | None = None
+        self, place: Array, velocity: Array, acceleration: Array, grip: Grip | None = None
     ) -> None:
-        self.place, self.velocity, self.pull = place.copy(), velocity.copy(), pull.copy()
+        self.place, self.velocity = place.copy(), velocity.copy()
+        self.acceleration = acceleration.copy()
         self._grip = grip
         self.since = np.zeros(len(place))
         self.struck = np.zeros(len(place), dtype=bool)
@@ -88,17 +89,18 @@ class Path:
     def place_at(self, t: float) -> Array:
         """Return the places at a time: (n, 3)."""
         lasted = (t - self.since)[:, None]
-        return self.place + (self.velocity + (self.velocity + self.pull * lasted)) * (lasted / 2)
+        then = self.velocity + self.acceleration * lasted
+        return self.place + (self.velocity + then) * (lasted / 2)
 
     def at(self, t: float) -> tuple[Array, Array]:
         """Return places and velocities at a time; the velocities as joints that turn leave them."""
         lasted = (t - self.since)[:, None]
-        velocity = self.velocity + self.pull * lasted + self._change(t) * (lasted / 2)
+        velocity = self.velocity + self.acceleration * lasted + self._change(t) * (lasted / 2)
         return self.place_at(t), velocity
 
-    def pull_at(self, t: float) -> Array:
+    def acceleration_at(self, t: float) -> Array:
         """Return the accelerations at a time, which change as joints turn: (n, 3)."""
-        return self.pull + self._change(t)
+        return self.acceleration + self._change(t)
 
     def _change(self, t: float) -> Array | float:
         """Return how accelerations have changed since the last kick, or each one's last impact."""
@@ -123,7 +125,7 @@ class Path:
         self.since[struck] = t
         self.struck |= struck
         if self._grip:
-            self.pull += self._grip.renew(place, velocity + jump, self.pull, struck)
+            self.acceleration += self._grip.renew(place, velocity + jump, self.acceleration, struck)
 
 
 class _Motion:
@@ -133,9 +135,9 @@ class _Motion:
         lasted = t - float(path.since[body])
         x, y, angle = path.place[body].tolist()
         vx, vy, spin = path.velocity[body].tolist()
-        ax, ay, self.twist = path.pull[body].tolist()
-        self.pull = complex(ax, ay)
-        self.velocity = complex(vx, vy) + self.pull * lasted
+        ax, ay, self.twist = path.acceleration[body].tolist()
+        self.acceleration = complex(ax, ay)
+        self.velocity = complex(vx, vy) + self.acceleration * lasted
         self.spin = spin + self.twist * lasted
         self.place = complex(x, y) + (complex(vx, vy) + self.velocity) * (lasted / 2)
         self.turned = rect(1, angle + (spin + self.spin) * (lasted / 2))
@@ -164,8 +166,8 @@ def meet(
 ) -> Hit | None:
     """Return when two shapes touch that approach each other, None if they do not.
 
-    Shapes that touch from the beginning, and do so with no more speed than their pull gives them in
-    a step, rest on each other: that is for pymunk to solve.
+    Shapes that touch from the beginning, and do so with no more speed than their acceleration gives
+    them in a step, rest on each other: that is for pymunk to solve.
 
     Parameters
     ----------
@@ -246,7 +248,7 @@ def _clear(
     one, other = outlines
     radii = one.radius + other.radius
     bend = here.bend(one.reach, left) + there.bend(other.reach, left)
-    curve = dot(normal, there.pull - here.pull) - bend
+    curve = dot(normal, there.acceleration - here.acceleration) - bend
     resting = min(
         _crossing(dot(normal, q - p) - radii, dot(normal, there.speed(q) - here.speed(p)), curve)
         for p in cores[0]
@@ -276,14 +278,14 @@ def _turning(
     (dω/dt + ω²) z at the most from that in the plane.
     """
     spin = abs(first.spin) + abs(first.twist) * left
-    pull = abs(other.pull - first.pull) + other.bend(reach, left)
+    acceleration = abs(other.acceleration - first.acceleration) + other.bend(reach, left)
     top = max(dot(normal, corner) for corner in cores[0]) + radii
     times = []
     for corner in cores[1]:
         way, moves = corner - first.place, other.speed(corner) - first.velocity
-        fastest = abs(moves) + pull * left
+        fastest = abs(moves) + acceleration * left
         farthest = abs(way) + fastest * left
-        curve = -pull - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest
+        curve = -acceleration - 2 * spin * fastest - (abs(first.twist) + spin * spin) * farthest
         rate = dot(normal, moves - 1j * first.spin * way)
         times.append(_crossing(dot(normal, corner) - top, rate, curve))
     return min(times)

@@ -128,7 +128,7 @@ class Gains:
         motion = Instant.of(now)
         for law in self._laws:
             law.add(motion, wrench)
-        return np.asarray(wrench * self._scene.agility)
+        return np.asarray(wrench * self._scene.inverse_mass)
 
 
 def _extent(scene: Scene, start: Snapshot, thickness: Array) -> float:

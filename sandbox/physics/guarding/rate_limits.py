@@ -64,7 +64,7 @@ def needs(scene: Scene, now: Snapshot, located: Container[str] = ()) -> list[Nee
 
 
 def _springs(scene: Scene, now: Snapshot) -> Iterator[Need]:
-    rate, name = limit(scene.joints.springs, scene.agility, now.angle)
+    rate, name = limit(scene.joints.springs, scene.inverse_mass, now.angle)
     if rate:
         yield Need(rate, f"the spring '{name}'")
 
@@ -80,7 +80,7 @@ def _taut(scene: Scene, now: Snapshot) -> Iterator[Need]:
             far = float(length(ends, now))
             if far > 0 and pulls > 0:
                 taut[f"{index} {name}"] = SpringForce(ends, pulls / far, far, 0.0)
-    rate, name = limit(taut, scene.agility, now.angle)
+    rate, name = limit(taut, scene.inverse_mass, now.angle)
     if rate:
         yield Need(rate, f"the joint '{name.partition(' ')[2]}'")
 
@@ -157,7 +157,7 @@ def _slope(scene: Scene, law: Law, row: int, then: Motion, what: str, nudge: flo
         slope[axis] = (there[1] - there[0]) / (2 * nudge)
     if not np.isfinite(slope).all():
         return 0.0
-    return float(np.linalg.norm(slope, 2) * scene.agility[row, 0])
+    return float(np.linalg.norm(slope, 2) * scene.inverse_mass[row, 0])
 
 
 def _force(law: Law, row: int, motion: Instant) -> Array:

@@ -277,7 +277,7 @@ class Watchdog:
 
     def _swings(self, start: Snapshot) -> float:
         """Return by how much leapfrog lets the energy of a spring swing: 1 / (1 − (ω dt / 2)²)."""
-        needed, _ = limit(self._scene.joints.springs, self._scene.agility, start.angle)
+        needed, _ = limit(self._scene.joints.springs, self._scene.inverse_mass, start.angle)
         return 1 / max(1 - (needed / self._rate) ** 2, TIGHTEST)
 
     def _cause(self, row: int) -> tuple[str, float | None]:

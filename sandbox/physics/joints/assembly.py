@@ -67,7 +67,7 @@ def assemble(
     values: Values,
     bodies: Mapping[str, pymunk.Body],
     batch: Batch,
-    agility: Array,
+    inverse_mass: Array,
     touches: Touches | None = None,
 ) -> Joints:
     """Make the joints of a scene.
@@ -78,12 +78,12 @@ def assemble(
         What says which there are.
     bodies, batch
         What they hold, and what reads and writes it; n of them.
-    agility
+    inverse_mass
         (n, 3), one over mass, mass and moment, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     touches
         Tells which of the pairs that stick have met; None if none do.
     """
-    return _Assembly(level, values, bodies, agility, touches).joints(batch)
+    return _Assembly(level, values, bodies, inverse_mass, touches).joints(batch)
 
 
 class _Assembly:
@@ -94,10 +94,11 @@ class _Assembly:
         level: Level,
         values: Values,
         bodies: Mapping[str, pymunk.Body],
-        agility: Array,
+        inverse_mass: Array,
         touches: Touches | None,
     ) -> None:
-        self._level, self._values, self._bodies, self._agility = level, values, bodies, agility
+        self._level, self._values, self._bodies = level, values, bodies
+        self._inverse_mass = inverse_mass
         self._index = index = {name: i for i, name in enumerate(bodies)}
         self._lengths = {n: span(spec, level.bodies, values) for n, spec in level.joints.items()}
         self._joints = Joints(
@@ -119,9 +120,9 @@ class _Assembly:
         origin = _origin(self._bodies)
         rows, others = self._take_ours(origin)
         if rows or others or level.effects.sticking or is_direct(level):
-            agility = self._agility[:, 0], self._agility[:, 2]
-            refuse_too_many((*rows, *others), agility[0])
-            joints.together = ExactJoints(rows, others, batch, *agility, origin)
+            inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
+            refuse_too_many((*rows, *others), inverse_mass[0])
+            joints.together = ExactJoints(rows, others, batch, *inverse_mass, origin)
         assert joints.solids
         for a, b in _welded(level):
             joints.solids.join(a, b)
@@ -206,7 +207,7 @@ class _Assembly:
 
     def _can_turn(self, *anchors: Anchor) -> bool:
         held = [anchor.body for anchor in anchors if anchor.body is not None]
-        return bool(self._agility[held, 2].any())
+        return bool(self._inverse_mass[held, 2].any())
 
 
 def _require_made(joint: Model) -> None:

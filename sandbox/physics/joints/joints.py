@@ -127,7 +127,7 @@ class Joints:
         return self.together.parting() if self.together else ("", 0.0)
 
     def tension(self, motion: Motion) -> Array:
-        """Return the force with which each joint pulled in the last kick, or pulls now [N]."""
+        """Return the force with which each joint pulls [N], or a wire pushes to its left."""
         return np.array([self._tension(name, motion) for name in self.paths])
 
     def _tension(self, name: str, motion: Motion) -> float:
@@ -139,7 +139,7 @@ class Joints:
             return float(self.springs[name].tension(motion))
         assert self.together
         force = self.together.force(name)
-        return abs(force) if name in self.wires else force
+        return -force if name in self.wires else force
 
     def torque(self) -> Array:
         """Return the torque of each joint on its second body in the last kick [N m]."""

@@ -68,14 +68,14 @@ class PulleyString:
         self._rounding = ROUNDING * (self._free_length + sum(hypot(*peg) for peg in self._pegs))
         self._inverse = _inverse_mass(ends[0]), _inverse_mass(ends[1])
         self.tension = 0.0
-        self._warm = 0.0  # the tension that has acted in this kick already
+        self._warm_start = 0.0  # the tension that has acted in this kick already
 
     def refit(self) -> None:
         """Take the present path as the string's length, as after a body was put elsewhere."""
         self._free_length = sum(hypot(*arm) for arm in self._arms())
         self.tension = 0.0
 
-    def gradient(self) -> tuple[XY, XY]:
+    def jacobian(self) -> tuple[XY, XY]:
         """Return how its length changes with the places of its ends."""
         (ax, ay), (bx, by) = self._arms()
         far_a, far_b = hypot(ax, ay) or 1.0, hypot(bx, by) or 1.0
@@ -91,9 +91,11 @@ class PulleyString:
         """Pull in this kick as in the one before, in the direction of now."""
         if not self.tension:
             return
-        self._warm = self.tension
-        for body, (x, y) in zip(self._ends, self.gradient(), strict=True):
-            body.apply_force_at_world_point((-x * self._warm, -y * self._warm), body.position)
+        self._warm_start = self.tension
+        for body, (x, y) in zip(self._ends, self.jacobian(), strict=True):
+            body.apply_force_at_world_point(
+                (-x * self._warm_start, -y * self._warm_start), body.position
+            )
 
     def solve(self, kick: Kick) -> None:
         """Find the impulse that keeps the length through the next drift, and apply the rest."""
@@ -115,14 +117,14 @@ class PulleyString:
             self._pair.set_velocity(
                 ux - impulse * px, uy - impulse * py, vx - impulse * qx, vy - impulse * qy
             )
-        self.tension = self._warm + impulse / kick.length
-        self._warm = 0.0
+        self.tension = self._warm_start + impulse / kick.length
+        self._warm_start = 0.0
 
     def _newton(self, kick: Kick, one: End, other: End) -> float:
         """Return the impulse beyond the warm start's, found by Newton's method [N s]."""
         (ax, ay, far_a, ux, uy, px, py), (bx, by, far_b, vx, vy, qx, qy) = one, other
         h, lasts, close = kick.drift, kick.length, QUADRATIC * self._free_length
-        least = -self._warm * lasts
+        least = -self._warm_start * lasts
         off = far_a + far_b - self._free_length
         if -self._rounding <= off <= self._rounding:
             off *= SHARE

@@ -16,7 +16,7 @@ class Pulls(NamedTuple):
 
     Attributes
     ----------
-    gradient
+    jacobian
         (m, n, 3), how what they keep changes with the bodies' places and angles.
     tension
         (m,), the force against that [N].
@@ -26,7 +26,7 @@ class Pulls(NamedTuple):
         (m,), whether what they keep changes with time.
     """
 
-    gradient: Array
+    jacobian: Array
     tension: Array
     pulls_only: Booleans
     changes: Booleans
@@ -40,7 +40,7 @@ def pulls_of(joints: Joints, count: int) -> Pulls:
     ]
     if together := joints.together:
         parts.append(
-            Pulls(together.gradients(), together.tension, together.pulls_only, together.changes)
+            Pulls(together.jacobian(), together.tension, together.pulls_only, together.changes)
         )
     if not parts:
         none = np.zeros(0, dtype=bool)
@@ -49,11 +49,11 @@ def pulls_of(joints: Joints, count: int) -> Pulls:
 
 
 def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
-    gradient = np.zeros((1, count, 3))
-    for row, direction in zip(rows, string.gradient(), strict=True):
+    jacobian = np.zeros((1, count, 3))
+    for row, direction in zip(rows, string.jacobian(), strict=True):
         if row is not None:
-            gradient[0, row, :2] += direction
-    return Pulls(gradient, np.array([string.tension]), np.array([True]), np.array([False]))
+            jacobian[0, row, :2] += direction
+    return Pulls(jacobian, np.array([string.tension]), np.array([True]), np.array([False]))
 
 
 class Pull(NamedTuple):
@@ -75,14 +75,14 @@ def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
     """Yield what the exact joints did to one of so many bodies, joint by joint."""
     for name, string in joints.strings.items():
         one = _of_string(string, [joints.paths[name][end].body for end in (0, -1)], count)
-        yield _on(name, row, one.gradient, one.tension)
+        yield _on(name, row, one.jacobian, one.tension)
     if together := joints.together:
-        names, gradients = np.array(together.names), together.gradients()
+        names, jacobians = np.array(together.names), together.jacobian()
         for name in dict.fromkeys(together.names):
             rows = names == name
-            yield _on(name, row, gradients[rows], together.tension[rows])
+            yield _on(name, row, jacobians[rows], together.tension[rows])
 
 
-def _on(joint: str, row: int, gradient: Array, tension: Array) -> Pull:
-    x, y, torque = (-tension @ gradient[:, row]).tolist()
+def _on(joint: str, row: int, jacobian: Array, tension: Array) -> Pull:
+    x, y, torque = (-tension @ jacobian[:, row]).tolist()
     return Pull(joint, (x, y, torque))

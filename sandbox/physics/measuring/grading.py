@@ -13,10 +13,10 @@ from sandbox.model.level import (
     CrossingEvent,
     Instant,
     LandingEvent,
+    SeparationEvent,
 )
 from sandbox.physics.measuring.event_interpolation import crossing, value_at, value_before
 from sandbox.physics.measuring.recording import Trace
-from sandbox.physics.stepping.world import Pair
 
 Verdict = Literal["passed", "failed", "waiting", "not applicable"]
 
@@ -136,7 +136,9 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
         first = 1 if trace.stepping.as_it_comes else 0
         return (trace.t[first:], column[first:]) if len(trace.t) > first else None
     if isinstance(at, ContactEvent):
-        return _after_contact(trace, column, frozenset(at.bodies))
+        return _after_contact(trace, column, at)
+    if isinstance(at, SeparationEvent):
+        return _when_parted(trace, column, at)
     time = _time(trace, at)
     if time is None:
         return None
@@ -144,14 +146,25 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
     return np.array([time]), np.array([value])
 
 
-def _after_contact(trace: Trace, column: Array, pair: Pair) -> tuple[Array, Array] | None:
-    """Return when two bodies first touch and what is measured then: just after it if located."""
-    touched = trace.first_contacts.get(pair, len(trace.t))
-    time = trace.impact_times.get(pair)
+def _after_contact(trace: Trace, column: Array, at: ContactEvent) -> tuple[Array, Array] | None:
+    """Return when two bodies touch and what is measured then: just after it if located."""
+    met = trace.meetings.get(frozenset(at.bodies), ())
+    if len(met) < at.nth:
+        return None
+    touched, time = met[at.nth - 1]
     if time is not None and touched + 3 < len(trace.t):
         return np.array([time]), np.array([value_before(trace.t, column, time, touched)])
     after = slice(touched + 1, touched + 2)
     return (trace.t[after], column[after]) if time is None and touched + 1 < len(trace.t) else None
+
+
+def _when_parted(trace: Trace, column: Array, at: SeparationEvent) -> tuple[Array, Array] | None:
+    """Return when two bodies no longer touch and what is measured then."""
+    parted = trace.partings.get(frozenset(at.bodies), ())
+    if len(parted) < at.nth:
+        return None
+    then = slice(parted[at.nth - 1], parted[at.nth - 1] + 1)
+    return trace.t[then], column[then]
 
 
 def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:

@@ -1,12 +1,15 @@
 """From snapshots to named quantities."""
 
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from math import nan
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
+from sandbox.model.shapes import evaluate
+from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
@@ -31,6 +34,7 @@ class Meter:
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
         scene = world.scene
+        self._bodies, self._values = world.level.bodies, world.values
         self._rows = {name: i for i, name in enumerate(scene.bodies)}
         self._columns = {name: i for i, name in enumerate(world.level.joints)}
         self._joints = scene.joints
@@ -47,13 +51,15 @@ class Meter:
         return {name: measure(snapshot) for name, measure in self._measurements.items()}
 
     def _bind(self, quantity: Quantity) -> Measurement:
-        if quantity.booked:
-            raise QuantityError(f"'{quantity.name}' is known only to a ledger of the whole run")
+        if quantity.booked or quantity.between or quantity.over_time:
+            raise QuantityError(f"'{quantity.name}' is known only to who watches the whole run")
         match quantity.owner:
             case "time":
                 return lambda s: s.t
             case "joint":
                 return self._of_joint(quantity.subject, quantity.attribute)
+            case "body" if quantity.other:
+                return self._of_two(quantity)
             case "body":
                 row = self._rows[quantity.subject]
                 if vectors := self._vectors_of_bodies.get(quantity.attribute):
@@ -72,7 +78,21 @@ class Meter:
         column = self._columns[name]
         if attribute == "torque":
             return lambda s: s.torque[..., column]
+        if attribute == "tension" and name in self._joints.wires:
+            return lambda s: np.abs(s.tension[..., column])
         return lambda s: s.tension[..., column]
+
+    def _of_two(self, quantity: Quantity) -> Measurement:
+        """Measure a point of a body, or a body relative to another: what its points move by."""
+        row, (kind, _, attribute) = self._rows[quantity.subject], quantity.attribute.partition(".")
+        if kind == "point":
+            arm = complex(
+                *evaluate(self._bodies[quantity.subject].points[quantity.other], self._values)
+            )
+            vector = partial(_of_point, Anchor(row, arm), attribute)
+        else:
+            vector = partial(_relative, row, self._rows[quantity.other], attribute)
+        return _component(vector, quantity.component)
 
     def _of_system(self, quantity: Quantity) -> Measurement:
         if source := quantity.attribute.partition("potential_energy.")[2]:
@@ -173,6 +193,19 @@ class Meter:
         share = self._share(s.t)
         orbital = self._mass * share * (x * s.velocity[..., 1] - y * s.velocity[..., 0])
         return np.sum(orbital + self._moment * share * s.angular_velocity, axis=-1)
+
+
+def _of_point(point: Anchor, attribute: str, s: Snapshot) -> Array:
+    """Return where a point of a body is, or how fast: (..., 2)."""
+    place, moves, _ = point.look(s)
+    found = place if attribute == "position" else moves
+    return np.stack((found.real, found.imag), axis=-1)
+
+
+def _relative(row: int, other: int, attribute: str, s: Snapshot) -> Array:
+    """Return where a body is as seen from another, or how fast, along the axes of the plane."""
+    of = s.velocity if attribute == "velocity" else s.position
+    return of[..., row, :] - of[..., other, :]
 
 
 def _component(vector: Measurement, component: Component | None) -> Measurement:

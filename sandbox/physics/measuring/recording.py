@@ -1,14 +1,15 @@
 """Recorded runs: named quantities over time."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import ceil
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
 from sandbox.extras import needed_for
 from sandbox.model.expressions import Array, Values
+from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     CrossingEvent,
@@ -18,11 +19,13 @@ from sandbox.model.level import (
     Stepping,
 )
 from sandbox.model.parts import measured
-from sandbox.model.quantities import TIME, quantity
+from sandbox.model.quantities import TIME, base, quantity
 from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.measuring.over_time import over_time
+from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
 
@@ -30,8 +33,31 @@ if TYPE_CHECKING:
     from pandas import DataFrame
     from xarray import Dataset
 
+Met = TypeVar("Met")
+
 MANY = 1000
-"""How many snapshots are kept before they are measured."""
+"""How many snapshots are kept before they are measured, at the most."""
+
+STATES = 1_000_000
+"""How many states of bodies these may hold together: some 100 MB."""
+
+LARGEST = 1e9
+"""Bytes of what is recorded of a run, at the most."""
+
+
+class Meeting(NamedTuple):
+    """When two bodies came to touch.
+
+    Attributes
+    ----------
+    step
+        The first instant at which they did.
+    time
+        If the impact was located, when that was [s]: before that instant.
+    """
+
+    step: int
+    time: float | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,11 +74,9 @@ class Trace:
         (T,) each, the quantities by name.
     units
         The quantities' units.
-    first_contacts
-        For each pair of bodies that came to touch, the index of the first instant at which it did;
-        those that touch from the start must part before.
-    impact_times
-        For those whose first impact was located, when it was [s]: before that instant.
+    meetings, partings
+        For each pair of bodies that came to touch, and for each that parted: when, each time, but
+        no more than `MOST_MEETINGS`. Those that touch from the start must part before.
     closing
         How the books of its energy closed; None if none were kept.
     """
@@ -63,8 +87,8 @@ class Trace:
     t: Array
     columns: Mapping[str, Array]
     units: Mapping[str, str]
-    first_contacts: Mapping[Pair, int]
-    impact_times: Mapping[Pair, float]
+    meetings: Mapping[Pair, Sequence[Meeting]]
+    partings: Mapping[Pair, Sequence[int]]
     closing: Closing | None = None
 
     @property
@@ -80,13 +104,14 @@ class Trace:
     def until(self, t: float) -> "Trace":
         """Return the part of the run up to a time [s]: to the first step not before it."""
         count = _steps(t, self.stepping.rate) + 1
-        first_contacts = {pair: i for pair, i in self.first_contacts.items() if i < count}
+        met = {p: [m for m in found if m.step < count] for p, found in self.meetings.items()}
+        parted = {p: [i for i in found if i < count] for p, found in self.partings.items()}
         return replace(
             self,
             t=self.t[:count],
             columns={name: column[:count] for name, column in self.columns.items()},
-            first_contacts=first_contacts,
-            impact_times={p: t for p, t in self.impact_times.items() if p in first_contacts},
+            meetings={pair: found for pair, found in met.items() if found},
+            partings={pair: found for pair, found in parted.items() if found},
         )
 
     def to_pandas(self) -> "DataFrame":
@@ -130,19 +155,27 @@ class Recorder:
 
     def __init__(self, world: World, names: Iterable[str]) -> None:
         self._world = world
-        wanted = [quantity(name, world.level) for name in dict.fromkeys(names)]
-        self._meter = Meter(world, [q.name for q in wanted if not q.booked])
+        asked = [quantity(name, world.level) for name in dict.fromkeys(names)]
+        self._over_time = {q.name: q for q in asked if q.over_time}
+        plain = (quantity(base(q), world.level) if q.over_time else q for q in asked)
+        wanted = {q.name: q for q in plain}.values()
         self._booked = {q.name: q for q in wanted if q.booked}
+        self._between = {q.name: q for q in wanted if q.between}
+        apart = self._booked.keys() | self._between.keys()
+        self._meter = Meter(world, [q.name for q in wanted if q.name not in apart])
         self._ledger = Ledger(world) if self._booked else None
         self._books: list[list[float]] = []
+        self._forces: list[list[float]] = []
         self._names = list(world.scene.bodies)
         self._fresh: list[Snapshot] = []  # not yet measured
         self._last: list[Snapshot] = []  # the last that was, from which integrals go on
         self._measured: list[tuple[Array, dict[str, Array]]] = []
         self._count = 0
-        self._contacts: dict[Pair, int] = {}
+        self._meetings: dict[Pair, list[Meeting]] = {}
+        self._partings: dict[Pair, list[int]] = {}
         self._touching: set[int] = set()  # pairs that do now, as numbers
-        self._impacts: dict[Pair, float] = {}
+        self._many = min(MANY, max(STATES // len(self._names), 1))
+        self._most = int(LARGEST / np.dtype(float).itemsize / (1 + len(wanted)))
         self.note()
 
     def __len__(self) -> int:
@@ -150,26 +183,62 @@ class Recorder:
 
     def note(self) -> None:
         """Note the world's last observed state."""
-        for pair, time in self._world.impacts:
-            if pair not in self._contacts:
-                self._impacts.setdefault(pair, time)
-        self._touch(self._world.contacts.bodies)
+        struck = self._world.impacts
+        for pair, time in struck:
+            _add(self._meetings, pair, Meeting(self._count, time))
+        self._touch(self._world.contacts.bodies, {pair for pair, _ in struck})
         if self._ledger:
             self._ledger.note()
             balance = self._ledger.balance
             self._books.append([balance.value(q) for q in self._booked.values()])
+        if self._between:
+            self._forces.append([*self._forces_between()])
         self._fresh.append(self._world.snapshot)
         self._count += 1
-        if len(self._fresh) == MANY:
+        if len(self._fresh) == self._many:
             self._measure()
 
-    def _touch(self, bodies: Integers) -> None:
-        """Note which pairs touch, (k, 2), that did not at the step before."""
+    def require(self, count: int) -> None:
+        """Refuse to record so many instants, if they are more than memory should hold.
+
+        Raises
+        ------
+        SimulationError
+            If they are.
+        """
+        if count > self._most:
+            told = f"{count:,} instants are to be recorded, and with so many quantities"
+            hint = "record fewer, or for a shorter time"
+            reason = f"{told} {self._most:,} are the most that {LARGEST / 1e9:g} GB hold"
+            raise SimulationError("", self._world.t, reason, hint=hint)
+
+    def _touch(self, bodies: Integers, struck: Collection[Pair]) -> None:
+        """Note which pairs touch, (k, 2), that did not at the step before, and which have parted.
+
+        Those whose impact was located in between are noted already.
+        """
         touching = set((bodies @ (len(self._names), 1)).tolist()) if len(bodies) else set()
         for key in touching - self._touching if self._count else ():
-            pair = frozenset(self._names[row] for row in divmod(key, len(self._names)))
-            self._contacts.setdefault(pair, self._count)
+            if (pair := self._pair(key)) not in struck:
+                _add(self._meetings, pair, Meeting(self._count, None))
+        for key in self._touching - touching:
+            _add(self._partings, self._pair(key), self._count)
         self._touching = touching
+
+    def _pair(self, key: int) -> Pair:
+        return frozenset(self._names[row] for row in divmod(key, len(self._names)))
+
+    def _forces_between(self) -> Iterator[float]:
+        """Yield the contact forces that are asked for of two bodies [N]."""
+        contacts, now = self._world.contacts, self._world.snapshot
+        for wanted in self._between.values():
+            kind = wanted.attribute.partition(".")[2]
+            pair = [*map(self._names.index, (wanted.subject, wanted.other))]
+            impulse, force = getattr(contacts, kind), getattr(now, kind)[pair[0]]
+            own = (contacts.bodies == pair[0]).any(axis=-1)
+            shared = own & (contacts.bodies == pair[1]).any(axis=-1)
+            total = float(impulse[own].sum())
+            yield float(force * impulse[shared].sum() / total) if total else 0.0
 
     def _measure(self) -> None:
         """Measure what is fresh, and let go of its snapshots."""
@@ -194,10 +263,14 @@ class Recorder:
             joined = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
             self._measured = [(np.concatenate(times), joined)]
         t, measured = self._measured[0]
-        kept = np.array(self._books).reshape(self._count, len(self._booked))
-        columns = {**measured, **dict(zip(self._booked, kept.T, strict=True))}
-        quantities = {**self._meter.quantities, **self._booked}
-        units = {name: found.unit for name, found in quantities.items()}
+        columns = dict(measured)
+        for names, kept in ((self._booked, self._books), (self._between, self._forces)):
+            rows = np.array(kept).reshape(self._count if names else 0, len(names))
+            columns |= dict(zip(names, rows.T, strict=True))
+        for name, found in self._over_time.items():
+            columns[name] = over_time(found.over_time, t, columns[base(found)])
+        quantities = {**self._meter.quantities, **self._booked, **self._between, **self._over_time}
+        units = {name: quantities[name].unit for name in columns}
         world = self._world
         return Trace(
             world.level,
@@ -206,9 +279,15 @@ class Recorder:
             t,
             columns,
             units,
-            self._contacts,
-            self._impacts,
+            self._meetings,
+            self._partings,
         )
+
+
+def _add(to: dict[Pair, list[Met]], pair: Pair, what: Met) -> None:
+    found = to.setdefault(pair, [])
+    if len(found) < MOST_MEETINGS:
+        found.append(what)
 
 
 def count_steps(world: World, duration: float | None = None) -> int:

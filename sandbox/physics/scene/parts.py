@@ -37,4 +37,4 @@ class Made(NamedTuple):
     batch: Batch
     joints: Joints
     inertia: Array
-    agility: Array
+    inverse_mass: Array

@@ -47,7 +47,7 @@ class Scene:
         (n, 3), mass, mass and moment [kg, kg m²].
     share
         How they change.
-    agility
+    inverse_mass
         (n, 3), what a force or torque is multiplied by to give an acceleration: one over the
         inertia, 0 of what nothing moves or turns [1/kg, 1/(kg m²)].
     joints
@@ -79,7 +79,7 @@ class Scene:
     moment: Array
     inertia: Array
     share: Share
-    agility: Array
+    inverse_mass: Array
     joints: Joints
     pair_callbacks: int
     sticking: "Mapping[frozenset[int], Sticking]"
@@ -109,16 +109,16 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     pairs = _touching(space, bodies, level, values, stepping)
     mass, moment = _inertia(list(bodies.values()))
     inertia = np.stack((mass, mass, moment), axis=1)
-    agility = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
+    inverse_mass = np.divide(1.0, inertia, out=np.zeros_like(inertia), where=inertia > 0)
     share = mass_share(level.effects, values, list(bodies), mass)
     field = gravity(level.effects, values, mass, share)
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = _make_joints(level, values, bodies, batch, agility, pairs.hollows)
+    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs.hollows)
     given = Given(values, list(bodies), mass, share, 1 / stepping.rate)
     forces, turns = laws(level.effects, given)
-    made = Made(level, values, stepping, bodies, batch, joints, inertia, agility)
+    made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
     direct, sequence = _solvers(made, pairs)
     _check_rate(made, forces, turns)
     return Scene(
@@ -129,7 +129,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         moment=moment,
         inertia=inertia,
         share=share,
-        agility=agility,
+        inverse_mass=inverse_mass,
         joints=joints,
         pair_callbacks=pairs.callbacks,
         sticking=pairs.sticking,
@@ -172,7 +172,7 @@ def _make_joints(
     values: Values,
     bodies: dict[str, pymunk.Body],
     batch: Batch,
-    agility: Array,
+    inverse_mass: Array,
     hollows: "Hollows | None",
 ) -> Joints:
     """Make the joints, if anything may ever hold bodies together."""
@@ -184,7 +184,7 @@ def _make_joints(
 
     space = next(iter(bodies.values())).space
     assert space
-    joints = assemble(level, values, bodies, batch, agility, touches_of(space, level))
+    joints = assemble(level, values, bodies, batch, inverse_mass, touches_of(space, level))
     if contact and not contact.overlaps:
         from sandbox.physics.contacts.overlaps import refuse_overlaps
 
@@ -203,7 +203,7 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
 
 def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
     """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
-    joints, agility, stepping = made.joints, made.agility, made.stepping
+    joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
     drags = [law for law in forces if law.effect.sees_velocity and not stepping.as_it_comes]
     if not (joints.springs or drags or turns):
         return
@@ -211,12 +211,12 @@ def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> Non
 
     start = Reading(np.zeros(()), made.batch.state())
     reach = _reach(stepping, held=bool(joints.together))
-    check_springs(joints.springs, agility, start.angle, stepping.rate, reach)
+    check_springs(joints.springs, inverse_mass, start.angle, stepping.rate, reach)
     names = list(made.bodies)
     for turn in turns:
         check_turn(turn, names, start, stepping.rate)
     for law in drags:
-        check_drag(law, names, start, joints, agility, stepping.rate)
+        check_drag(law, names, start, joints, inverse_mass, stepping.rate)
 
 
 def _reach(stepping: Stepping, *, held: bool) -> float:

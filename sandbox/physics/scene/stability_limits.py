@@ -28,7 +28,7 @@ PROBE = 1e-6
 
 
 def check_drag(
-    law: Law, names: Sequence[str], start: Motion, joints: Joints, agility: Array, rate: float
+    law: Law, names: Sequence[str], start: Motion, joints: Joints, inverse_mass: Array, rate: float
 ) -> None:
     """Refuse a law that slows a body down so strongly that each step would throw it back further.
 
@@ -39,7 +39,7 @@ def check_drag(
     ----------
     law
         One that depends on each body's own velocity.
-    names, agility
+    names, inverse_mass
         (n,) and (n, 3), of the bodies; see `check_springs`.
     start
         Their motion at the start.
@@ -54,9 +54,9 @@ def check_drag(
         If the scene is not stable at that rate; it names the effect and the body.
     """
     with np.errstate(all="ignore"):  # what is not finite is told by the watchdog
-        taken = np.asarray(_strength(law, start) * agility[:, 0])
+        taken = np.asarray(_strength(law, start) * inverse_mass[:, 0])
     row = int(taken.argmax())
-    if taken[row] > rate * CLOSE and (needed := _held(taken, agility, joints)) > rate * CLOSE:
+    if taken[row] > rate * CLOSE and (needed := _held(taken, inverse_mass, joints)) > rate * CLOSE:
         cause = f"the effect '{law.effect.name}' on '{names[row]}'"
         raise _refused(names[row], cause, needed, rate, ("effects", law.effect.name))
 
@@ -85,7 +85,7 @@ def _strength(law: Law, motion: Motion) -> Array:
     return np.asarray(np.hypot(*change.T) / np.hypot(*probe.T))
 
 
-def _held(taken: Array, agility: Array, joints: Joints) -> float:
+def _held(taken: Array, inverse_mass: Array, joints: Joints) -> float:
     """Return the fastest decay that joints leave [1/s], of those of free bodies: (n,).
 
     The largest eigenvalue of √M⁻¹ C √M⁻¹ in the directions that exact joints leave free.
@@ -93,7 +93,7 @@ def _held(taken: Array, agility: Array, joints: Joints) -> float:
     decay = np.stack((taken, taken, np.zeros_like(taken)), axis=1).ravel()
     if not joints.together:
         return float(decay.max())
-    kept = joints.together.stiff().reshape(-1, decay.size) * np.sqrt(agility.ravel())
+    kept = joints.together.stiff().reshape(-1, decay.size) * np.sqrt(inverse_mass.ravel())
     _, sizes, directions = np.linalg.svd(kept, full_matrices=False)
     kept = directions[sizes > SINGULAR * sizes.max(initial=0.0)]
     free = np.eye(decay.size) - kept.T @ kept
@@ -102,7 +102,7 @@ def _held(taken: Array, agility: Array, joints: Joints) -> float:
 
 def check_springs(
     springs: Mapping[str, SpringForce],
-    agility: Array,
+    inverse_mass: Array,
     angle: Array,
     rate: float,
     reach: float = 2.0,
@@ -113,7 +113,7 @@ def check_springs(
     ----------
     springs
         All of a scene, by name.
-    agility
+    inverse_mass
         (n, 3), one over mass, mass and moment [1/kg, 1/(kg m²)].
     angle
         (n,), of the bodies at the start [rad].
@@ -127,7 +127,7 @@ def check_springs(
     SimulationError
         If the scene is not stable at that rate; it names the spring that asks for most.
     """
-    needed, name = limit(springs, agility, angle)
+    needed, name = limit(springs, inverse_mass, angle)
     needed *= 2 / reach
     if needed > rate * CLOSE:
         raise _refused(name, f"the spring '{name}'", needed, rate, ("joints", name))
@@ -139,19 +139,21 @@ def _refused(subject: str, cause: str, needed: float, rate: float, path: Path) -
     return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
 
 
-def limit(springs: Mapping[str, SpringForce], agility: Array, angle: Array) -> tuple[float, str]:
+def limit(
+    springs: Mapping[str, SpringForce], inverse_mass: Array, angle: Array
+) -> tuple[float, str]:
     """Return the rate at which springs are just stable [Hz], and the name of the stiffest.
 
     See `check_springs` for what they are given.
     """
     if not springs:
         return 0.0, ""
-    reply = _replies(list(springs.values()), agility, angle)
+    delassus = _delassus(list(springs.values()), inverse_mass, angle)
     stiffness = np.repeat([spring.stiffness for spring in springs.values()], 2)
     damping = np.repeat([spring.damping for spring in springs.values()], 2)
     with np.errstate(all="ignore"):  # what is more than a number holds is infinite
-        needed = just_stable(*(_largest(reply, weight) for weight in (stiffness, damping)))
-        own = reply.diagonal()
+        needed = just_stable(*(_largest(delassus, weight) for weight in (stiffness, damping)))
+        own = delassus.diagonal()
         alone = [just_stable(k, c) for k, c in zip(stiffness * own, damping * own, strict=True)]
     return needed, list(springs)[int(np.argmax(alone)) // 2]
 
@@ -165,24 +167,24 @@ def just_stable(stiffness: float, damping: float) -> float:
     return float(damping + np.sqrt(damping**2 + stiffness)) / 2
 
 
-def _largest(reply: Array, weight: Array) -> float:
+def _largest(delassus: Array, weight: Array) -> float:
     """Return the largest eigenvalue of M⁻¹ K, by that of √k J M⁻¹ Jᵀ √k."""
     root = np.sqrt(weight)
-    matrix = root[:, None] * reply * root
+    matrix = root[:, None] * delassus * root
     return float(np.linalg.eigvalsh(matrix)[-1]) if np.isfinite(matrix).all() else inf
 
 
-def _replies(springs: list[SpringForce], agility: Array, angle: Array) -> Array:
+def _delassus(springs: list[SpringForce], inverse_mass: Array, angle: Array) -> Array:
     """Return how the ends of springs part by unit forces along others: J M⁻¹ Jᵀ, (2 s, 2 s).
 
     Each counts in both directions of the plane, for it may come to point in any.
     """
-    gradient = np.zeros((len(springs), 2, len(agility), 3))
-    for row, spring in zip(gradient, springs, strict=True):
+    jacobian = np.zeros((len(springs), 2, len(inverse_mass), 3))
+    for row, spring in zip(jacobian, springs, strict=True):
         for end, sign in zip(spring.ends, (-1.0, 1.0), strict=True):
             if end.body is not None:
                 arm = end.point * np.exp(1j * angle[end.body])
                 row[0, end.body] += sign * np.array([1.0, 0.0, -arm.imag])
                 row[1, end.body] += sign * np.array([0.0, 1.0, arm.real])
-    flat = gradient.reshape(2 * len(springs), -1)
-    return np.asarray(flat * agility.ravel() @ flat.T)
+    flat = jacobian.reshape(2 * len(springs), -1)
+    return np.asarray(flat * inverse_mass.ravel() @ flat.T)

@@ -16,8 +16,8 @@ from sandbox.physics.contacts.materials import (
     take_bounces,
 )
 from sandbox.physics.contacts.shapes import (
-    DIRECT_HAIR,
-    HAIR,
+    DIRECT_SKIN,
+    SKIN,
     choose_correction,
     leave_contacts,
     make_surfaces,
@@ -47,15 +47,15 @@ def make_contacts(
         skip_ids(space, level)
     sequence = level.effects.in_sequence and ours
     direct = ours and is_direct(level)
-    hair, shapes = _hair(ours=ours, direct=direct), {}
+    skin, shapes = _skin(ours=ours, direct=direct), {}
     for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
-        shapes[name] = make_surfaces(spec, bodies[name], level, values, hair, kind)
+        shapes[name] = make_surfaces(spec, bodies[name], level, values, skin, kind)
     refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
     for made in shapes.values():  # pymunk looks for pairs at once
         space.add(*made)
     follows = ours and not (sequence or direct)
     drift = 1 / stepping.rate if follows else None
-    hollows = make_hollow(space, level, values, shapes, hair, drift)
+    hollows = make_hollow(space, level, values, shapes, skin, drift)
     reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
     if sequence or direct:
@@ -81,11 +81,11 @@ def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float)
         choose_correction(space, level, values, dt)
 
 
-def _hair(*, ours: bool, direct: bool) -> float:
+def _skin(*, ours: bool, direct: bool) -> float:
     """Return how far flat surfaces stand proud [m]."""
     if not ours:
         return 0.0
-    return DIRECT_HAIR if direct else HAIR
+    return DIRECT_SKIN if direct else SKIN
 
 
 def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
@@ -115,7 +115,7 @@ def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
     from sandbox.physics.contacts.sequential_impacts import Sequence
 
     together, dt = made.joints.together, 1 / made.stepping.rate
-    return Sequence(made.batch, restitution, made.agility, together, dt)
+    return Sequence(made.batch, restitution, made.inverse_mass, together, dt)
 
 
 def touches_of(space: pymunk.Space, level: Level) -> Touches | None:

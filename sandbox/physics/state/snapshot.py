@@ -27,7 +27,7 @@ class Snapshot:
     normal, friction
         (n,), the sizes of the contact forces on each body, added up [N].
     tension
-        (j,), with which each joint pulls [N].
+        (j,), with which each joint pulls [N]; of a wire, with which it pushes its bead to its left.
     torque
         (j,), of each weld or motor on its second body [N m].
     """

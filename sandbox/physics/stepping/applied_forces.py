@@ -42,7 +42,7 @@ class Forces:
     def __init__(self, scene: Scene, pulling: "ExactJoints | None", *, leapfrog: bool) -> None:
         self._batch, self._laws, self._share = scene.batch, scene.hooked, scene.share
         self._turns = scene.turns
-        self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.agility
+        self._mass, self._moment, self._inverse = scene.mass, scene.moment, scene.inverse_mass
         self._bodies, self._pulling = list(scene.bodies.values()), pulling
         sees = any(law.effect.sees_velocity for law in scene.laws)
         self._guesses = leapfrog and (sees or bool(scene.turns))
@@ -50,7 +50,7 @@ class Forces:
         if scene.gravity:
             self._field[scene.mass > 0, :2] = scene.gravity.acceleration
         self._wrench = np.zeros_like(self._field)  # what the laws give in the last kick
-        self._agility = scene.agility
+        self._inverse_mass = scene.inverse_mass
         # (n, 3), the velocities that the last kick began with, by which those at the next are known
         self._older: Array = np.zeros_like(self._field)
         self.hand: Hand | None = None
@@ -66,7 +66,7 @@ class Forces:
     @property
     def smooth(self) -> Array:
         """The acceleration by gravity and laws in the last kick: (n, 3) [m/s², rad/s²]."""
-        return self._field + self._wrench * self._agility
+        return self._field + self._wrench * self._inverse_mass
 
     def start(self, begun: Array, after: Array) -> None:
         """Take note of the first half kick: its velocities before and after it [m/s, rad/s]."""
@@ -110,7 +110,7 @@ class Forces:
             self._turn(reading, wrench, gained, kick.length)
         if self._pulling:
             wrench = wrench.copy()
-            self._pulling.pull(wrench)
+            self._pulling.warm_start(wrench)
         self._batch.set_force(wrench if kick.scale == 1 else wrench * kick.scale)
 
     def _gained(self, kick: Kick) -> Array:
@@ -128,10 +128,12 @@ class Forces:
 
         self.turning = rates(self._turns, reading)
         velocity = self._older[:, :2] if self._guesses else reading.velocity
-        agility = self._agility[:, :2]
-        others = self._field[:, :2] + wrench[:, :2] * agility + gained / length
+        inverse_mass = self._inverse_mass[:, :2]
+        others = self._field[:, :2] + wrench[:, :2] * inverse_mass + gained / length
         self.turned = turned = pull(self.turning, velocity, others, length)
-        wrench[:, :2] += np.divide(turned, agility, out=np.zeros_like(turned), where=agility > 0)
+        wrench[:, :2] += np.divide(
+            turned, inverse_mass, out=np.zeros_like(turned), where=inverse_mass > 0
+        )
 
     def _read(self, kick: Kick) -> Reading:
         """Return the motion that the laws see in a kick.
@@ -156,4 +158,4 @@ class Forces:
             body.mass = self._mass[row] * now[row]
             if self._moment[row]:
                 body.moment = self._moment[row] * now[row]
-        self._agility = self._inverse / now[:, None]
+        self._inverse_mass = self._inverse / now[:, None]

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
+from sandbox.physics.contacts.direct.problem import TooMuch
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,
@@ -39,7 +40,7 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
             finer = error.finer and error.finer * rate
             hint = way_out(finer, rate) if finer else ""
             return SimulationError(error.joint, t, str(error), finer, hint=hint)
-        case EndlessImpacts():
+        case EndlessImpacts() | TooMuch():
             body = bodies[error.body]
             return SimulationError(body, t, str(error).format(body=f"'{body}'"))
         case _:

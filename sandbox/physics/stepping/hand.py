@@ -22,7 +22,7 @@ def require_leapfrog(setup: Setup, now: Snapshot) -> None:
         If springs are too stiff for it.
     """
     scene, kicks = setup.scene, setup.kicks
-    check_springs(scene.joints.springs, scene.agility, now.angle, setup.stepping.rate)
+    check_springs(scene.joints.springs, scene.inverse_mass, now.angle, setup.stepping.rate)
     kicks.compose([once(kicks.clock.dt)])
 
 

@@ -26,7 +26,8 @@ UNSETTLED = 1000
 
 FOOT = 16
 """How much worse than a place the foot of a body on a curve is known: it is found from several.
-What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz."""
+What is left of it in a kick differs between processors, 1e-13 to 1e-12 m/s at 500 Hz. In a pile
+each layer adds its own: 8 times as much is left at the top of 200 boxes, at the most."""
 
 LULL = 10
 """For how many kicks what changes must not halve, to be taken for rounding that goes in circles."""
@@ -95,10 +96,8 @@ class HeldKicks:
         if self._placed:
             from sandbox.physics.joints.exact.constraints import PLACES
 
-            near = max(
-                near,
-                FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0) / kick.drift,
-            )
+            blur = FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0)
+            near = max(near, blur * len(self._moving) ** 0.5 / kick.drift)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
         changes: list[float] = []
         for count in range(self._most):

@@ -188,9 +188,10 @@ class Observer:
         """
         normal = friction = self._untouched
         if len(contacts.bodies):
+            both, count = contacts.bodies.T.ravel(), len(self._untouched)
             normal, friction = (
-                _sums(contacts, values / kick, len(self._untouched))
-                for values in (contacts.normal, contacts.friction)
+                np.bincount(both, np.concatenate((force, force)), count).astype(float, copy=False)
+                for force in (contacts.normal / kick, contacts.friction / kick)
             )
             if self._strikes:
                 normal = normal + self._strikes.last.impulse / kick
@@ -204,9 +205,3 @@ class Observer:
             tension=self._scene.joints.tension(motion),
             torque=self._scene.joints.torque(),
         )
-
-
-def _sums(contacts: Contacts, values: Array, count: int) -> Array:
-    """Add up for each body the values of its contacts."""
-    sums = np.bincount(contacts.bodies.T.ravel(), np.concatenate((values, values)), count)
-    return sums.astype(np.float64, copy=False)

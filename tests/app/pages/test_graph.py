@@ -5,9 +5,9 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme
+from sandbox.app import theme, wording
 from sandbox.app.history import History
-from sandbox.app.pages.graph.card import measured, span_of
+from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.session import Session
@@ -17,6 +17,7 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model import catalog
 from sandbox.model.loading import load
+from sandbox.physics.accuracy.study import Trust
 from tests.app.person import Person
 
 
@@ -124,6 +125,22 @@ def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> Non
     person.press(pygame.K_o, "o")
     person.press(pygame.K_d, "d")
     assert set(page(person).up.get_multi_selection()) == {"ball.position.x", "ball.position.y"}
+
+
+def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> None:
+    session, name = opened("kinematics/projectile", 30), "ball.position.y"
+    told = Trust(name, size=8.0, off=1e-4, until=1.25)
+
+    without = graphs(pen, 278, session, [name], "t", None)
+    known = graphs(pen, 278, session, [name], "t", None, {name: told})
+
+    assert known.height - without.height == pen.height(12)
+    assert wording.trusted(told) == "4 digits hold; foretold until t = 1.25 s"
+
+
+def test_a_quantity_that_is_all_error_has_no_digits() -> None:
+    assert wording.trusted(Trust("x", size=1.0, off=2.0, until=None)) == "no digit holds"
+    assert wording.trusted(Trust("x", size=1.0, off=0.3, until=None)) == "1 digit holds"
 
 
 def test_a_quantity_is_drawn_against_another(person: Person) -> None:

@@ -9,6 +9,7 @@ from functools import partial
 from itertools import count
 from math import cos, pi, sin, sqrt
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import pytest
@@ -281,6 +282,59 @@ def test_runs_that_agree_on_missing_a_wall_are_not_believed() -> None:
     assert run.columns["bullet.position.x"][-1] == pytest.approx(0.3 - 0.025 - 0.05, abs=1e-5)
 
 
+def head_on(**contact: object) -> Level:
+    """A ball that meets another of its mass 0.05 of a step before the 30th, of 30 Hz."""
+    ball = {"restitution": 1.0}
+    first = {**disc((-2.995 - 0.2, 0), radius=0.1, velocity=[3, 0]), **ball}
+    second = {**disc((0, 0), radius=0.1), **ball}
+    effects = {"contact": contact, "restitution": {}}
+    return level({"first": first, "second": second}, effects, duration=2)
+
+
+def test_runs_that_find_an_impact_at_the_same_step_are_not_believed() -> None:
+    """From 30 to 480 Hz it is found at 1 s, 1.7 ms late: all agree, and are 5 mm off."""
+    where = ["second.position.x"]
+    ends = [
+        float(simulate(head_on(), record=where, stepping=Stepping(rate=rate)).columns[where[0]][-1])
+        for rate in (30, 60, 120, 240, 480)
+    ]
+    true = 3 * (2 - 2.995 / 3)
+
+    assert np.ptp(ends) < 1e-12
+    assert abs(ends[0] - true) == pytest.approx(0.005)  # 1.7e-3 of 3 m
+    told = r"1e-06 cannot be had; .* of which second.position.x .* foretold until t = 0\.99"
+    with pytest.raises(AccuracyError, match=told):
+        calibrate(head_on(), target=1e-6)
+
+
+def test_impacts_that_are_located_are_believed() -> None:
+    scene = head_on(located=["first", "second"])
+    chosen = calibrate(scene, target=1e-9).chosen
+    run = simulate(scene, record=["second.position.x"], stepping=chosen.stepping)
+
+    assert chosen.error < 1e-13
+    last = run.columns["second.position.x"][-1]
+    assert last == pytest.approx(3 * (2 - 2.995 / 3), abs=2e-9)  # but for the skin
+
+
+def test_what_pymunk_makes_of_an_impact_is_judged_by_another_scheme() -> None:
+    """An impact that leaves nothing costs pymunk as it comes so little that it climbs alone."""
+    scene = catalog_level("momentum/inelastic")
+    values = {"m1": 1.43, "m2": 8.49, "v1": 4.055, "v2": -2.107}
+    chosen = calibrate(scene, values, 1e-3).chosen
+    names = ["first.position.x", "second.position.x"]
+    exact = Stepping(rate=chosen.stepping.rate)
+    run, best = (
+        simulate(scene, values, record=names, stepping=s) for s in (chosen.stepping, exact)
+    )
+    off = max(
+        np.abs(run.columns[n] - best.columns[n]).max() / np.abs(best.columns[n]).max()
+        for n in names
+    )
+
+    assert off <= min(1e-3, 2 * chosen.error)  # 1e-3, told 2e-14, while it judged itself
+
+
 # What is judged
 
 
@@ -343,6 +397,43 @@ def test_a_clock_that_stumbles_changes_no_setting(
     monkeypatch.setattr(step_timing, "perf_counter", partial(leaping, count()))
 
     assert calibrate(scene, target=target).chosen.stepping == calm.chosen.stepping
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("seed", range(6))
+def test_the_same_request_gets_the_same_answer(seed: int) -> None:
+    """To the last bit, wherever in its parameters a level is; only the price is measured."""
+    random = Random(seed)
+    scene = catalog_level(random.choice(catalog.textbook()))
+    values = {name: random.uniform(p.min, p.max) for name, p in scene.parameters.items()}
+    answers = [answer(scene, values) for _ in range(2)]
+
+    assert answers[0] == answers[1]
+
+
+def answer(scene: Level, values: Values) -> tuple[object, ...]:
+    """Return what is answered to a request but for the price, or until when it is foretold."""
+    try:
+        found = calibrate(scene, values, 1e-3)
+    except AccuracyError as error:
+        return (str(error).partition("foretold")[2],)
+    return found.chosen.stepping, found.chosen.error, found.judged_by, found.decided_by, found.onset
+
+
+def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
+    """A block breaks loose within a step that is not looked at; the velocity there is off."""
+    scene = catalog_level("newton/breaking-loose")
+    values = {"mu_s": 0.7343, "mu_k": 0.1731, "mass": 3.287, "pull": 2.017, "g": 9.454}
+    setting = calibrate(scene, values, 1e-3)
+    name, rate = "block.velocity.x", setting.chosen.stepping.rate
+    run = simulate(scene, values, record=[name], stepping=setting.chosen.stepping)
+    best = simulate(scene, values, record=[name], stepping=Stepping(rate=8 * rate))
+    pairs = zip(run.columns[name], best.columns[name][::8], strict=False)
+    off = np.sort([abs(a - b) for a, b in pairs]) / np.abs(best.columns[name]).max()
+
+    assert setting.chosen.error < 1e-5
+    assert off[-3] < 1e-5 < 1e-4 < off[-1] <= setting.onset
+    assert "at a step where a force sets in or ends" in str(setting)
 
 
 def test_the_cusp_of_a_wire_is_followed() -> None:

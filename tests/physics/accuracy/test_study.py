@@ -1,12 +1,14 @@
 """What the accuracy of a level is, what it is made of, and what more of it costs."""
 
+import numpy as np
 import pytest
 
 from sandbox.model.catalog import find
+from sandbox.model.level import Stepping
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split
+from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split, Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 from tests.app import scenes
@@ -15,6 +17,41 @@ from tests.physics.scenes import small_swings
 
 def splits(found: list[Finding]) -> dict[int, Split]:
     return {each.check: each for each in found if isinstance(each, Split)}
+
+
+def trust(found: list[Finding]) -> dict[str, Trust]:
+    return {each.quantity: each for each in found if isinstance(each, Trust)}
+
+
+def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is() -> None:
+    """Also of what no check asks for: held against a run with an eighth of the step."""
+    level = load(find("energy/kepler-ellipse"))
+    names = ["planet.kinetic_energy", "planet.acceleration.x", "planet.position.y"]
+    fine = level.stepping.at(8 * level.stepping.rate)
+    run, best = (simulate(level, record=names, stepping=s).columns for s in (level.stepping, fine))
+
+    found = trust(list(study.split(level, level.defaults)))
+
+    for name in names:
+        pairs = zip(run[name], best[name][::8], strict=False)
+        off = max(abs(one - other) for one, other in pairs)
+        assert found[name].off == pytest.approx(off, rel=0.15)
+        assert found[name].size == pytest.approx(np.abs(best[name]).max(), rel=1e-3)
+        assert found[name].until is None
+
+
+def test_it_is_told_until_when_a_motion_is_foretold() -> None:
+    """At 30 Hz two rods that whip part from their true way; their lengths never do."""
+    level = load(find("lagrange/double-pendulum"))
+    slow = level.model_copy(update={"stepping": Stepping(rate=30)})
+
+    found = trust(list(study.split(slow, slow.defaults)))
+    place = found["lower.position.x"]
+
+    assert place.until is not None
+    assert 0.1 < place.until < level.duration(level.defaults)
+    assert place.off > 1e-2 * place.size
+    assert found["upper.position"].until is None
 
 
 def test_an_exact_run_owes_nothing_to_its_step() -> None:

@@ -321,12 +321,12 @@ def test_the_impulses_that_stop_a_pile_push_and_leave_the_least_energy() -> None
     random = np.random.default_rng(5)
     for _ in range(100):
         k = int(random.integers(1, 6))
-        gradient = random.normal(size=(k, k + 2))
-        answers, parting = gradient @ gradient.T, random.normal(size=k)
-        found = pushes(answers, parting)
+        jacobian = random.normal(size=(k, k + 2))
+        delassus, parting = jacobian @ jacobian.T, random.normal(size=k)
+        found = pushes(delassus, parting)
         assert found.min() >= 0
-        assert (parting + answers @ found).min() >= -1e-9
-        assert abs(found @ (parting + answers @ found)) <= 1e-9
+        assert (parting + delassus @ found).min() >= -1e-9
+        assert abs(found @ (parting + delassus @ found)) <= 1e-9
 
 
 def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
@@ -334,18 +334,18 @@ def test_impulses_beyond_the_largest_number_come_to_an_end() -> None:
     random = np.random.default_rng(5)
     with np.errstate(all="ignore"):
         for _ in range(200):
-            gradient = random.normal(size=(4, 6)) * 1e-16
+            jacobian = random.normal(size=(4, 6)) * 1e-16
             parting = random.normal(size=4) * 1e152
             parting[1] = -1e308
-            assert not (pushes(gradient @ gradient.T, parting) < 0).any()
+            assert not (pushes(jacobian @ jacobian.T, parting) < 0).any()
 
 
 @pytest.mark.parametrize("endless", [np.inf, -np.inf, np.nan])
 def test_what_answers_without_end_has_no_impulses(endless: float) -> None:
     """A decomposition of a matrix that holds an infinity never ends."""
-    answers = np.array([[2.0, 1.0, endless], [1.0, 2.0, 1.0], [endless, 1.0, 2.0]])
+    delassus = np.array([[2.0, 1.0, endless], [1.0, 2.0, 1.0], [endless, 1.0, 2.0]])
 
-    assert np.isnan(pushes(answers, -np.ones(3))).all()
+    assert np.isnan(pushes(delassus, -np.ones(3))).all()
     assert np.isnan(pushes(np.eye(2), np.array([endless, -1]))).all()
 
 
@@ -384,7 +384,7 @@ def test_a_bounce_under_gravity_has_e_times_the_speed_at_the_impact(rate: int, e
         aligned(e, rate, height, {**GRAVITY, **effects})[1] for effects in (SEQUENCE, TOGETHER)
     )
 
-    assert ours == pytest.approx(e * landing, rel=1e-9)  # 1e-10: the hair
+    assert ours == pytest.approx(e * landing, rel=1e-9)  # 1e-10: the skin
     assert its - ours == pytest.approx((1 - e) * G / rate / 2, rel=1e-6, abs=1e-8)
 
 

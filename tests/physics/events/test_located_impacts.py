@@ -417,7 +417,7 @@ def test_three_alike_with_little_bounce_go_on_together(
     end = build(level(scene, effects, stepping={"rate": 120})).advance(240)
 
     assert worst(end.velocity[:3, 0], speed / 3) <= 1e-11  # 2e-13
-    assert np.abs(np.diff(end.position[:3, 0]) - 0.5).max() <= 1e-8  # the hair
+    assert np.abs(np.diff(end.position[:3, 0]) - 0.5).max() <= 1e-8  # the skin
 
 
 @pytest.mark.parametrize("rate", [240, 960])
@@ -549,10 +549,9 @@ def test_the_contact_is_known_though_no_step_sees_it() -> None:
 def test_a_run_knows_when_bodies_first_met() -> None:
     trace = simulate(bouncing(0.5, 60, located("ball")), duration=1, record=["t"])
 
-    assert trace.impact_times == {
-        frozenset(("ball", "floor")): pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
-    }
-    assert trace.until(0.5).impact_times == {}
+    assert list(trace.meetings) == [pair := frozenset(("ball", "floor"))]
+    assert trace.meetings[pair][0].time == pytest.approx(sqrt(2 * 3 / G), rel=1e-9)
+    assert trace.until(0.5).meetings == {}
 
 
 @pytest.mark.parametrize(

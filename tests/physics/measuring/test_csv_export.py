@@ -148,9 +148,9 @@ def test_a_contact_later_than_a_time_has_not_happened_yet() -> None:
     trace = simulate(level, duration=3.0)
     met = frozenset({"a", "b"})
 
-    assert met in trace.first_contacts
-    assert met in trace.until(2.0).first_contacts
-    assert met not in trace.until(0.5).first_contacts
+    assert met in trace.meetings
+    assert met in trace.until(2.0).meetings
+    assert met not in trace.until(0.5).meetings
 
 
 def test_what_touches_at_the_start_has_yet_to_meet() -> None:
@@ -172,6 +172,6 @@ def test_what_touches_at_the_start_has_yet_to_meet() -> None:
     }""")
     trace = simulate(level, duration=2.0, record=["t"])
 
-    met = trace.first_contacts[frozenset({"ball", "ground"})]
+    met = trace.meetings[frozenset({"ball", "ground"})][0].step
     assert trace.t[met] == pytest.approx(1, abs=0.02)
-    assert frozenset({"rock", "ground"}) not in trace.first_contacts
+    assert frozenset({"rock", "ground"}) not in trace.meetings

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sandbox.model.level import Stepping
-from sandbox.physics.contacts.shapes import HAIR, INSET
+from sandbox.physics.contacts.shapes import INSET, SKIN
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import convex_parts, twice_area
 from sandbox.physics.run import build
@@ -165,7 +165,7 @@ def test_a_ball_falls_into_a_cup() -> None:
 
 
 @pytest.mark.parametrize("clockwise", [False, True])
-def test_flat_surfaces_stand_proud_by_a_hair_and_discs_do_not(clockwise: bool) -> None:
+def test_flat_surfaces_stand_proud_by_a_skin_and_discs_do_not(clockwise: bool) -> None:
     """As a core that is smaller by an inset of each body's own, with the rest as a radius."""
     corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]][:: -1 if clockwise else 1]
     square = body({"type": "polygon", "vertices": corners})
@@ -175,7 +175,7 @@ def test_flat_surfaces_stand_proud_by_a_hair_and_discs_do_not(clockwise: bool) -
     for name in ("square", "box"):
         (shape,) = made.bodies[name].shapes
         assert isinstance(shape, pymunk.Poly)
-        insets.append(shape.radius - HAIR)
+        insets.append(shape.radius - SKIN)
         assert INSET <= insets[-1] <= 2 * INSET
         assert np.abs(shape.get_vertices()) == pytest.approx(1 - insets[-1], rel=1e-15)
 
@@ -184,7 +184,7 @@ def test_flat_surfaces_stand_proud_by_a_hair_and_discs_do_not(clockwise: bool) -
     assert isinstance(circle, pymunk.Circle)
     assert isinstance(line, pymunk.Segment)
     assert circle.radius == 0.7
-    assert line.radius == HAIR
+    assert line.radius == SKIN
 
 
 def test_the_naive_schemes_take_surfaces_as_they_come() -> None:
@@ -256,7 +256,7 @@ def test_an_overlap_is_taken_back_by_its_share_a_step(
         stepping={"rate": rate},
     )
     world = build(made)
-    depth = 0.1 + HAIR - run(world, 2).position[:, 0, 1]
+    depth = 0.1 + SKIN - run(world, 2).position[:, 0, 1]
 
     # the correction of a step is seen in the position one drift later
     assert depth[2] == pytest.approx(depth[1] * (1 - share), abs=1e-8)

@@ -10,7 +10,7 @@ from sandbox.app.pages.race import race
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check, Stepping
-from sandbox.physics.accuracy.study import Here, Progress, Split
+from sandbox.physics.accuracy.study import Here, Progress, Split, Trust
 
 LOADS: Mapping[str, Color] = {
     "physics": theme.ACCENT, "hooks": theme.KINETIC, "drawing": theme.LANES[2],
@@ -29,9 +29,10 @@ def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
 
 
 def asked(
-    pen: Pen, width: int, target: float | None, stepping: Stepping, here: Here | None
-) -> pygame.Surface:
-    """Draw what accuracy is asked for, and how the level is stepped."""
+    pen: Pen, width: int, target: float | None, stepping: Stepping, here: Here | None,
+    place: Trust | None,
+) -> pygame.Surface:  # fmt: skip
+    """Draw what accuracy is asked for, the present setting, and how far that can be trusted."""
     card = Card(pen, width)
     card.heading("Accuracy and its price")
     wanted = "Ask for an accuracy:" if target is None else f"Asked for: {wording.error(target)}"
@@ -40,8 +41,19 @@ def asked(
     if here is not None:
         told += f", error {wording.error(here.error)}"
     card.text(told, 13, theme.DIM)
+    _least_known(card, place)
     card.y += GAP
     return card.drawn()
+
+
+def _least_known(card: Card, place: Trust | None) -> None:
+    """Add two lines, as high before it is known as after."""
+    known = "" if place is None else wording.trusted(place)
+    what = "not measured yet" if place is None else place.quantity
+    for line in (f"least known place: {what}", known):
+        text = card.pen.shorten(line, card.width, 12)
+        card.put(card.pen.write(text, 12, theme.DIM), 0)
+        card.y += card.pen.height(12)
 
 
 def status(

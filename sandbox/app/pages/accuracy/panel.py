@@ -100,14 +100,12 @@ class AccuracyPage:
             self._dial.set_current_value(self._digits or UNASKED, warn=False)
 
     def _drawn_dial(self) -> pygame.Surface:
-        here = self._studying.here
+        studying, session = self._studying, self._session
+        place = studying.least_known(session)
         return asked(
-            self._sheet.pen,
-            self._sheet.width,
-            self._studying.target,
-            self._session.world.stepping,
-            here,
-        )
+            self._sheet.pen, self._sheet.width, studying.target, session.world.stepping,
+            studying.here, place,
+        )  # fmt: skip
 
     def _drawn(self) -> pygame.Surface:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width

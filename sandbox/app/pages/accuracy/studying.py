@@ -11,7 +11,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
-from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
+from sandbox.physics.accuracy.runs import LITTLE
+from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split, Trust
 
 if TYPE_CHECKING:
     from sandbox.physics.accuracy.candidates import Offer
@@ -56,6 +57,7 @@ class Studying:
         self._waited, self._measured = 0.0, False
         self.here: Here | None = None
         self._splits: dict[int, Split] = {}
+        self._trust: dict[str, Trust] = {}
         self.progress: Progress | None = None
         self.news = object()
 
@@ -167,13 +169,29 @@ class Studying:
                 self.points.append(finding)
             case Split():
                 self._splits[finding.check] = finding
+            case Trust():
+                self._trust[finding.quantity] = finding
             case Failed(told=told):
                 self.failure = told
 
     def splits(self, session: Session) -> Mapping[int, Split]:
         """Return what is known of the checks of the present run, by their index."""
-        known = session.level is self._level and self._scene_of(session) == self._scene
-        return self._splits if known else {}
+        return self._splits if self._knows(session) else {}
+
+    def trust(self, session: Session) -> Mapping[str, Trust]:
+        """Return how far the quantities of the present run can be trusted, by their names."""
+        return self._trust if self._knows(session) and not session.world.disturbed else {}
+
+    def least_known(self, session: Session) -> Trust | None:
+        """Return the place that can be trusted least; what hardly leaves zero is none."""
+        places = [t for t in self.trust(session).values() if ".position." in t.quantity]
+        largest = max((place.size for place in places), default=0.0)
+        far = [place for place in places if place.size > LITTLE * largest]
+        return max(far, key=lambda place: place.off / place.size, default=None)
+
+    def _knows(self, session: Session) -> bool:
+        """Whether what is known is of the present run."""
+        return session.level is self._level and self._scene_of(session) == self._scene
 
 
 def _play_with(session: Session, setting: Setting) -> str:

@@ -14,17 +14,20 @@ from sandbox.app.theme import Color
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model.expressions import Array, ExpressionError
+from sandbox.physics.accuracy.study import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph
+NOT_KNOWN: Mapping[str, Trust] = {}
 NOTHING = "Choose a quantity below; several are drawn together."
 
 
 def graphs(
-    pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None
-) -> pygame.Surface:
+    pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
+    trust: Mapping[str, Trust] = NOT_KNOWN,
+) -> pygame.Surface:  # fmt: skip
     """Draw quantities of the run so far against another.
 
     Parameters
@@ -37,6 +40,8 @@ def graphs(
         The names of the quantities.
     cursor
         A value of the one across at which the others are told; None for their present values.
+    trust
+        How far quantities can be trusted, as far as that is known.
     """
     card = Card(pen, width)
     if not up:
@@ -48,7 +53,7 @@ def graphs(
     span = span_of(width, session, across)
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _told(card, session, columns, these, up, units, across, cursor)
+        _told(card, session, columns, these, up, units, across, cursor, trust)
         series = [
             *_faint(earlier, these, across),
             *_closed(session, columns, these, up, across),
@@ -82,6 +87,7 @@ def _color(name: str, up: Sequence[str]) -> Color:
 def _told(
     card: Card, session: Session, columns: Mapping[str, Array], these: Sequence[str],
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
+    trust: Mapping[str, Trust],
 ) -> None:  # fmt: skip
     """Write the name of each line, and its value: now, or where the cursor is."""
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
@@ -94,6 +100,8 @@ def _told(
         card.put(left, 0)
         card.put(right, card.width - right.width)
         card.y += left.height
+        if name in trust:
+            card.text(wording.trusted(trust[name]), 12, theme.DIM)
     if cursor is not None and session.world.steps:
         at = wording.quantity(float(columns[across][row]), units[across], 4)
         card.text(f"at {across} = {at}", 12, theme.NOTICE)

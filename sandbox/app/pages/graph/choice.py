@@ -1,8 +1,10 @@
 """Which quantities a person looks at, level by level, for as long as the window is open."""
 
+from itertools import islice
+
 from sandbox.app.session import Session
 from sandbox.model.level import Level
-from sandbox.model.quantities import TIME, quantities
+from sandbox.model.quantities import TIME, momentary
 
 MOST = 400
 """How many quantities can be chosen from: of a crowd, those of its first bodies."""
@@ -10,8 +12,7 @@ MOST = 400
 
 def offered(level: Level) -> list[str]:
     """Return the quantities that can be drawn: all that a state tells by itself."""
-    names = (q.name for q in quantities(level) if not (q.booked or q.adds_up or q.name == "t"))
-    return [name for name, _ in zip(names, range(MOST), strict=False)]
+    return [found.name for found in islice(momentary(level), MOST)]
 
 
 class Choice:

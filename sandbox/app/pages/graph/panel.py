@@ -5,6 +5,7 @@ from pygame_gui import UI_SELECTION_LIST_DROPPED_SELECTION, UI_SELECTION_LIST_NE
 from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import heading
+from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.page import Desk
@@ -19,7 +20,7 @@ class GraphPage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        self._choice = desk.worker(Choice)
+        self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
         self._cursor: float | None = None
         names = offered(desk.session.level)
         up = [name for name in self._choice.up(desk.session) if name in names]
@@ -91,4 +92,5 @@ class GraphPage:
     def _drawn(self) -> pygame.Surface:
         sheet, session = self._sheet, self._session
         up, across = self._choice.up(session), self._choice.across(session)
-        return graphs(sheet.pen, sheet.width, session, up, across, self._cursor)
+        trust = self._studying.trust(session)
+        return graphs(sheet.pen, sheet.width, session, up, across, self._cursor, trust)

@@ -13,6 +13,7 @@ from sandbox.model.level import (
     Instant,
     LandingEvent,
     Level,
+    SeparationEvent,
 )
 from sandbox.model.quantities import quantity
 from sandbox.physics.measuring.grading import applies
@@ -51,13 +52,24 @@ def when(at: Instant | None) -> str:
             return f"when {body} stops rising"
         case LandingEvent(body=body):
             return f"when {body} lands"
-        case ContactEvent(bodies=(a, b)):
-            return f"just after {a} and {b} meet"
+        case ContactEvent(bodies=(a, b), nth=nth):
+            return f"just after {a} and {b} meet{_again(nth)}"
+        case SeparationEvent(bodies=(a, b), nth=nth):
+            return f"when {a} and {b} part{_again(nth)}"
         case CrossingEvent(quantity=name, value=value):
             return f"when {name} first comes to {value.source}"
         case Expression():
             return f"at t = {at.source} s"
     return ""
+
+
+ORDINALS = {2: "second", 3: "third"}
+
+
+def _again(nth: int) -> str:
+    return (
+        f", the {nth}th time" if nth > 3 else ("", ", the second time", ", the third time")[nth - 1]
+    )
 
 
 def unit_of(check: Check, level: Level) -> str:

@@ -7,7 +7,7 @@ mass (the Delassus operator). Three kinds of rows ask for
     contacts    x >= 0,  r >= 0,  x r = 0                        (and ropes, which only pull)
     friction    |x| <= b, with r = 0 where it is less than b, and against the slip where it is b
 
-with b = mu (x of its contact) + a constant. Once it is known which rows are active this is a linear
+with b = mu (x of its contact). Once it is known which rows are active this is a linear
 system, solved exactly; which they are is guessed from the step before and mended until every
 condition holds (a primal-dual active set method: Hintermüller, Ito and Kunisch 2003; for contact
 problems Alart and Curnier 1991). Where that goes in circles, Lemke's method finds the way.
@@ -63,7 +63,7 @@ class Unsolvable(Exception):  # noqa: N818 (whoever knows the bodies tells it)
 
 def solve(
     problem: Problem,
-    matrix: Array,
+    delassus: Array,
     rate: Array,
     guess: Active,
     blur: float = 0.0,
@@ -73,7 +73,7 @@ def solve(
 
     Parameters
     ----------
-    matrix
+    delassus
         (m, m), A above [1/kg or 1/(kg m²)].
     rate
         (m,), w above: the rates without impulses [m/s or rad/s].
@@ -90,20 +90,20 @@ def solve(
     Unsolvable
         If no impulses are found.
     """
-    size = _sizes(matrix, problem.alike)
-    scaled = _Scaled(problem, matrix / (size[:, None] * size), rate / size, size, blur / size, lets)
+    size = _sizes(delassus, problem.alike)
+    own = delassus / (size[:, None] * size)
+    scaled = _Scaled(problem, own, rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
 
 
-def _sizes(matrix: Array, alike: Integers | None) -> Array:
+def _sizes(delassus: Array, alike: Integers | None) -> Array:
     """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
-    own = np.maximum(matrix.diagonal(), 0.0)
+    own = delassus.diagonal()
     if alike is not None:
+        own = np.maximum(own, 0.0)
         own = (np.bincount(alike, own) / np.maximum(np.bincount(alike), 1))[alike]
-    root = np.sqrt(own)
-    root[root == 0] = 1.0
-    return root
+    return np.sqrt(np.where(own > 0, own, 1.0))
 
 
 class _Scaled:
@@ -112,7 +112,7 @@ class _Scaled:
     def __init__(
         self,
         problem: Problem,
-        matrix: Array,
+        delassus: Array,
         rate: Array,
         size: Array,
         blur: Array,
@@ -121,19 +121,26 @@ class _Scaled:
     ) -> None:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
-        self._matrix = matrix + give * np.eye(len(rate)) if give else matrix
+        self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
         friction = problem.friction
         self._row, self._contact = row, contact = friction.row, friction.contact
-        self._least, share = friction.least * size[row], size[row, None] / size[contact]
-        self._sticks, self._slips = (of_each * share for of_each in friction.shares)
+        self._share = size.take(row)[:, None] / size.take(contact)
+        self._sticks = friction.shares[0] * self._share
         self._some = bool(len(row))
         self._largest = float(np.abs(rate).max(initial=0.0))
         asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
         self._asked = float(np.abs(asked).max(initial=0.0))
 
+    @property
+    def _slips(self) -> Array:
+        """How large friction that slips is by the impulse of each contact: (f, 2)."""
+        return self._problem.friction.shares[1] * self._share
+
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses, and which rows hold."""
         impulse, found = self.mend(active)
+        if found is None:
+            impulse, found = self.mend(self._resting())
         for give in GIVES if found is None else ():
             _, soft = self._softer(give).mend(active)
             if soft is not None:
@@ -142,10 +149,19 @@ class _Scaled:
                     break
         return (impulse, found) if found is not None else self._by_corners()
 
+    def _resting(self) -> Active:
+        """Return that everything holds, as in a pile that rests.
+
+        Where nothing is known yet, only its lowest layer is seen to meet what is below it, and each
+        mending would let but one more hold.
+        """
+        slip = np.zeros(len(self._row), dtype=np.intp)
+        return Active(np.ones(len(self._rate), dtype=bool), slip)
+
     def _softer(self, give: float) -> "_Scaled":
         """Return the same with rows that give way."""
         problem, size, blur = self._problem, self._size, self._blur
-        return _Scaled(problem, self._matrix, self._rate, size, blur, self._lets, give)
+        return _Scaled(problem, self._delassus, self._rate, size, blur, self._lets, give)
 
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
@@ -170,14 +186,13 @@ class _Scaled:
     def mend(self, active: Active) -> tuple[Array, Active | None]:
         """Solve and mend the guess until it holds; None if that goes in circles."""
         seen = set()
-        impulse = np.zeros_like(self._rate)
         for _ in range(GUESSES):
             impulse, repeats = self._with(active)
-            rate = self._rate + self._matrix @ impulse
+            rate = self._rate + self._delassus.dot(impulse)
             better = self._judge(impulse, rate, active)
             if better is not None and repeats:
                 impulse = self._shared(impulse, active)
-                rate = self._rate + self._matrix @ impulse
+                rate = self._rate + self._delassus.dot(impulse)
                 better = self._judge(impulse, rate, active)
             if better is None:
                 return impulse, active if self._holds(rate, active) else None
@@ -189,21 +204,19 @@ class _Scaled:
 
     def _with(self, active: Active) -> tuple[Array, bool]:
         """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
-        rows = np.flatnonzero(active.on)
-        impulse = np.zeros_like(self._rate)
-        if not len(rows):
+        count = np.count_nonzero(active.on)
+        if count == len(self._rate):
+            return solved(self._delassus, -self._rate)
+        rows, impulse = np.flatnonzero(active.on), np.zeros(len(self._rate))
+        if not count:
             return impulse, False
-        if len(rows) == len(impulse):
-            return solved(self._matrix, -self._rate)
-        if not active.slip.any():
-            matrix = self._matrix[np.ix_(rows, rows)]
+        if not np.count_nonzero(active.slip):
+            matrix = self._delassus[np.ix_(rows, rows)]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
-        gives, constant = self._gives(active.slip), self._constant(active.slip)
-        matrix = self._matrix[rows]
-        wanted = -self._rate[rows] - matrix @ constant
-        found, repeats = solved(matrix @ gives[:, rows], wanted)
-        return gives[:, rows] @ found + constant, repeats
+        gives = self._gives(active.slip)[:, rows]
+        found, repeats = solved(self._delassus[rows] @ gives, -self._rate[rows])
+        return gives @ found, repeats
 
     def _shared(self, impulse: Array, active: Active) -> Array:
         """Return the least of all impulses that do the same, and that contacts can give: (m,).
@@ -212,22 +225,15 @@ class _Scaled:
         """
         rows = np.flatnonzero(active.on)
         gives = self._gives(active.slip)[:, rows]
-        free = null(self._matrix[rows] @ gives)
+        free = null(self._delassus[rows] @ gives)
         ways = gives @ free
         pushes = np.flatnonzero(self._problem.pushes & active.on)
         held = np.flatnonzero(active.on[self._row])
         unit, bounds = np.eye(len(impulse)), self._shares(self._sticks)[held]
         along = unit[self._row[held]]
         limits = np.concatenate((unit[pushes], bounds - along, bounds + along))
-        least = np.concatenate((np.zeros(len(pushes)), -self._least[held], -self._least[held]))
-        way = least_distance(limits @ ways, least - limits @ impulse)
+        way = least_distance(limits @ ways, -(limits @ impulse))
         return impulse if way is None else impulse + ways @ way
-
-    def _constant(self, slip: Integers) -> Array:
-        """Return the impulses of what slips that do not depend on others: (m,)."""
-        constant = np.zeros_like(self._rate)
-        constant[self._row] = slip * self._least
-        return constant
 
     def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
@@ -244,8 +250,8 @@ class _Scaled:
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        by_one, by_other = (coefficients * np.maximum(impulse, 0.0)[self._contact]).T
-        return np.asarray(by_one + by_other + self._least)
+        by_one, by_other = (coefficients * np.maximum(impulse.take(self._contact), 0.0)).T
+        return np.asarray(by_one + by_other)
 
     def _holds(self, rate: Array, active: Active) -> bool:
         """Return whether rows that are to hold do, and do not contradict each other."""
@@ -253,7 +259,7 @@ class _Scaled:
         if self._lets < inf:
             allowed = np.minimum(allowed, self._lets / self._size)
         within = np.abs(rate) <= allowed + self._blur.max()
-        return bool((within | ~active.on).all())
+        return not np.count_nonzero(active.on & ~within)
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return which rows rather hold at such rates; None if those do."""
@@ -262,18 +268,19 @@ class _Scaled:
         pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
         on = active.on ^ (self._problem.pushes & pulls_or_meets)
         if not self._some:
-            return Active(on, active.slip) if (on != active.on).any() else None
-        friction, row, slip = self._problem.friction, self._row, active.slip.copy()
-        by_one, by_other = (on[self._contact] & friction.there).T
-        presses = by_one | by_other | friction.always
-        own = impulse[row]
-        beyond = active.on[row] & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
-        if slip.any():
-            slip[slip * rate[row] > still[row]] = 0
-        if beyond.any():
+            return Active(on, active.slip) if np.count_nonzero(on != active.on) else None
+        friction, row, slip = self._problem.friction, self._row, active.slip
+        by_one, by_other = (on.take(self._contact) & friction.there).T
+        presses = by_one | by_other
+        own = impulse.take(row)
+        bounds = self._bounds(impulse, self._sticks)
+        beyond = active.on.take(row) & (np.abs(own) > bounds + close)
+        on[row] = presses
+        if np.count_nonzero(slip) or np.count_nonzero(beyond):
+            slip = np.where(slip * rate[row] > still[row], 0, slip)
             slip[beyond] = np.sign(own[beyond])
-        slip *= presses
-        on[row] = presses & (slip == 0)
+            slip *= presses
+            on[row] &= slip == 0
         better = Active(on, slip)
         return None if better.key == active.key else better
 
@@ -295,7 +302,7 @@ class _Scaled:
         Friction is a push one way less a push the other way; a last condition bounds their sum.
         """
         free, pushes = np.flatnonzero(self._problem.free), np.flatnonzero(self._problem.pushes)
-        matrix: Array = self._matrix
+        matrix: Array = self._delassus
         rate: Array = self._rate
         through: Array = np.zeros((len(free), len(rate) + 1))
         if len(free):
@@ -315,7 +322,7 @@ class _Scaled:
         whole[count:signed, signed:] = np.concatenate((np.eye(rubs), np.eye(rubs)))
         whole[signed:, :count] = bounds[:, pushes]
         whole[signed:, count:signed] = -np.concatenate((np.eye(rubs), np.eye(rubs)), axis=1)
-        found = lemke(whole, np.concatenate((way.T @ one, self._least)))
+        found = lemke(whole, np.concatenate((way.T @ one, np.zeros(rubs))))
         if found is None:
             return None
         impulse = np.zeros_like(self._rate)
@@ -329,7 +336,7 @@ class _Scaled:
         Of contacts that is min(x, r), and of friction by how much x changes if r is taken from it
         and its bound is kept: both are 0 where the conditions hold, and nowhere else.
         """
-        rate = self._rate + self._matrix @ impulse
+        rate = self._rate + self._delassus @ impulse
         missed = np.abs(np.where(self._problem.free, rate, np.minimum(impulse, rate)))
         missed[~(self._problem.free | self._problem.pushes)] = 0.0
         own, slip = impulse[self._row], rate[self._row]

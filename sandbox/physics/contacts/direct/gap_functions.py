@@ -41,6 +41,8 @@ class Touching(NamedTuple):
         (2, k), the first and the second.
     pair, point
         (k,), the contact each belongs to, and which of its two points it is.
+    number
+        (k,), the same as one number: the points of contacts in a row, two of each.
     rubs
         (f,), those with friction: the two points of a side share that of the first.
     rows
@@ -48,7 +50,7 @@ class Touching(NamedTuple):
     held
         (2, k + f), the bodies of these.
     into
-        Where in the gradients of gaps and friction the bodies stand: x and y of the first ones, of
+        Where in the Jacobian of gaps and friction the bodies stand: x and y of the first ones, of
         the second ones, and then the angles.
     figures
         The outlines of all bodies.
@@ -62,6 +64,7 @@ class Touching(NamedTuple):
     bodies: Integers
     pair: Integers
     point: Integers
+    number: Integers
     rubs: Integers
     rows: Integers
     held: Integers
@@ -92,7 +95,19 @@ class Touching(NamedTuple):
         rows = np.concatenate((np.arange(len(pair)), rubbing))
         held, everything = bodies[:, rows], figures.of(bodies)
         into, yields = _into(held, len(moves) + 1), moves[bodies[0]] & ~moves[bodies[1]]
-        return cls(bodies, pair, point, rubbing, rows, held, into, figures, everything, yields)
+        return cls(
+            bodies,
+            pair,
+            point,
+            2 * pair + point,
+            rubbing,
+            rows,
+            held,
+            into,
+            figures,
+            everything,
+            yields,
+        )
 
     @property
     def sliding(self) -> Integers:
@@ -110,14 +125,14 @@ class Features:
         Which.
     points
         A and B above, (2, k + f), along their bodies' axes [m].
+    side
+        (k,), the body whose side it is; the first where there is none.
     normal
-        (k,), n above, along the axes of the body whose side it is; 0 of round things.
+        (k,), n above, along the axes of that body.
     owns
-        Whether it is the first body's, or the second's, (2, k + f): 0 or 1.
-    is_round
-        (k,), whether there is no side; None if there is one everywhere.
+        Whether the side is the first body's, or the second's, (2, k + f): 0 or 1.
     sign
-        (k,), s above.
+        (k,), s above, and 0 where there is a side; None if there is one everywhere.
     rolls
         a and b above, (2, f) [m].
     apart
@@ -130,56 +145,55 @@ class Features:
 
     touching: Touching
     points: Plane
+    side: Integers
     normal: Plane
     owns: Array
-    is_round: Booleans | None
-    sign: Array
+    sign: Array | None
     rolls: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
     corners: Booleans | None = None
 
-    def look(self, place: Coordinates, total: Array, gradient: Array) -> None:
-        """Write down the gaps and the ways slipped, and their gradients: (k + f) and (k + f, 3 N).
+    def look(self, place: Coordinates, total: Array, jacobian: Array) -> None:
+        """Write down the gaps and the ways slipped, and their Jacobian: (k + f) and (k + f, 3 N).
 
-        What of the gradients is not written is 0.
+        What of the Jacobian is not written is 0.
         """
         held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
-        turned = place.turned[held]
+        turned, plane = place.turned.take(held), place.plane
         arms = self.points * turned
-        first, second = place.plane[held[:, :count]] + arms[:, :count]
+        first, second = plane.take(self.touching.bodies) + arms[:, :count]
         d = second - first
-        spins = (self.owns * turned)[:, :count]
-        along = self.normal * (spins[0] + spins[1])
+        along = self.normal * place.turned.take(self.side)
         across, beside = 1j * along, along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
-        if self.is_round is not None:
-            along, across, gap, off = self._of_round(d, self.is_round, along, gap, off)
+        if self.sign is not None:
+            along, across, gap, off = self._of_round(d, self.sign, along, gap, off)
         if self.curved:
             rows = gap, off, along, across
-            follow_curves(self.curved, (place.plane, place.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (plane, place.turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
-        rolled = self.rolls * place.angle[held[:, count:]]
+        rolled = self.rolls * place.angle.take(held[:, count:])
         total[:count], total[count:] = gap, off.take(rubs) + rolled[0] + rolled[1]
         way = FROM_TO * np.concatenate((along, across.take(rubs)))
         spin = (way * arms.conj()).imag
         spin += self.owns * np.concatenate((off, -gap.take(rubs)))
         spin[:, count:] += self.rolls
-        slopes = np.concatenate((way.view(float).ravel(), spin.ravel()))
-        gradient.reshape(-1)[self.touching.into] = slopes
+        partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
+        jacobian.reshape(-1)[self.touching.into] = partials
 
     def _of_round(
-        self, d: Plane, is_round: Booleans, along: Plane, gap: Array, off: Array
+        self, d: Plane, sign: Array, along: Plane, gap: Array, off: Array
     ) -> tuple[Plane, Plane, Array, Array]:
         """Return which way lies along a gap, and across, its size, and how far it has slipped.
 
         The same as on a side, where nothing is round: (k,) each.
         """
-        size, first = np.abs(d), np.abs(self.apart)
-        along = np.where(is_round, self.sign * d / size, along)
-        gap = np.where(is_round, self.sign * size, gap)
+        is_round, size, first = sign != 0, np.abs(d), np.abs(self.apart)
+        along = np.where(is_round, sign * d / size, along)
+        gap = np.where(is_round, sign * size, gap)
         turn = np.angle(d / np.where(is_round, self.apart, d))
-        off = np.where(is_round, self.sign * first * turn, off)
+        off = np.where(is_round, sign * first * turn, off)
         return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
 
     def moved(self, place: Coordinates) -> "Features":
@@ -203,52 +217,73 @@ def features(
     origin
         From where places are counted [m].
     """
-    bodies, pair, point, rubs = touching[:4]
+    bodies, pair, _, number, rubs = touching[:5]
     figures, outlines = touching.figures, touching.outlines
-    where_of = 2 * pair + point
     n = contacts.direction.view(complex).take(pair)
-    middle = np.ascontiguousarray(contacts.points).view(complex).take(where_of) - origin
+    middle = np.ascontiguousarray(contacts.points).view(complex).take(number) - origin
     out = -FROM_TO * n  # of each body
-    surfaces = middle + out * (contacts.depths.take(where_of) / 2)
-    where, turned = place.plane[bodies], place.turned[bodies]
-    is_round, center = outlines.round(place, n, middle)
+    surfaces = middle + out * (contacts.depths.take(number) / 2)
+    where, turned = place.plane.take(bodies), place.turned.take(bodies)
+    is_round, center = outlines.round(where, turned, n, middle)
     owns = outlines.faces(out * turned.conj())
     owns[0] &= ~(owns[1] & touching.yields)
     owns[1] &= ~owns[0]
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
+    if curved:
+        is_round, center = is_round.copy(), center.copy()
     for one in curved:
         own = int(one.sign < 0)
         center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
         is_round[own, one.point] = True
         owns[1 - own, one.point] &= one.arched
-    corner = ~(owns[0] | owns[1])
-    corners = None
-    if corner.any() and (sharp := corner & outlines.sharp & ~is_round.any(axis=0)).any():
-        corners, corner, owns[0] = sharp, corner & ~sharp, owns[0] | sharp
-    core = surfaces - out * np.where(corner, outlines.rounding, 0.0)
+    corners, corner = _corners(outlines, is_round, owns)
+    core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
-    within = corner & ((d.conj() * n).real < 0)
-    spins = owns * turned
-    rolls = _rolls(touching, is_round, owns, corner, within)
-    roll_on_curves(curved, ~corner, rubs, figures, rolls)
+    sign = None
+    if corner is not None:
+        sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
+    side = np.where(owns[1], bodies[1], bodies[0])
+    rolls = _rolls(touching, is_round, owns, sign)
+    roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
     return Features(
         touching=touching,
         points=((at - where) * turned.conj()).take(touching.rows, axis=1),
-        normal=n * (spins[0] + spins[1]).conj(),
+        side=side,
+        normal=n * place.turned.take(side).conj(),
         owns=owns.take(touching.rows, axis=1).astype(float),
-        is_round=corner if corner.any() else None,
-        sign=np.where(within, -1.0, 1.0),
+        sign=sign,
         rolls=rolls,
         apart=d,
-        curved=tuple(one for one in curved if corner[one.point]),
+        curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
     )
 
 
-def _rolls(
-    touching: Touching, is_round: Booleans, owns: Booleans, corner: Booleans, within: Booleans
-) -> Array:
+def _corners(
+    outlines: Outlines, is_round: Booleans, owns: Booleans
+) -> tuple[Booleans | None, Booleans | None]:
+    """Return where corners meet corners, and where else there is no side: (k,), None if nowhere.
+
+    Such corners are given a side of the first body.
+
+    Parameters
+    ----------
+    is_round, owns
+        (2, k), whether they are round where they touch, and whose the side is.
+    """
+    corner = ~(owns[0] | owns[1])
+    if not np.count_nonzero(corner):
+        return None, None
+    sharp = corner & outlines.sharp & ~is_round.any(axis=0)
+    if not np.count_nonzero(sharp):
+        return None, corner
+    owns[0] |= sharp
+    corner &= ~sharp
+    return sharp, corner if np.count_nonzero(corner) else None
+
+
+def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array | None) -> Array:
     """Return by which radii the angles of the two bodies count in the slip: (2, f) [m].
 
     Parameters
@@ -257,24 +292,25 @@ def _rolls(
         (2, k), whether they are round where they touch.
     owns
         (2, k), whose the side is.
-    corner
-        (k,), whether there is no side.
-    within
-        (k,), whether one is inside the other.
+    sign
+        As of `Features`.
     """
     outlines, rubs = touching.outlines, touching.rubs
+    if sign is None:
+        radius = np.where(is_round, outlines.radius, 0.0).take(rubs, axis=1)
+        return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)
     inner = None
     if touching.figures.hollow:
-        inner = within & (outlines.inner > 0)
+        inner = (sign < 0) & (outlines.inner > 0)
         inner[1] &= ~inner[0] | (outlines.inner[1] > outlines.inner[0])
         inner[0] &= ~inner[1]
-    radius = outlines.rolls(is_round, corner, inner).take(rubs, axis=1)
+    radius = outlines.rolls(is_round, sign != 0, inner).take(rubs, axis=1)
     own = -radius if inner is None else np.where(inner.take(rubs, axis=1), radius, -radius)
     return np.where(owns.take(rubs, axis=1), radius[::-1], own)
 
 
 def _into(bodies: Integers, count: int) -> Integers:
-    """Return where in the gradients of s rows bodies, (2, s), stand; there are so many."""
+    """Return where in the Jacobian of s rows bodies, (2, s), stand; there are so many."""
     start = np.arange(bodies.shape[1]) * (3 * count)
     x = start + 2 * bodies
     plane = np.stack((x, x + 1), axis=2).ravel()

@@ -33,17 +33,17 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     looks
         Whether anybody wants to know: else there are none.
     """
-    gradient = kick.here.gradient[kick.layout.gaps]
+    jacobian = kick.here.jacobian[kick.layout.gaps]
     if not looks:
-        return np.zeros(len(gradient), dtype=bool)
-    closing, *others = np.stack((came, acts, change)) @ gradient.T
+        return np.zeros(len(jacobian), dtype=bool)
+    closing, *others = np.array((came, acts, change)).dot(jacobian.T)
     gives = np.maximum(*np.abs(others))
     far: Booleans = closing < -gives
-    if not far.any():  # what is at rest needs no closer look
+    if not np.count_nonzero(far):  # what is at rest needs no closer look
         return far
     swift = np.abs(came) + np.abs(acts)
     around = np.repeat(np.abs(planes(swift)), 2)  # whichever way: rounding knows none
-    speeds = np.abs(gradient) @ np.concatenate((around, angles(swift)))
+    speeds = np.abs(jacobian) @ np.concatenate((around, angles(swift)))
     allowed = gives + ROUNDING * speeds + kick.blur
     return np.asarray(closing < -allowed)
 
@@ -58,11 +58,11 @@ def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
     strikes
         (k,), which gaps close.
     """
-    out = np.zeros(len(kick.reply), dtype=bool)
+    out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
     out[kick.layout.gaps] = strikes
-    impulse = _impulses(kick, motion, np.zeros(len(kick.reply)), out)
-    return motion + impulse @ kick.reply, impulse
+    impulse = _impulses(kick, motion, np.zeros(len(kick.response)), out)
+    return motion + impulse @ kick.response, impulse
 
 
 def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
@@ -78,17 +78,17 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     strikes
         (k,), which gaps close.
     """
-    layout, gradient = kick.layout, kick.here.gradient
-    rates = gradient @ came
-    leaves = np.zeros(len(kick.reply))
+    layout, jacobian = kick.layout, kick.here.jacobian
+    rates = jacobian @ came
+    leaves = np.zeros(len(kick.response))
     leaves[layout.gaps] = layout.restitution * np.minimum(rates[layout.gaps], 0.0) * strikes
-    none = np.zeros(len(kick.reply), dtype=bool)
+    none = np.zeros(len(kick.response), dtype=bool)
     touch, runs = layout.touch, rates.copy()
     runs[layout.slips] += kick.runs
 
     def rebound(share: float) -> tuple[Array, float]:
         impulse = _impulses(kick, came, share * leaves, none)
-        after = runs + gradient @ (impulse @ kick.reply)
+        after = runs + jacobian @ (impulse @ kick.response)
         return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
 
     impulse, work = rebound(1.0)
@@ -99,13 +99,13 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
             _, work = rebound(share)
             low, high = (share, high) if work <= 0 else (low, share)
         impulse, _ = rebound(low)
-    return came + impulse @ kick.reply, impulse
+    return came + impulse @ kick.response, impulse
 
 
 def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
     """Return the impulses at which velocities obey all rows but those that are out: (r,)."""
     layout, joints = kick.layout, kick.layout.joints
-    rate = kick.here.gradient @ motion + leaves
+    rate = kick.here.jacobian @ motion + leaves
     rate[joints] += kick.joint_rates()
     rate[layout.slips] += kick.runs
     slack = np.zeros(len(rate), dtype=bool)
@@ -116,4 +116,4 @@ def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
     problem = asked._replace(free=asked.free & ~out, pushes=asked.pushes & ~out & ~slack)
     on = problem.free | (problem.pushes & (rate < 0))
     guess = Active(on, np.zeros(len(asked.friction.row), dtype=np.intp))
-    return solve_rows(kick, layout.asking(problem), kick.here.gradient, rate, guess)[0]
+    return solve_rows(kick, layout.asking(problem), kick.here.jacobian, rate, guess)[0]

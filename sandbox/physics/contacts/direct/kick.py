@@ -26,7 +26,7 @@ class Kick:
         Where everything is.
     here
         The rows where everything is.
-    reply
+    response
         (r, 3 N), the velocities that a unit impulse of each gives: J M⁻¹.
     runs
         (f,), how fast surfaces slip by themselves, as belts do [m/s].
@@ -40,7 +40,7 @@ class Kick:
     features: Features
     place: Coordinates
     here: Rows
-    reply: Array
+    response: Array
     runs: Array
     before: Array
     after: Array
@@ -66,15 +66,15 @@ class Kick:
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
-        reply, runs = here.gradient * joints.inverse, _runs(contacts, layout, running)
-        return cls(joints, contacts, layout, found, place, here, reply, runs, *lengths)
+        response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
+        return cls(joints, contacts, layout, found, place, here, response, runs, *lengths)
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere."""
         found = self.features.moved(place)
         here = rows_at(place, self.joints, found)
-        reply = here.gradient * self.joints.inverse
-        return replace(self, features=found, place=place, here=here, reply=reply)
+        response = here.jacobian * self.joints.inverse
+        return replace(self, features=found, place=place, here=here, response=response)
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
@@ -83,10 +83,10 @@ class Kick:
     def flat_rows(self, way: Array) -> Rows:
         """Return the same, with contacts as if they changed linearly with the way."""
         here, there, touch = self.here, self.rows(way), self.layout.touch
-        total, gradient = there.total.copy(), there.gradient.copy()
-        total[touch] = here.total[touch] + here.gradient[touch] @ way
-        gradient[touch] = here.gradient[touch]
-        return Rows(total, gradient)
+        total, jacobian = there.total.copy(), there.jacobian.copy()
+        total[touch] = here.total[touch] + here.jacobian[touch] @ way
+        jacobian[touch] = here.jacobian[touch]
+        return Rows(total, jacobian)
 
     def targets(self) -> Array:
         """Return what the rows shall be after the drift: (r,)."""
@@ -111,17 +111,17 @@ class Kick:
         """
         layout, touching = self.layout, self.layout.touching
         columns = [2 * body, 2 * body + 1, len(self.place.values) // 3 * 2 + body]
-        given = impulse[:, None] * self.here.gradient[:, columns]
+        given = impulse[:, None] * self.here.jacobian[:, columns]
         found = np.zeros((2, len(self.contacts.bodies), 3))
         np.add.at(found[0], touching.pair, given[layout.gaps])
         found[1, touching.rubs] = given[layout.slips]
         return found
 
-    def told(self, impulse: Array) -> Contacts:
+    def pushing(self, impulse: Array) -> Contacts:
         """Return the contacts with such impulses, (r,)."""
         layout, touching = self.layout, self.layout.touching
         number = len(self.contacts.bodies)
-        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float)
+        normal = np.bincount(touching.pair, impulse[layout.gaps], number).astype(float, copy=False)
         friction = np.zeros(number)
         friction[touching.rubs] = impulse[layout.slips]
         push = self.contacts.direction.view(complex) * (normal + 1j * friction)[:, None]
@@ -134,18 +134,18 @@ def rows_at(place: Coordinates, joints: ExactJoints, found: Features) -> Rows:
     """Return all rows somewhere: joints as what is left of what they keep."""
     first = len(joints.pulls_only)
     count = first + len(found.touching.rows)
-    total, gradient = np.empty(count), np.zeros((count, len(place.values)))
-    found.look(place, total[first:], gradient[first:])
+    total, jacobian = np.empty(count), np.zeros((count, len(place.values)))
+    found.look(place, total[first:], jacobian[first:])
     if first:
         held = joints.look(place)
         np.negative(held.total, out=total[:first])
-        np.negative(held.gradient, out=gradient[:first])
-    return Rows(total, gradient)
+        np.negative(held.jacobian, out=jacobian[:first])
+    return Rows(total, jacobian)
 
 
 def _runs(contacts: Contacts, layout: Layout, running: Array) -> Array:
     (a, b), rubs = layout.touching.sliding, layout.touching.rubs
-    if not running.any():
+    if not np.count_nonzero(running):
         return np.zeros(len(rubs))
     runs = running[b] - running[a]
     direction = contacts.direction[layout.touching.pair[rubs]]

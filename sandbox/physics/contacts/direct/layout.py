@@ -1,5 +1,6 @@
 """The rows of a step: which points touch, and what each row asks for."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -9,9 +10,13 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Touching
 from sandbox.physics.contacts.direct.islands import islands
 from sandbox.physics.contacts.direct.outlines import Figures
-from sandbox.physics.contacts.direct.problem import Friction, Problem
+from sandbox.physics.contacts.direct.problem import Friction, Problem, TooMuch
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.shake import ExactJoints
+
+MOST_ROWS = 1500
+"""Rows that hang together and can be solved directly: their dense system takes a fifth of a second.
+The cubes of what hangs together count."""
 
 
 class Surfaces(NamedTuple):
@@ -111,6 +116,11 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
         How bodies touch.
     moves
         (n,), which of them anything can move.
+
+    Raises
+    ------
+    TooMuch
+        If they are more than a step can solve.
     """
     first, count = len(joints.pulls_only), len(contacts.bodies)
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
@@ -127,19 +137,38 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     free[:first], pushes[:first] = ~joints.pulls_only, joints.pulls_only
     pushes[gaps] = True
     row = np.arange(gaps.stop, whole)
-    friction = Friction(row, contact, static[rubs], slips[rubs], np.zeros(len(rubs)))
+    friction = Friction(row, contact, static[rubs], slips[rubs])
     touch = contacts.bodies[pair]
     found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
     problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
+    parts = [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found]
+    _refuse_large(parts, touching)
     return Layout(
         problem,
-        [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found],
+        parts,
         touching,
         surfaces.restitution[a, b],
         slice(first),
         gaps,
         slice(gaps.stop, whole),
     )
+
+
+def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
+    """Refuse rows that hang together and are more than a step can solve, before they are solved.
+
+    Raises
+    ------
+    TooMuch
+        If there are.
+    """
+    if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
+        return
+    body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
+    most = max(len(part.rows) for part in parts)
+    told = f"{most:,} conditions of contacts and joints hang together"
+    way = "let fewer touch each other, or leave out the 'solver' \"direct\""
+    raise TooMuch(body, f"{told}, and {MOST_ROWS:,} can be solved directly: {way}")
 
 
 def _alike(joints: Integers, whole: int) -> Integers | None:
@@ -161,7 +190,6 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
         number[old.contact[slips]],
         old.sticks[slips],
         old.slips[slips],
-        old.least[slips],
     )
     alike = None if problem.alike is None else problem.alike[rows]
     part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)

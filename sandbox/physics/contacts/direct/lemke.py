@@ -16,11 +16,17 @@ from sandbox.physics.engine.batch import Integers
 PIVOTS = 20
 """How many corners it goes to at the most, for each condition."""
 
+WORK = 4e9
+"""How many entries of its table it changes at the most: some seconds of computing."""
+
 NOTHING = 1e-11
 """An entry below this share of the largest of its column is no pivot."""
 
 TIE = 1e-12
 """Ratios that differ by less than this, of the largest, are one: the largest pivot is taken."""
+
+BLOCK = 32
+"""How many rows are changed in one go: what is made for them stays in the processor's cache."""
 
 
 def lemke(matrix: Array, offset: Array) -> Array | None:
@@ -35,18 +41,19 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
     if not count or offset.min() >= 0:
         return np.zeros(count)
     cover = 1 + 0.5 * np.cos(np.arange(1.0, count + 1) ** 2)  # no two alike: ties are rare
-    table = np.column_stack((np.eye(count), -matrix, -cover, offset))
+    table = np.column_stack((-matrix, -cover, offset))
     basis = np.arange(count)
     artificial = 2 * count
+    place = np.arange(-count, count + 1)  # of each variable's column, while it is not in the basis
     entering, row = artificial, int(np.argmin(offset / cover))
-    for _ in range(PIVOTS * count):
+    for _ in range(min(PIVOTS * count, int(WORK / count**2))):
         leaving = int(basis[row])
-        _pivot(table, row, entering)
-        basis[row] = entering
+        _pivot(table, row, int(place[entering]))
+        basis[row], place[leaving] = entering, place[entering]
         if leaving == artificial:
             return _read(table, basis, count)
         entering = leaving + count if leaving < count else leaving - count
-        found = _ratio(table, basis, entering, artificial)
+        found = _ratio(table, int(place[entering]), basis, artificial)
         if found is None:
             return None
         row = found
@@ -54,18 +61,26 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
 
 
 def _pivot(table: Array, row: int, column: int) -> None:
-    table[row] /= table[row, column]
+    """Let the variable of a row and the one of a column change places.
+
+    Columns of the basis would be those of the unit matrix, and are not kept.
+    """
     factor = table[:, column].copy()
+    table[:, column], table[row, column] = 0.0, 1.0
+    table[row] /= factor[row]
     factor[row] = 0.0
-    table -= factor[:, None] * table[row]
+    pivot = table[row].copy()
+    for start in range(0, len(table), BLOCK):
+        rows = slice(start, start + BLOCK)
+        table[rows] -= factor[rows, None] * pivot
 
 
-def _ratio(table: Array, basis: Integers, entering: int, artificial: int) -> int | None:
-    """Return the row that the entering variable drives to zero first; None if it drives none.
+def _ratio(table: Array, place: int, basis: Integers, artificial: int) -> int | None:
+    """Return the row that the variable of a column drives to zero first; None if it drives none.
 
     Nor does it where numbers have grown beyond what a float can hold.
     """
-    column, value = table[:, entering], np.maximum(table[:, -1], 0.0)
+    column, value = table[:, place], np.maximum(table[:, -1], 0.0)
     some = np.flatnonzero(column > NOTHING * np.abs(column).max(initial=0.0))
     if not len(some):
         return None

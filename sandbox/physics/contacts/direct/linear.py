@@ -27,7 +27,7 @@ def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
     if len(wanted) == 1:
         return wanted / (matrix[0] if matrix[0, 0] else 1.0), False
     try:
-        found, probe = np.linalg.solve(matrix, np.stack((wanted, _probe(len(wanted))), axis=1)).T
+        found, probe = np.linalg.solve(matrix, np.array((wanted, _probe(len(wanted)))).T).T
     except np.linalg.LinAlgError:
         probe = found = np.full(1, np.inf)
     if np.abs(probe).max() < REPEATS:

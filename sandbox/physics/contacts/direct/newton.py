@@ -53,22 +53,22 @@ def newton(
         If there are none.
     """
     for iteration in range(MAX_ITERATIONS):
-        there = rows(drift * (motion + impulse @ kick.reply))
+        there = rows(drift * (motion + impulse.dot(kick.response)))
         wrong, before = there.total - wanted, active
         missed = np.abs(wrong)
         rate = wrong / drift
-        far = missed[active.on].max(initial=0.0) > QUADRATIC
+        far = np.count_nonzero(active.on & (missed > QUADRATIC)) > 0
         lets = inf if far and iteration < SOON else TAUT / drift
-        impulse, active = solve_rows(kick, layout, there.gradient, rate, active, impulse, lets)
+        impulse, active = solve_rows(kick, layout, there.jacobian, rate, active, impulse, lets)
         if not far and active.key == before.key:
-            return impulse, motion + impulse @ kick.reply, active
+            return impulse, motion + impulse.dot(kick.response), active
     raise lost(kick, int(np.where(active.on, missed, 0.0).argmax()))
 
 
 def solve_rows(
     kick: Kick,
     layout: Layout,
-    gradient: Array,
+    jacobian: Array,
     rate: Array,
     active: Active,
     impulse: Array | None = None,
@@ -82,7 +82,7 @@ def solve_rows(
         What is known.
     layout
         What the rows ask for.
-    gradient
+    jacobian
         (r, 3 N), J of the rows.
     rate
         (r,), their rates with the impulses, if there are any [m/s, rad/s].
@@ -97,16 +97,16 @@ def solve_rows(
         If there are none.
     """
     found, blur = np.zeros(len(rate)), kick.blur
-    on, slip = np.zeros(len(rate), dtype=bool), np.zeros_like(active.slip)
+    on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
     for rows, slips, problem in layout.islands:
         whole = len(rows) == len(rate)
         part = slice(None) if whole else rows
         guess = active if whole else Active(active.on[rows], active.slip[slips])
-        matrix, free = gradient[part] @ kick.reply[part].T, rate[part]
+        delassus, free = jacobian[part].dot(kick.response[part].T), rate[part]
         if impulse is not None:
-            free = free - matrix @ impulse[part]
+            free = free - delassus.dot(impulse[part])
         try:
-            found[part], held = solve(problem, matrix, free, guess, blur, lets)
+            found[part], held = solve(problem, delassus, free, guess, blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None

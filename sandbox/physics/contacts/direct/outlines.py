@@ -7,7 +7,6 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.geometry.plane_curve import Course
-from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
 PARALLEL = 1e-6
@@ -84,6 +83,7 @@ class Figures:
         return Outlines(
             self,
             body,
+            np.asarray(self.radius[body] > 0),
             self.radius[body],
             self.rounding[body],
             self.inner[body],
@@ -101,12 +101,15 @@ class Outlines(NamedTuple):
         Of all bodies.
     body
         (2, k), which.
+    rounds
+        (2, k), whether they are round, if not all the way.
     sharp
         (k,), whether both have corners.
     """
 
     figures: Figures
     body: Integers
+    rounds: Booleans
     radius: Array
     rounding: Array
     inner: Array
@@ -118,19 +121,22 @@ class Outlines(NamedTuple):
         off = np.abs(self.normals - direction[..., None])
         return np.asarray((off < PARALLEL).any(axis=-1))
 
-    def round(self, place: Coordinates, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
+    def round(self, where: Plane, turned: Plane, n: Plane, middle: Plane) -> tuple[Booleans, Plane]:
         """Return whether they are round where they touch, and where their centres are: (2, k).
 
-        They touch in the middle, with the normal n: (k,) each.
+        Parameters
+        ----------
+        where, turned
+            Where the bodies are, and how they are turned, (2, k) each.
+        n, middle
+            The normals, and where they touch, (k,) each.
         """
-        center = place.plane[self.body]
-        is_round: Booleans = self.radius > 0
         if self.figures.plain:
-            return is_round, center
-        center += self.figures.center[self.body] * place.turned[self.body]
+            return self.rounds, where
+        center = where + self.figures.center[self.body] * turned
         out = middle - center
         is_end = np.abs((n.conj() * out).imag) > PARALLEL * np.abs(out)
-        return is_round & ~(self.figures.ends[self.body] & is_end), center
+        return self.rounds & ~(self.figures.ends[self.body] & is_end), center
 
     def rolls(self, is_round: Booleans, corner: Booleans, within: Booleans | None) -> Array:
         """Return the radii with which they roll where they touch: (2, k) [m]."""

@@ -37,7 +37,7 @@ def part(kick: Kick, surfaces: Surfaces, known: WarmStart, leaving: Array) -> Ar
     deep = depths[layout.touching.pair, layout.touching.point] - surfaces.slop
     if not surfaces.correction or not (deep > 0).any():
         return None
-    parts = here.gradient[layout.gaps] @ leaving
+    parts = here.jacobian[layout.gaps] @ leaving
     parts[known.pressed(kick)] = 0.0  # what rolls on parts a little, by the bend of its way
     back = surfaces.correction * deep - np.maximum(parts, 0.0)
     back = np.where(known.met(kick) & (back > NOTHING), back, 0.0)

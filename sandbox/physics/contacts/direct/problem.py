@@ -22,15 +22,12 @@ class Friction:
         (f, 2), the rows whose impulses bound them, added up; −1 for none.
     sticks, slips
         (f,), the coefficients while it sticks and while it slips.
-    least
-        (f,), the bound without any contact [N s].
     """
 
     row: Integers
     contact: Integers
     sticks: Array
     slips: Array
-    least: Array
 
     @cached_property
     def there(self) -> Booleans:
@@ -43,16 +40,10 @@ class Friction:
         sticks, slips = (share[:, None] * self.there for share in (self.sticks, self.slips))
         return sticks, slips
 
-    @cached_property
-    def always(self) -> Booleans:
-        """Whether there is friction without any contact: (f,)."""
-        return np.asarray(self.least > 0)
-
 
 NO_FRICTION = Friction(
     np.zeros(0, dtype=np.intp),
     np.zeros((0, 2), dtype=np.intp),
-    np.zeros(0),
     np.zeros(0),
     np.zeros(0),
 )
@@ -98,3 +89,11 @@ class Problem(NamedTuple):
     pushes: Booleans
     friction: Friction
     alike: Integers | None = None
+
+
+class TooMuch(Exception):  # noqa: N818 (whoever knows the time tells it)
+    """More to solve than a step can carry; `body` is the index of one that has part in it."""
+
+    def __init__(self, body: int, reason: str) -> None:
+        self.body = body
+        super().__init__(reason)

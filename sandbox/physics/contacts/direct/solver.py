@@ -85,8 +85,6 @@ class Direct:
 
     Attributes
     ----------
-    contacts
-        Those of the last kick.
     last
         What impacts did in it.
     stages
@@ -108,31 +106,39 @@ class Direct:
         self._dt, self._strikes = dt, strikes
         self._moves: Booleans = inertia[:, 0] > 0
         self._order = order(len(inertia))
-        self._inertia = self._spread(inertia)[0]
         self._calm = _calm(len(inertia))
-        self._begun = self._pull = self._change = self._calm.jump
+        self._begun = self._acceleration = self._change = self._calm.jump
         self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
         self._lead = 0.0
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
         self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
-        self.contacts: Contacts = NO_CONTACTS
+        self._contacts: Contacts = NO_CONTACTS
+        self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
-    def begin(self, pull: Array, *, start: bool) -> None:
+    @property
+    def contacts(self) -> Contacts:
+        """Those of the last kick; their impulses are found when somebody asks for them."""
+        if self._pushed:
+            kick, total = self._pushed
+            self._contacts, self._pushed = kick.pushing(total), None
+        return self._contacts
+
+    def begin(self, acceleration: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
 
         Parameters
         ----------
-        pull
+        acceleration
             (n, 3), the accelerations by gravity and force laws [m/s², rad/s²].
         start
             Whether this is the first kick, which begins with the velocities at its step.
         """
-        self._begun, self._pull = self._batch.velocity(), pull
+        self._begun, self._acceleration = self._batch.velocity(), acceleration
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def solve(self, until: float) -> None:
@@ -148,11 +154,12 @@ class Direct:
         JointFailure, NoForces
             If there are none.
         """
-        self.contacts = self._belief.sound(self._batch.contacts(), self._moved)
+        self._contacts = self._belief.sound(self._batch.contacts(), self._moved)
+        self._pushed = None
         self.last, self.stages, self._solved = self._calm, (), None
         self._shift = self._calm.jump
         self._follow(until)
-        if len(self.contacts.bodies) or self._joints.added.any():
+        if len(self._contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
@@ -186,7 +193,7 @@ class Direct:
 
     def _follow(self, until: float) -> None:
         """Take up what joints keep after the drift, and what they kept before it."""
-        if until == self._until and not self._joints.added.any():
+        if until == self._until and not np.count_nonzero(self._joints.added):
             return
         lengths, last = self._joints.lengths(until), self._lengths[1]
         self._until = until
@@ -194,21 +201,23 @@ class Direct:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        begun, pull, change = self._spread(self._begun, self._pull, self._change)
+        begun, acceleration, change = self._spread(self._begun, self._acceleration, self._change)
         kick = self._look(begun * self._dt)
-        at_step, lead = begun + pull * self._lead, self._lead
-        total = np.zeros(len(kick.reply))
-        strikes = impacts.struck(kick, at_step, pull * self._dt, change, looks=self._strikes)
-        if strikes.any() or self._joints.added.any():
-            came, total = impacts.come(kick, at_step, strikes)
+        at_step, lead = begun + acceleration * self._lead, self._lead
+        total: Array | float = 0.0
+        strikes = impacts.struck(
+            kick, at_step, acceleration * self._dt, change, looks=self._strikes
+        )
+        if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
+            came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
-            self.stages = self._stage(kick, lead, came, total), self._stage(kick, 0, begun, pushes)
-            total = total + pushes
+            self.stages = self._stage(kick, lead, came, before), self._stage(kick, 0, begun, pushes)
+            total = before + pushes
             self._tell(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
-        impulse, moved, active = self._hold(kick, begun + pull * rest, rest)
+        impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if self.stages:
             self.stages = *self.stages, self._stage(kick, rest, moved, impulse)
         self._batch.set_velocity(moved[self._order])
@@ -230,23 +239,23 @@ class Direct:
         state[:, :3] += self._shift
         self._batch.set_state(state)
         there = Coordinates(place.values + way)
-        found = self._belief.since(self.contacts, state, self._shift, self._surfaces.slop)
-        if found is self.contacts:
+        found = self._belief.since(self._contacts, state, self._shift, self._surfaces.slop)
+        if found is self._contacts:
             return kick.moved(there)
-        self.contacts = found
+        self._contacts = found
         return self._kick_at(there)
 
     def _kick_at(self, place: Coordinates) -> Kick:
         """Return the rows of all that touches or is joined, where the bodies are."""
         joints = self._joints
-        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        self._contacts = self._corners.steady(self._contacts, place, joints.origin)
         layout, running = self._lay_out(), self._surfaces.running
-        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        kick = Kick.at(place, joints, self._contacts, layout, running, self._lengths)
         self._corners.note(kick)
         return kick
 
     def _lay_out(self) -> Layout:
-        contacts, joints = self.contacts, self._joints
+        contacts, joints = self._contacts, self._joints
         key = contacts.bodies, contacts.touches, len(joints.added)
         if self._laid is None or not _same(self._laid[0], key):
             self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
@@ -269,7 +278,7 @@ class Direct:
         guess, active = self._known.guess(kick, motion, length)
         try:
             found = newton(kick, kick.layout, kick.rows, motion, drift, wanted, guess, active)
-            if self._kinetic(found[1]) <= GROWS * self._kinetic(motion):
+            if self._joints.kinetic(found[1]) <= GROWS * self._joints.kinetic(motion):
                 return found
         except (JointFailure, NoForces):
             pass
@@ -277,32 +286,28 @@ class Direct:
         found = newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
         joints = kick.layout.joints
         if joints.stop and not self._driven():
-            work = (found[0] * (kick.here.gradient @ (motion + found[1])))[joints]
+            work = (found[0] * (kick.here.jacobian @ (motion + found[1])))[joints]
             self._joints.refuse_gain(motion, found[1], work)
         return found
 
     def _driven(self) -> bool:
-        """Whether surfaces that run, or bodies that move as told, may give energy."""
+        """Whether surfaces that run, or kinematic bodies, may give energy."""
         running = bool(self._surfaces.running.any())
         return running or bool(self._begun[~self._moves].any())
-
-    def _kinetic(self, motion: Array) -> float:
-        """Return the kinetic energy of velocities [J]."""
-        return float(self._inertia @ motion**2) / 2
 
     def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
         """Return what a part of the kick did."""
         pulls = impulse[kick.layout.joints]
-        return Stage(lasts, ended[self._order], pulls, kick.told(impulse))
+        return Stage(lasts, ended[self._order], pulls, kick.pushing(impulse))
 
     def _tell(self, kick: Kick, left: Array, pushes: Array) -> None:
         """Note what impacts did."""
-        jump = (pushes @ kick.reply)[self._order]
+        jump = (pushes @ kick.response)[self._order]
         reached = np.zeros(len(jump), dtype=bool)
         for rows, _, _ in kick.layout.islands:
             if pushes[rows].any():
-                reply = kick.reply[rows][:, self._order]
-                reached |= reply.any(axis=(0, 2))
+                response = kick.response[rows][:, self._order]
+                reached |= response.any(axis=(0, 2))
         jump = np.where(reached[:, None], jump, 0.0)
         self.last = Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
 
@@ -311,7 +316,7 @@ class Direct:
         joints = kick.layout.joints
         struck = bool(self.last.struck.any())
         self._joints.take(total[joints] / self._joints.kick, active.on[joints], struck=struck)
-        self.contacts, self._solved = kick.told(total), (kick, total)
+        self._solved = self._pushed = kick, total
 
     def wrenches(self, body: int) -> Array:
         """Return what each of the contacts gave a body in the last kick: (2, k, 3) [N s, N m s].
@@ -327,8 +332,11 @@ class Direct:
 
 def _same(one: Key, other: Key) -> bool:
     """Return whether a layout serves again; arrays that are the same need no look."""
-    pairs = zip(one[:2], other[:2], strict=True)
-    return one[2] == other[2] and all(a is b or np.array_equal(a, b) for a, b in pairs)
+    return one[2] == other[2] and _alike(one[0], other[0]) and _alike(one[1], other[1])
+
+
+def _alike(one: Integers, other: Integers) -> bool:
+    return one is other or np.array_equal(one, other)
 
 
 def _calm(count: int) -> Impacts:

@@ -12,7 +12,7 @@ from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segm
 from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.outlines import Figure, Figures
 from sandbox.physics.contacts.materials import pair_coefficients
-from sandbox.physics.contacts.shapes import DIRECT_HAIR, INSET
+from sandbox.physics.contacts.shapes import DIRECT_SKIN, INSET
 from sandbox.physics.contacts.static_friction import sticking
 from sandbox.physics.engine.bodies import center_of, local_points
 from sandbox.physics.geometry.curves import course_of
@@ -77,7 +77,7 @@ def _figure(spec: Body, values: Values) -> Figure:
     corners = np.array([complex(*point) for point in local_points(spec, values)])
     sides = np.roll(corners, -1) - corners
     around = float((corners.conj() * np.roll(corners, -1)).imag.sum())
-    rounding = DIRECT_HAIR if isinstance(spec.shape, Polygon) else INSET + DIRECT_HAIR
+    rounding = DIRECT_SKIN if isinstance(spec.shape, Polygon) else INSET + DIRECT_SKIN
     return Figure(0.0, _normals(sides * np.sign(around)), rounding)
 
 

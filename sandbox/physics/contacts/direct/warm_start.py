@@ -33,7 +33,7 @@ class Known(NamedTuple):
     active: Active
 
     @property
-    def pull(self) -> Array:
+    def tension(self) -> Array:
         """The forces of the joints: (m,) [N]."""
         return self.forces[self.layout.joints]
 
@@ -72,10 +72,10 @@ class WarmStart:
         if known := self._recalled(kick):
             return known.forces * length, known.active
         force, along, on, slip = self._new(kick, motion)
-        pull, taut = kick.joints.expected()
-        if self._known and len(self._known.pull) == len(pull):
-            pull = self._known.pull
-        impulse = np.concatenate((pull, force, along)) * length
+        tension, taut = kick.joints.expected()
+        if self._known and len(self._known.tension) == len(tension):
+            tension = self._known.tension
+        impulse = np.concatenate((tension, force, along)) * length
         if not len(slip):
             return impulse, Active(np.concatenate((taut, on)), slip)
         contact, first = kick.layout.problem.friction.contact, kick.layout.gaps.start
@@ -113,7 +113,7 @@ class WarmStart:
         which way friction acts where it slips, (f,); 0 elsewhere.
         """
         touching, layout, known = kick.layout.touching, kick.layout, self._known
-        rates = kick.here.gradient @ motion
+        rates = kick.here.jacobian @ motion
         rates[layout.slips] += kick.runs
         on, speed = rates[layout.gaps] < 0, rates[layout.slips]
         force, along = np.zeros(len(on)), np.zeros(len(speed))

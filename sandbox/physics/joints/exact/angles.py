@@ -26,7 +26,7 @@ class Turn:
     pulls_only: bool = False
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
-        """Return the angle, and its gradient."""
+        """Return the angle, and its jacobian."""
         angle = float(place.angle[self.b] - place.angle[self.a])
         return angle, (Share(self.b, 0j, 1.0), Share(self.a, 0j, -1.0))
 

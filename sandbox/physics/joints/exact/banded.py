@@ -25,10 +25,10 @@ Places = NDArray[np.intp]
 
 
 class Look(NamedTuple):
-    """What equations add up to (m,), and the entries of their gradients."""
+    """What equations add up to (m,), and the entries of their Jacobian."""
 
     total: Array
-    slopes: Array
+    partials: Array
 
 
 class Banded:
@@ -73,21 +73,21 @@ class Banded:
         return self._count >= FEWEST and self.width <= NARROW * self._count
 
     def look(self, place: Coordinates) -> Look:
-        """Return what the equations add up to somewhere, and their gradients there."""
+        """Return what the equations add up to somewhere, and their Jacobian there."""
         return Look(*self._reaches.measure(place))
 
     def along(self, look: Look, motion: Array) -> Array:
         """Return how fast the equations change with a motion (3 N,): (m,)."""
-        moved = look.slopes * motion[self._column]
+        moved = look.partials * motion[self._column]
         return np.bincount(self._row, moved, self._count).astype(float, copy=False)
 
-    def reply(self, look: Look, impulse: Array) -> Array:
-        """Return what impulses (m,) along the gradients change of the motion: (3 N,)."""
-        push = impulse[self._row] * look.slopes * self._weight
+    def response(self, look: Look, impulse: Array) -> Array:
+        """Return what impulses (m,) along the Jacobian change of the motion: (3 N,)."""
+        push = impulse[self._row] * look.partials * self._weight
         return np.bincount(self._column, push, len(self._inverse)).astype(float, copy=False)
 
-    def solved(self, there: Look, here: Look, excess: Array) -> Array:
-        """Return the impulses along the gradients here that change what is there by so much: (m,).
+    def solved(self, there: Look, here: Look, violation: Array) -> Array:
+        """Return the impulses along the Jacobian here that change what is there by so much: (m,).
 
         Raises
         ------
@@ -96,12 +96,12 @@ class Banded:
         """
         from scipy.linalg.lapack import dgbsv  # takes its time, and few scenes need it
 
-        products = there.slopes[self._there] * (self._weight * here.slopes)[self._here]
+        products = there.partials[self._there] * (self._weight * here.partials)[self._here]
         band = np.bincount(self._into, products, self._size).reshape(-1, self._count)
-        *_, found, failed = dgbsv(self.width, self.width, band, excess[self._order])
+        *_, found, failed = dgbsv(self.width, self.width, band, violation[self._order])
         if failed:
             raise np.linalg.LinAlgError
-        impulse = np.empty_like(excess)
+        impulse = np.empty_like(violation)
         impulse[self._order] = found
         return impulse
 
@@ -132,13 +132,13 @@ class Banded:
         """
         impulse = guess
         for _ in range(MAX_ITERATIONS):
-            moved = motion.values - self.reply(here, impulse)
+            moved = motion.values - self.response(here, impulse)
             there = self.look(Coordinates(place.values + drift * moved))
             wrong = there.total - length
             impulse = impulse + self.solved(there, here, wrong) / drift
             if wrong.dot(wrong) <= QUADRATIC**2:
                 break
-        return impulse, motion.values - self.reply(here, impulse), wrong
+        return impulse, motion.values - self.response(here, impulse), wrong
 
 
 def _close_together(rows: Places, columns: Places, count: int) -> Places:

@@ -33,6 +33,7 @@ class Coordinates:
     """
 
     values: Array
+    _plane: Plane | None = field(default=None, init=False, repr=False, compare=False)
     _turned: Plane | None = field(default=None, init=False, repr=False, compare=False)
 
     @classmethod
@@ -42,8 +43,10 @@ class Coordinates:
 
     @property
     def plane(self) -> Plane:
-        """In the plane: (N,)."""
-        return planes(self.values)
+        """In the plane, of the values themselves: (N,)."""
+        if self._plane is None:
+            self._plane = planes(self.values)
+        return self._plane
 
     @property
     def angle(self) -> Array:
@@ -59,19 +62,19 @@ class Coordinates:
 
 
 class Rows(NamedTuple):
-    """What rows add up to (m,), and their gradients in the coordinates (m, 3 N)."""
+    """What rows add up to (m,), and their Jacobian in the coordinates (m, 3 N)."""
 
     total: Array
-    gradient: Array
+    jacobian: Array
 
 
 def planes(values: Array) -> Plane:
-    """Return what of coordinates, or of gradients in them, is in the plane: (..., N)."""
+    """Return what of coordinates, or of a Jacobian in them, is in the plane: (..., N)."""
     return values[..., : values.shape[-1] // 3 * 2].view(complex)
 
 
 def angles(values: Array) -> Array:
-    """Return what of coordinates, or of gradients in them, is in the angle: (..., N)."""
+    """Return what of coordinates, or of a Jacobian in them, is in the angle: (..., N)."""
     return values[..., values.shape[-1] // 3 * 2 :]
 
 
@@ -118,7 +121,7 @@ class Condition(Protocol):
 
 
 class Equation(Condition, Protocol):
-    """A condition that knows its own value and gradient."""
+    """A condition that knows its own value and jacobian."""
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the value somewhere, and its gradient there."""

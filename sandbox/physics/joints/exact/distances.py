@@ -83,44 +83,44 @@ class Reaches:
         self._apart = len(np.unique(self._into)) == len(self._into)
 
     def _places(self, width: int, count: int) -> NDArray[np.intp]:
-        """Return where in the gradients the ends belong: x and y of each, then the angles."""
+        """Return where in the Jacobian the ends belong: x and y of each, then the angles."""
         start = np.tile(self._row, 2) * width
         plane = np.stack((start + 2 * self._body, start + 2 * self._body + 1), axis=1).ravel()
         return np.concatenate((plane, start + 2 * count + self._body)) if self._turns else plane
 
     @property
     def entries(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """The row and the coordinate of each slope that `measure` returns; some are repeated."""
+        """The row and coordinate of each partial derivative of `measure`; some are repeated."""
         row, column = np.divmod(self._into, self._shape[1])
         return row, column
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there.
+        """Return what the rows add up to somewhere, and their Jacobian there.
 
         Places may have leading dimensions, as those of many runs.
         """
         many = place.values.shape[:-1]
-        gradient = np.zeros((*many, *self._shape))
+        jacobian = np.zeros((*many, *self._shape))
         if not self._half:
-            return Rows(np.zeros((*many, self._shape[0])), gradient)
-        total, slopes = self.measure(place)
-        self._spread(slopes, gradient.reshape(*many, -1))
-        return Rows(total, gradient)
+            return Rows(np.zeros((*many, self._shape[0])), jacobian)
+        total, partials = self.measure(place)
+        self._spread(partials, jacobian.reshape(*many, -1))
+        return Rows(total, jacobian)
 
     def measure(self, place: Coordinates) -> tuple[Array, Array]:
-        """Return what the rows add up to somewhere, and the entries of their gradients there."""
+        """Return what the rows add up to somewhere, and the entries of their Jacobian there."""
         ends = place.plane[..., self._body]
         if self._turns:
             arm = self._point * place.turned[..., self._body]
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)
-            slopes = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
+            partials = np.concatenate((both.view(float), -(both.conj() * arm).imag), axis=-1)
         else:
             reach = ends[..., self._half :] - ends[..., : self._half]
             length, unit = self._measure(reach + self._offset)
-            slopes = np.concatenate((-unit, unit), axis=-1).view(float)
-        return self._added_up(length), slopes
+            partials = np.concatenate((-unit, unit), axis=-1).view(float)
+        return self._added_up(length), partials
 
     @property
     def points(self) -> Plane:
@@ -138,13 +138,13 @@ class Reaches:
         self._point = points
         self._offset = points[..., self._half :] - points[..., : self._half]
 
-    def _spread(self, slopes: Array, gradient: Array) -> None:
-        """Add what changes with the ends to the gradients, laid out in a row."""
+    def _spread(self, partials: Array, jacobian: Array) -> None:
+        """Add what changes with the ends to the Jacobian, laid out in a row."""
         if self._apart:
-            gradient[..., self._into] = slopes
+            jacobian[..., self._into] = partials
         else:
             where: Any = (..., self._into)
-            np.add.at(gradient, where, slopes)
+            np.add.at(jacobian, where, partials)
 
     def _added_up(self, length: Array) -> Array:
         """Return what the pieces of each row add up to."""

@@ -68,26 +68,26 @@ class ManyJoints:
         here = Coordinates(self._values(place))
         planes(here.values)[:, :-1] -= self._origin
         motion = self._values(velocity)
-        reply = self._reaches.look(here).gradient * self._inverse[:, None]
-        impulse, lost = self._newton(here.values, motion, reply)
-        moved = motion - _times(impulse, reply)
+        response = self._reaches.look(here).jacobian * self._inverse[:, None]
+        impulse, lost = self._newton(here.values, motion, response)
+        moved = motion - _times(impulse, response)
         rounding = self._inertia.sum(axis=1) * (QUADRATIC / self._step) ** 2
         gained = self._kinetic(moved) > DOUBTED * self._kinetic(motion) + rounding
         self._past = [impulse / self._step, *self._past[:2]]
         return moved[:, self._order], lost | gained
 
-    def _newton(self, place: Array, motion: Array, reply: Array) -> tuple[Array, Booleans]:
+    def _newton(self, place: Array, motion: Array, response: Array) -> tuple[Array, Booleans]:
         """Return the impulses, (N, m), and which runs have not found theirs."""
         impulse, h = parabola(self._past) * self._step, self._step
         seeking = np.ones(len(place), dtype=bool)
-        across = reply.swapaxes(1, 2)
+        across = response.swapaxes(1, 2)
         for _ in range(MAX_ITERATIONS):
-            moved = motion - _times(impulse, reply)
+            moved = motion - _times(impulse, response)
             there = self._reaches.look(Coordinates(place + h * moved))
-            excess = there.total - self._length
-            better = impulse + _solved(there.gradient @ across, excess) / h
+            violation = there.total - self._length
+            better = impulse + _solved(there.jacobian @ across, violation) / h
             impulse = better if seeking.all() else np.where(seeking[:, None], better, impulse)
-            seeking &= ~(_times(excess, excess[:, :, None])[:, 0] <= QUADRATIC**2)
+            seeking &= ~(_times(violation, violation[:, :, None])[:, 0] <= QUADRATIC**2)
             if not seeking.any():
                 break
         return impulse, seeking
@@ -108,8 +108,8 @@ def _times(vectors: Array, matrices: Array) -> Array:
     return np.asarray((vectors[:, None] @ matrices)[:, 0])
 
 
-def _solved(slope: Array, excess: Array) -> Array:
+def _solved(delassus: Array, violation: Array) -> Array:
     """Solve a linear system each: (N, m)."""
-    if excess.shape[1] == 1:
-        return excess / slope[:, 0]
-    return np.asarray(np.linalg.solve(slope, excess[:, :, None])[:, :, 0], dtype=float)
+    if violation.shape[1] == 1:
+        return violation / delassus[:, 0]
+    return np.asarray(np.linalg.solve(delassus, violation[:, :, None])[:, :, 0], dtype=float)

@@ -22,34 +22,34 @@ class Grip:
     ----------
     joints
         Those of the scene.
-    agility
+    inverse_mass
         (n, 3), what a force or torque is multiplied by to give an acceleration [1/kg, 1/(kg m²)].
     place
         (n, 3), where the bodies are at the kick [m, rad].
     """
 
-    def __init__(self, joints: ExactJoints, agility: Array, place: Array) -> None:
-        self._joints, self._agility = joints, agility
+    def __init__(self, joints: ExactJoints, inverse_mass: Array, place: Array) -> None:
+        self._joints, self._inverse_mass = joints, inverse_mass
         self._tension = joints.tension
         self._place = place
 
     @cached_property
     def _begun(self) -> Array:
         """The accelerations by the joints at the kick, or right after the last impact: (n, 3)."""
-        return self._pull(self._place)
+        return self._acceleration(self._place)
 
     def change(self, place: Array) -> Array:
         """Return how accelerations change from the kick, or the last impact, to a place: (n, 3)."""
-        return self._pull(place) - self._begun
+        return self._acceleration(place) - self._begun
 
-    def renew(self, place: Array, velocity: Array, pull: Array, struck: Booleans) -> Array:
+    def renew(self, place: Array, velocity: Array, acceleration: Array, struck: Booleans) -> Array:
         """Return how the accelerations of those that are struck change by it: (n, 3).
 
         Parameters
         ----------
         place, velocity
             (n, 3), right after the impact [m, rad, m/s, rad/s].
-        pull
+        acceleration
             (n, 3), the accelerations before it, joints included [m/s², rad/s²].
         struck
             (n,), which bodies it has reached.
@@ -59,13 +59,13 @@ class Grip:
         JointFailure
             If joints cannot be kept.
         """
-        tension = self._joints.hold(place, velocity, pull - self._begun)
-        reached = self._joints.gradients(place)[:, struck].any(axis=(1, 2))
+        tension = self._joints.hold(place, velocity, acceleration - self._begun)
+        reached = self._joints.jacobian(place)[:, struck].any(axis=(1, 2))
         self._tension = np.where(reached, tension, self._tension)
         change = np.where(struck[:, None], self.change(place), 0.0)
         self._begun = self._begun + change
         return change
 
-    def _pull(self, place: Array) -> Array:
+    def _acceleration(self, place: Array) -> Array:
         """Return the accelerations by the joints somewhere: (n, 3)."""
-        return self._joints.pulls(self._tension, self._joints.at(place)) * self._agility
+        return self._joints.wrenches(self._tension, self._joints.at(place)) * self._inverse_mass

@@ -1,7 +1,7 @@
 """Exact joints, solved together at position level.
 
 Every joint contributes equations C(q) = 0 over the bodies' coordinates q = (x, y, θ). The impulses
-λ along their gradients at the step are chosen so that they hold *after the next drift*,
+λ along the rows of their Jacobian at the step are chosen so that they hold *after the next drift*,
 
     C(q + h (v − M⁻¹ J(q)ᵀ λ)) = 0,
 
@@ -129,7 +129,7 @@ class ExactJoints:
         self.tension = np.zeros_like(self._length)
         self.parts = 1
         self._past: list[Array] = []  # the tensions of the last kicks without impacts, newest first
-        self._warm = self._cold  # impulses that have acted in this kick already
+        self._warm_start = self._cold  # impulses that have acted in this kick already
         self._struck = False
         self.kick = self.drift = 0.0
 
@@ -172,7 +172,7 @@ class ExactJoints:
         self._length = np.insert(self._length, where, lengths)
         self._taut = np.insert(self._taut, where, values=True)
         self._past = [np.insert(tension, where, 0.0) for tension in self._past]
-        self._warm = np.insert(self._warm, where, 0.0)
+        self._warm_start = np.insert(self._warm_start, where, 0.0)
         self.added = np.insert(np.zeros_like(self.added), where, values=True)
         self._lay_out((*old_rows, *rows), (*old_others, *others))
         self.bodies = [self._held_by(e) for part in self._equations for e in part]
@@ -216,7 +216,7 @@ class ExactJoints:
         """
         if self._fresh and self._joints:
             here = self._glance(self.place())
-            self._check_independent(here, here.gradient * self.inverse, self._length)
+            self._check_independent(here, here.jacobian * self.inverse, self._length)
 
     def take(self, tension: Array, taut: Booleans, *, struck: bool) -> None:
         """Take up the forces of a kick that was solved elsewhere, and what held in it: (m,).
@@ -272,27 +272,27 @@ class ExactJoints:
         self._taut = ~self._pulls_only
         self._fresh = True
 
-    def pull(self, wrench: Array) -> None:
+    def warm_start(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""
         steady = self._past[0] if self._past else self.tension
-        self._warm = steady * self.kick
-        wrench += self.pulls(steady, self.place())
+        self._warm_start = steady * self.kick
+        wrench += self.wrenches(steady, self.place())
 
-    def pulls(self, tension: Array, place: Coordinates) -> Array:
-        """Return what forces along the rows (m,) pull somewhere: (n, 3) [N, N m]."""
-        return -(tension @ self.look(place).gradient)[self._order]
+    def wrenches(self, tension: Array, place: Coordinates) -> Array:
+        """Return what forces along the rows (m,) are to the bodies somewhere: (n, 3) [N, N m]."""
+        return -(tension @ self.look(place).jacobian)[self._order]
 
     def stiff(self, place: Array | None = None) -> Array:
-        """Return the gradients of what can push as well as pull, as below: (m, n, 3)."""
-        return self.gradients(place)[~self._pulls_only]
+        """Return the Jacobian of what can push as well as pull, as below: (m, n, 3)."""
+        return self.jacobian(place)[~self._pulls_only]
 
-    def gradients(self, place: Array | None = None) -> Array:
+    def jacobian(self, place: Array | None = None) -> Array:
         """Return how the rows change with the places and angles of the bodies: (m, n, 3).
 
         Where they are, or if they were at a place: (n, 3). Whoever asks leaves the run as it is.
         """
         here = self._glance(self.place() if place is None else self.at(place))
-        return here.gradient[:, self._order]
+        return here.jacobian[:, self._order]
 
     @property
     def pulls_only(self) -> Booleans:
@@ -327,31 +327,31 @@ class ExactJoints:
         place, _ = self.coordinates()
         if self._band:
             return self._move_band(self._band, place, _coordinates(mean), _coordinates(smooth))
-        gradient = self._glance(place).gradient
-        reply = gradient * self.inverse
-        slope, free = gradient @ reply.T, _coordinates(mean).values
-        moves = free - _solved(slope, gradient @ free) @ reply
+        jacobian = self._glance(place).jacobian
+        response = jacobian * self.inverse
+        delassus, free = jacobian @ response.T, _coordinates(mean).values
+        moves = free - _solved(delassus, jacobian @ free) @ response
         way = MOMENT * abs(self.drift) * moves
         ahead, behind = (self._glance(Coordinates(place.values + w)) for w in (way, -way))
-        turning = (ahead.gradient - behind.gradient) @ moves / (2 * MOMENT * abs(self.drift))
+        turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(self.drift))
         driven = _coordinates(smooth).values
-        self.tension = _solved(slope, gradient @ driven + turning)
-        return moves[self._order], (driven - self.tension @ reply)[self._order]
+        self.tension = _solved(delassus, jacobian @ driven + turning)
+        return moves[self._order], (driven - self.tension @ response)[self._order]
 
     def _move_band(
         self, band: Banded, place: Coordinates, mean: Coordinates, smooth: Coordinates
     ) -> tuple[Array, Array]:
         """Return the same where the equations are a band."""
         here, free, driven = band.look(place), mean.values, smooth.values
-        moves = free - band.reply(here, band.solved(here, here, band.along(here, free)))
+        moves = free - band.response(here, band.solved(here, here, band.along(here, free)))
         way = MOMENT * abs(self.drift) * moves
         ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
         turning = band.along(ahead, moves) - band.along(behind, moves)
-        excess = band.along(here, driven) + turning / (2 * MOMENT * abs(self.drift))
-        self.tension = band.solved(here, here, excess)
-        return moves[self._order], (driven - band.reply(here, self.tension))[self._order]
+        needed = band.along(here, driven) + turning / (2 * MOMENT * abs(self.drift))
+        self.tension = band.solved(here, here, needed)
+        return moves[self._order], (driven - band.response(here, self.tension))[self._order]
 
-    def hold(self, place: Array, velocity: Array, pull: Array) -> Array:
+    def hold(self, place: Array, velocity: Array, acceleration: Array) -> Array:
         """Return the forces with which the joints would hold through a drift from elsewhere: (m,).
 
         Ropes stay slack or taut, and what changes with time pulls on as it did.
@@ -360,7 +360,7 @@ class ExactJoints:
         ----------
         place, velocity
             (n, 3), where the drift would start [m, rad, m/s, rad/s].
-        pull
+        acceleration
             (n, 3), the accelerations by all else [m/s², rad/s²].
 
         Raises
@@ -375,8 +375,8 @@ class ExactJoints:
         with np.errstate(all="ignore"):  # what is not finite never converges, and is told by name
             impulse, _, _ = self._newton(
                 begin,
-                _coordinates(velocity + pull * half),
-                self.look(begin).gradient * self.inverse,
+                _coordinates(velocity + acceleration * half),
+                self.look(begin).jacobian * self.inverse,
                 self._length,
                 self.tension * half,
                 ~self._taut | self.changes,
@@ -404,21 +404,21 @@ class ExactJoints:
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
         self._struck = False
-        self._warm = self._cold
+        self._warm_start = self._cold
         self.added = np.zeros_like(self._taut)
 
     def _solve_apart(self, until: float) -> Array:
         """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
-        warm, length, found = self._warm.tolist(), self.lengths(until).tolist(), []
+        warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
         for i, rod in enumerate(self._rods):
             expected = parabola([tension[i] for tension in past]) if past else 0.0
-            guess = expected * self.kick - warm[i]
+            guess = expected * self.kick - warm_start[i]
             try:
                 impulse = rod.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
                 raise self.lost(i) from None
-            found.append((warm[i] + impulse) / self.kick)
+            found.append((warm_start[i] + impulse) / self.kick)
         return np.array(found)
 
     def _solve_together(self, until: float) -> Array:
@@ -427,15 +427,16 @@ class ExactJoints:
             return self._solve_band(self._band, until)
         place, motion = self.coordinates()
         here = self.look(place)
-        reply = here.gradient * self.inverse
+        response = here.jacobian * self.inverse
         length = self.lengths(until)
         if self._fresh:
-            self._check_independent(here, reply, length)
-        impulse, moved = self._settle(place, motion, reply, length)
-        free = motion.values + self._warm @ reply
-        self.refuse_gain(free, moved, -(self._warm + impulse) * (here.gradient @ (free + moved)))
+            self._check_independent(here, response, length)
+        impulse, moved = self._settle(place, motion, response, length)
+        free = motion.values + self._warm_start @ response
+        work = -(self._warm_start + impulse) * (here.jacobian @ (free + moved))
+        self.refuse_gain(free, moved, work)
         self._batch.set_velocity(moved[self._order])
-        return (self._warm + impulse) / self.kick
+        return (self._warm_start + impulse) / self.kick
 
     def _solve_band(self, band: Banded, until: float) -> Array:
         """Solve all equations as a band; return the forces along them: (m,) [N]."""
@@ -449,19 +450,19 @@ class ExactJoints:
             raise self.lost(0) from None
         if not wrong.dot(wrong) <= QUADRATIC**2:
             raise self.lost(int(np.argmax(np.abs(wrong))))
-        free = motion.values + band.reply(here, self._warm)
-        work = -(self._warm + impulse) * band.along(here, free + moved)
+        free = motion.values + band.response(here, self._warm_start)
+        work = -(self._warm_start + impulse) * band.along(here, free + moved)
         self.refuse_gain(free, moved, work)
         self._batch.set_velocity(moved[self._order])
-        return (self._warm + impulse) / self.kick
+        return (self._warm_start + impulse) / self.kick
 
     def _guess(self) -> Array:
         """Return the impulses that are still to be expected in this kick: (m,) [N s]."""
         past = self._past[self.parts - 1 :: self.parts]
-        return (parabola(past) if past else self._cold) * self.kick - self._warm
+        return (parabola(past) if past else self._cold) * self.kick - self._warm_start
 
     def refuse_gain(self, free: Array, moved: Array, work: Array) -> None:
-        """Refuse a kick in which joints give energy, unless lengths change or bodies move as told.
+        """Refuse a kick in which joints give energy, unless lengths change or a body is kinematic.
 
         Parameters
         ----------
@@ -478,10 +479,10 @@ class ExactJoints:
         rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2
         if self._driven(free):
             return
-        if self._kinetic(moved) > GROWS * self._kinetic(free) + rounding:
+        if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
             raise self.lost(int(np.argmax(work)))
 
-    def _kinetic(self, motion: Array) -> float:
+    def kinetic(self, motion: Array) -> float:
         """Return twice the kinetic energy of velocities (3 N,) [J]."""
         return float((motion * motion).dot(self._inertia))
 
@@ -508,7 +509,7 @@ class ExactJoints:
         return Coordinates(values[0]), Coordinates(values[1])
 
     def look(self, place: Coordinates) -> Rows:
-        """Return what the rows add up to somewhere, and their gradients there."""
+        """Return what the rows add up to somewhere, and their Jacobian there."""
         return self._with_others(self._reaches.look(place), place, self._others)
 
     def _glance(self, place: Coordinates) -> Rows:
@@ -521,7 +522,7 @@ class ExactJoints:
     ) -> Rows:
         if not others:
             return rows
-        in_plane, in_angle = planes(rows.gradient), angles(rows.gradient)
+        in_plane, in_angle = planes(rows.jacobian), angles(rows.jacobian)
         for row, equation in others:
             rows.total[row], shares = equation.look(place)
             for body, plane, angle in shares:
@@ -529,32 +530,32 @@ class ExactJoints:
                 in_angle[row, body] += angle
         return rows
 
-    def _check_independent(self, here: Rows, reply: Array, length: Array) -> None:
+    def _check_independent(self, here: Rows, response: Array, length: Array) -> None:
         """Refuse rows that repeat each other at the start, as far as they are taut."""
         self._fresh = False
         taut = np.flatnonzero(here.total - length > -1e-9)
         if not len(taut):
             return
-        slope = (here.gradient @ reply.T)[np.ix_(taut, taut)]
-        if not slope.diagonal().all():
-            raise self._overlapping(int(taut[np.argmin(slope.diagonal())]))
-        self._independence, shares = _weakest(slope)
+        delassus = (here.jacobian @ response.T)[np.ix_(taut, taut)]
+        if not delassus.diagonal().all():
+            raise self._overlapping(int(taut[np.argmin(delassus.diagonal())]))
+        self._independence, shares = _weakest(delassus)
         if self._independence < SINGULAR:
             raise self._overlapping(int(taut[np.flatnonzero(shares > 1e-3)[-1]]))
 
     def _settle(
-        self, place: Coordinates, motion: Coordinates, reply: Array, length: Array
+        self, place: Coordinates, motion: Coordinates, response: Array, length: Array
     ) -> tuple[Array, Array]:
         """Solve, and let go of ropes that would have to push, until none is left."""
         guess = self._guess()
         for _ in range(MAX_ITERATIONS):
             slack = ~self._taut if self._unilateral else None
-            start = guess if slack is None else np.where(slack, -self._warm, guess)
-            impulse, moved, excess = self._newton(place, motion, reply, length, start, slack)
+            start = guess if slack is None else np.where(slack, -self._warm_start, guess)
+            impulse, moved, violation = self._newton(place, motion, response, length, start, slack)
             if not self._unilateral:
                 return impulse, moved
-            pushes = self._pulls_only & self._taut & (self._warm + impulse < 0)
-            stretched = ~self._taut & (excess > TAUT)
+            pushes = self._pulls_only & self._taut & (self._warm_start + impulse < 0)
+            stretched = ~self._taut & (violation > TAUT)
             if not (pushes.any() or stretched.any()):
                 return impulse, moved
             self._taut = (self._taut & ~pushes) | stretched
@@ -564,42 +565,42 @@ class ExactJoints:
         self,
         place: Coordinates,
         motion: Coordinates,
-        reply: Array,
+        response: Array,
         length: Array,
         impulse: Array,
         slack: Booleans | None,
     ) -> tuple[Array, Array, Array]:
-        """Return the impulses, the velocities after them, and all rows' excess.
+        """Return the impulses, the velocities after them, and by how much all rows are violated.
 
         They are found from a guess; those of the slack rows stay. (`dot` of few numbers takes half
         of what `@` takes.)
         """
         h = self.drift
         for _ in range(MAX_ITERATIONS):
-            moved = motion.values - impulse.dot(reply)
+            moved = motion.values - impulse.dot(response)
             there = self.look(Coordinates(place.values + h * moved))
-            excess = there.total - length
-            wrong, slope = excess, there.gradient.dot(reply.T)
+            violation = there.total - length
+            wrong, delassus = violation, there.jacobian.dot(response.T)
             if slack is not None and slack.any():
-                wrong = np.where(slack, 0.0, excess)
-                slope[slack] = 0.0
-                slope[slack, slack] = 1.0
+                wrong = np.where(slack, 0.0, violation)
+                delassus[slack] = 0.0
+                delassus[slack, slack] = 1.0
             try:
-                impulse = impulse + _solved(slope, wrong) / h
+                impulse = impulse + _solved(delassus, wrong) / h
             except np.linalg.LinAlgError:
-                raise self._overlapping(int(np.argmin(np.abs(slope).sum(axis=1)))) from None
+                raise self._overlapping(int(np.argmin(np.abs(delassus).sum(axis=1)))) from None
             if wrong.dot(wrong) <= QUADRATIC**2:
-                return impulse, motion.values - impulse.dot(reply), excess
+                return impulse, motion.values - impulse.dot(response), violation
         raise self.lost(int(np.argmax(np.abs(wrong))))
 
     def lost(self, row: int) -> JointFailure:
         """Say why there is no solution: the joints work against each other, or the step is long."""
         place, motion = self.coordinates()
         here, taut = self.look(place), np.flatnonzero(self._taut)
-        slope = self._answers(here)[np.ix_(taut, taut)]
+        delassus = self._delassus(here)[np.ix_(taut, taut)]
         finer = self._finer(place)
-        if slope.any() and np.isfinite(slope).all():
-            independence, shares = _weakest(slope)
+        if delassus.any() and np.isfinite(delassus).all():
+            independence, shares = _weakest(delassus)
             if independence < LOCKED * self._independence:
                 name = self._joints[taut[np.argmax(shares)]]
                 reason = (
@@ -611,12 +612,12 @@ class ExactJoints:
         return JointFailure(name, reason, finer)
 
     def _driven(self, motion: Array) -> bool:
-        """Whether lengths change, or bodies move as told."""
+        """Whether lengths change, or a kinematic body moves."""
         return bool(self._changing) or bool(motion[self.inverse == 0].any())
 
-    def _answers(self, here: Rows) -> Array:
+    def _delassus(self, here: Rows) -> Array:
         """Return how fast each row shortens by a unit impulse of each: (m, m)."""
-        return np.asarray(here.gradient * self.inverse @ here.gradient.T)
+        return np.asarray(here.jacobian * self.inverse @ here.jacobian.T)
 
     def _finer(self, place: Coordinates) -> float:
         """Return how many times as many steps joints under this tension need, at least 2.
@@ -632,7 +633,7 @@ class ExactJoints:
             step = np.zeros_like(root)
             step[at] = NUDGE
             sides = (self._glance(Coordinates(place.values + way)) for way in (step, -step))
-            ahead, behind = (tension @ side.gradient for side in sides)
+            ahead, behind = (tension @ side.jacobian for side in sides)
             stiffness[at] = (ahead - behind) / (2 * NUDGE)
         swing = root[:, None] * (stiffness + stiffness.T) / 2 * root
         if not np.isfinite(swing).all():
@@ -685,18 +686,18 @@ def parabola(past: list[Number]) -> Number:
     return past[0]
 
 
-def _weakest(slope: Array) -> tuple[float, Array]:
+def _weakest(delassus: Array) -> tuple[float, Array]:
     """Return the smallest singular value over the largest, and each row's share in it.
 
     Every row counts as if it alone moved its bodies by one.
     """
-    scale = np.sqrt(slope.diagonal())
-    _, sizes, directions = np.linalg.svd(slope / np.outer(scale, scale))
+    scale = np.sqrt(delassus.diagonal())
+    _, sizes, directions = np.linalg.svd(delassus / np.outer(scale, scale))
     return float(sizes[-1] / sizes[0]), np.abs(directions[-1])
 
 
-def _solved(slope: Array, excess: Array) -> Array:
+def _solved(delassus: Array, violation: Array) -> Array:
     """Solve a linear system; one equation in a tenth of the time."""
-    if len(excess) == 1:
-        return excess / slope[0]
-    return np.linalg.solve(slope, excess).astype(float, copy=False)
+    if len(violation) == 1:
+        return violation / delassus[0]
+    return np.linalg.solve(delassus, violation).astype(float, copy=False)

@@ -62,7 +62,7 @@ class WireEquation:
         self._last = None
 
     def look(self, place: Coordinates) -> tuple[float, tuple[Share]]:
-        """Return the distance [m], positive on the left of the wire, and its gradient."""
+        """Return the distance [m], positive on the left of the wire, and its jacobian."""
         arm = self._point * np.exp(1j * place.angle[self._body]) if self._point else 0j
         bead = complex(place.plane[self._body] + arm)
         foot, tangent = self._foot(bead)

@@ -55,7 +55,7 @@ class Cuts:
             if located and located.impacts:
                 stops.drop(located.begun)
             elif cut := stops.cut():
-                self._forces.restart(cut.begun - cut.pull * self._dt)
+                self._forces.restart(cut.begun - cut.acceleration * self._dt)
                 if located:
                     located.begun = cut.begun
 

@@ -15,9 +15,9 @@ SEEDS = st.integers(0, 10_000)
 
 def contacts(count: int, bodies: int, draw: np.random.Generator) -> tuple[Array, Array]:
     """Return the matrix and rates of contacts between bodies of masses that differ by 1000."""
-    gradient = draw.normal(size=(2 * count, 3 * bodies))
+    jacobian = draw.normal(size=(2 * count, 3 * bodies))
     inverse = 10 ** draw.uniform(-3, 0, size=3 * bodies)
-    return gradient * inverse @ gradient.T, gradient @ draw.normal(size=3 * bodies)
+    return jacobian * inverse @ jacobian.T, jacobian @ draw.normal(size=3 * bodies)
 
 
 @given(seed=SEEDS, count=st.integers(1, 12), bodies=st.integers(1, 6))
@@ -44,9 +44,7 @@ def test_every_contact_pushes_sticks_or_slips(
     normals, slips = np.arange(count), count + np.arange(count)
     pushes = np.arange(2 * count) < count
     both = np.full(count, mu)
-    friction = Friction(
-        slips, np.stack((normals, np.full(count, -1)), axis=1), both, both, np.zeros(count)
-    )
+    friction = Friction(slips, np.stack((normals, np.full(count, -1)), axis=1), both, both)
     problem = Problem(np.zeros(2 * count, dtype=bool), pushes, friction)
     guess = Active(np.append(rate[:count] < 0, np.zeros(count, dtype=bool)), np.zeros(count, int))
     impulse, _ = solve(problem, matrix, rate, guess)
@@ -80,8 +78,8 @@ def test_friction_is_shared_as_far_as_each_contact_holds() -> None:
     the square's derivative 2 n - 2 (W - n) + 2 t / 10 - 2 (W/2 - t) / 10 is 0 at n = W 1.05 / 2.02.
     """
     free, pushes = np.zeros(4, dtype=bool), np.array([True, True, False, False])
-    sticks, nothing = np.array([0.1, 1.5]), np.zeros(2)
-    friction = Friction(np.array([2, 3]), np.array([[0, -1], [1, -1]]), sticks, sticks, nothing)
+    sticks = np.array([0.1, 1.5])
+    friction = Friction(np.array([2, 3]), np.array([[0, -1], [1, -1]]), sticks, sticks)
     guess = Active(np.ones(4, dtype=bool), np.zeros(2, dtype=np.intp))
     same = np.arange(4) // 2
     matrix = np.equal.outer(same, same).astype(float)

@@ -1,0 +1,34 @@
+"""Named constants: formulas of the parameters and of each other, which other formulas may use."""
+
+from collections.abc import Mapping
+from graphlib import CycleError, TopologicalSorter
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Expression
+from sandbox.model.walking import expressions
+
+
+def define(part: Model, constants: Mapping[str, Expression]) -> None:
+    """Let the formulas of a part of a level use its constants; where they form a circle, none."""
+    if not constants or circle(constants):
+        return
+    ordered = {name: constants[name] for name in _ordered(constants)}
+    for _, expression in expressions(part):
+        if expression.written:
+            expression.define(ordered)
+
+
+def circle(constants: Mapping[str, Expression]) -> list[str]:
+    """Return constants of which each uses the next, and the last is the first; empty if none do."""
+    try:
+        _ordered(constants)
+    except CycleError as error:
+        found: list[str] = error.args[1]
+        return found[::-1]  # it names what is used before what uses it
+    return []
+
+
+def _ordered(constants: Mapping[str, Expression]) -> list[str]:
+    """Return the names in an order in which each uses only those before it."""
+    uses = {name: constant.written & constants.keys() for name, constant in constants.items()}
+    return list(TopologicalSorter(uses).static_order())

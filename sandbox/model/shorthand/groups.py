@@ -1,0 +1,274 @@
+"""Groups: bodies and joints that are placed together, several times, each time somewhere else.
+
+    "groups": {"cart": {"bodies": {"frame": {...}, "wheel": {...}}, "joints": {"axle": {...}}}},
+    "bodies": {"left": {"copy": "cart", "position": [-3, 0], "angle": "10*deg"}}
+
+stands for the bodies `left_frame`, `left_wheel` and the joint `left_axle`. What the group says of
+places is meant along its own axes: it is turned by the angle, then moved to the position.
+"""
+
+import json
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from math import cos, sin
+from typing import Annotated, Any, NamedTuple
+
+from pydantic import Field
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Angle, Coordinate
+from sandbox.model.errors import brief
+from sandbox.model.joints import Joint
+from sandbox.model.level import MAX_BODIES, Body, Name
+from sandbox.model.locating import Path
+from sandbox.model.shapes import Point
+from sandbox.model.shorthand.notes import Notes, followed
+from sandbox.model.shorthand.repeating import GROUPS
+from sandbox.model.suggest import suggestion
+
+COPY = "copy"
+
+Number = float | int | str
+"""A number or a formula, as it is typed."""
+
+
+class Group(Model):
+    """Bodies and joints that are placed together; where they are is meant along its own axes."""
+
+    bodies: Annotated[Mapping[Name, Body], Field(min_length=1, max_length=MAX_BODIES)]
+    """what it consists of; the position of one is that from the origin of the group"""
+    joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
+    """what ties its bodies together, or to bodies and fixed points outside"""
+
+
+class Copy(Model):
+    """A group that is placed: its bodies and joints, with the name of this one before theirs."""
+
+    copy_: Annotated[str, Field(alias=COPY)]
+    """the group that is placed"""
+    position: Point = (Coordinate(0), Coordinate(0))
+    """[x, y] in m, where the origin of the group comes to lie"""
+    angle: Angle = Angle(0)
+    """rad, counter-clockwise, by which the group is turned about its origin"""
+
+
+def placed(data: Any, notes: Notes) -> Any:  # noqa: ANN401 (whatever JSON holds)
+    """Return a level with the bodies and joints of the groups that it places, and no groups."""
+    if not isinstance(data, dict):
+        return data
+    groups = data.get(GROUPS, {})
+    bodies, joints = data.get("bodies"), data.get("joints", {})
+    plain = {key: value for key, value in data.items() if key != GROUPS}
+    if not isinstance(groups, dict) or not isinstance(bodies, dict) or not isinstance(joints, dict):
+        if not isinstance(groups, dict):
+            notes.refuse((GROUPS,), "must be an object, {...}")
+        return plain
+    placing = _Placing(groups, notes)
+    plain["bodies"] = placing.bodies(bodies)
+    if placing.joints:
+        plain["joints"] = placing.merged("joints", [*joints.items(), *placing.joints])
+    placing.refuse_unused()
+    return plain
+
+
+class _Placing:
+    """Places groups, one body of a level after the other."""
+
+    def __init__(self, groups: Mapping[str, Any], notes: Notes) -> None:
+        self._notes = notes
+        self._groups = {name: group for name, group in groups.items() if self._fits(name, group)}
+        self._known = groups.keys()
+        self._unused = set(self._groups)
+        self.joints: list[tuple[str, Any]] = []
+
+    def _fits(self, name: str, group: Any) -> bool:  # noqa: ANN401
+        """Whether a group can be looked into; if not, say so."""
+        before = len(self._notes.faults)
+        place = (GROUPS, name)
+        if not isinstance(group, dict):
+            self._refuse(place, "must be an object with 'bodies' and 'joints'")
+            return False
+        for key, part in group.items():
+            if key not in Group.model_fields:
+                hint = suggestion(key, Group.model_fields)
+                self._refuse((*place, key), f"unknown key '{brief(key)}'{hint}")
+            elif not isinstance(part, dict):
+                self._refuse((*place, key), "must be an object, {...}")
+        if not group.get("bodies"):
+            self._refuse(place, "'bodies' is missing")
+        elif COPY in (inside := _keys_within(group["bodies"])):
+            self._refuse((*place, "bodies", inside[COPY]), "a group cannot hold another one")
+        return len(self._notes.faults) == before
+
+    def bodies(self, bodies: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the bodies of a level, those of its groups in the places of their copies."""
+        found: list[tuple[str, Any]] = []
+        for name, body in bodies.items():
+            if isinstance(body, dict) and COPY in body:
+                found += self._copied(name, body)
+            else:
+                found.append((name, body))
+        return self.merged("bodies", found)
+
+    def merged(self, kind: str, items: Sequence[tuple[str, Any]]) -> dict[str, Any]:
+        """Return what groups and the level itself have under one key."""
+        found: dict[str, Any] = {}
+        for name, value in items:
+            if name in found:
+                path = followed((kind, name), self._notes.placed)
+                self._refuse(path, f"'{brief(name)}' comes out twice, once from a group")
+            found[name] = value
+        return found
+
+    def _copied(self, name: str, copy: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+        path = ("bodies", name)
+        group = self._group_of(copy, path)
+        if group is None:
+            return
+        self._notes.charge(len(json.dumps(group)), followed(path, self._notes.typed))
+        frame, inside = _Frame(copy), group["bodies"].keys()
+        of = (GROUPS, copy[COPY])
+        for local, body in group["bodies"].items():
+            self._notes.placed["bodies", f"{name}_{local}"] = (*of, "bodies", local)
+            yield f"{name}_{local}", frame.body(body)
+        for local, joint in group.get("joints", {}).items():
+            self._notes.placed["joints", f"{name}_{local}"] = (*of, "joints", local)
+            self.joints.append((f"{name}_{local}", frame.joint(joint, _Names(name, inside))))
+
+    def _group_of(self, copy: Mapping[str, Any], path: Path) -> Any:  # noqa: ANN401
+        known = [field.alias or name for name, field in Copy.model_fields.items()]
+        for key in copy:
+            if key not in known:
+                rule = f"unknown key '{brief(key)}' of a group that is placed"
+                self._refuse((*path, key), f"{rule}{suggestion(key, known)}")
+        group = copy[COPY]
+        if not isinstance(group, str) or group not in self._known:
+            hint = suggestion(str(group), self._known)
+            self._refuse((*path, COPY), f"unknown group '{brief(str(group))}'{hint}")
+            return None
+        self._unused.discard(group)
+        if not _is_point(copy.get("position", [0, 0])) or not _is_number(copy.get("angle", 0)):
+            key = "position" if not _is_point(copy.get("position", [0, 0])) else "angle"
+            what = "two numbers or expressions, [x, y]" if key == "position" else "a number"
+            self._refuse((*path, key), f"must be {what}")
+            return None
+        return self._groups.get(group)
+
+    def _refuse(self, path: Path, rule: str) -> None:
+        self._notes.refuse(followed(path, self._notes.typed), rule)
+
+    def refuse_unused(self) -> None:
+        """Tell which groups nobody has placed: what they hold would never be looked at."""
+        for name in sorted(self._unused):
+            rule = f'nothing places this group; a body {{"{COPY}": "{brief(name)}"}} does'
+            self._refuse((GROUPS, name), rule)
+
+
+def _keys_within(bodies: Any) -> dict[str, str]:  # noqa: ANN401 (whatever JSON holds)
+    """Return the keys of the bodies of a group, each with the last body that has it."""
+    named = bodies.items() if isinstance(bodies, dict) else ()
+    return {key: name for name, body in named if isinstance(body, dict) for key in body}
+
+
+def _is_number(said: object) -> bool:
+    return isinstance(said, int | float | str) and not isinstance(said, bool)
+
+
+def _is_point(said: object) -> bool:
+    return isinstance(said, list) and len(said) == 2 and all(map(_is_number, said))
+
+
+class _Names(NamedTuple):
+    """The name of a copy, and those of the bodies in its group."""
+
+    copy: str
+    inside: Collection[str]
+
+
+class _Frame:
+    """The axes of a group that is placed: r' = R + (x cos a − y sin a, x sin a + y cos a)."""
+
+    def __init__(self, copy: Mapping[str, Any]) -> None:
+        self._origin: Sequence[Number] = copy.get("position", [0, 0])
+        self._angle: Number = copy.get("angle", 0)
+
+    def body(self, body: Any) -> Any:  # noqa: ANN401
+        if not isinstance(body, dict):
+            return body
+        made = {**body, "position": self.point(body.get("position", [0, 0]))}
+        if self._angle != 0:
+            made["angle"] = _sum(self._angle, body.get("angle", 0))
+        if "velocity" in body:
+            made["velocity"] = self.vector(body["velocity"])
+        return made
+
+    def joint(self, joint: Any, names: _Names) -> Any:  # noqa: ANN401
+        """Return a joint of the group that holds on to the bodies of its copy."""
+        if not isinstance(joint, dict):
+            return joint
+        made = dict(joint)
+        for key in joint.keys() & TURNED.keys():
+            made[key] = TURNED[key](self, joint[key], names)
+        return made
+
+    def ends(self, ends: Any, names: _Names) -> Any:  # noqa: ANN401
+        """Return where a joint of a copy holds on, one after the other."""
+        return [self.end(end, names) for end in ends] if isinstance(ends, list) else ends
+
+    def end(self, end: Any, names: _Names) -> Any:  # noqa: ANN401
+        """Return where a joint of a copy holds on."""
+        if isinstance(end, str):
+            return f"{names.copy}_{end}" if end in names.inside else end
+        if isinstance(end, dict) and isinstance(end.get("body"), str):
+            return {**end, "body": self.end(end["body"], names)}
+        return self.point(end)
+
+    def point(self, point: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
+        """Return where a point of the group comes to lie."""
+        turned = self.vector(point)
+        if not _is_point(turned):
+            return point
+        return [_sum(o, c) for o, c in zip(self._origin, turned, strict=True)]
+
+    def vector(self, vector: Any, _: _Names | None = None) -> Any:  # noqa: ANN401
+        """Return a vector along the axes of the plane."""
+        if self._angle == 0 or not _is_point(vector):
+            return vector
+        (x, y), a = vector, self._angle
+        if isinstance(a, str):
+            c, s = f"cos({a})", f"sin({a})"
+            return [_sum(_times(x, c), _times(y, f"-{s}")), _sum(_times(x, s), _times(y, c))]
+        return [
+            _sum(_times(x, cos(a)), _times(y, -sin(a))),
+            _sum(_times(x, sin(a)), _times(y, cos(a))),
+        ]
+
+
+TURNED: Mapping[str, Callable[[_Frame, Any, _Names], Any]] = {
+    "ends": _Frame.ends,
+    "over": _Frame.ends,
+    "bead": _Frame.end,
+    "curve": _Frame.point,
+    "direction": _Frame.vector,
+}
+"""What joints say of places and of bodies, and what becomes of it where their group is placed."""
+
+
+def _sum(a: Number, b: Any) -> Any:  # noqa: ANN401
+    """Return what is typed for a sum; a sum of numbers is one."""
+    if not _is_number(b) or a == 0:
+        return b
+    if isinstance(a, str) or isinstance(b, str):
+        return a if b == 0 else f"{_bracketed(a)} + {_bracketed(b)}"
+    return a + b
+
+
+def _times(a: Number, b: Number) -> Number:
+    """Return what is typed for a product."""
+    if isinstance(a, str) or isinstance(b, str):
+        return 0 if a == 0 else f"{_bracketed(a)}*{_bracketed(b)}"
+    return a * b
+
+
+def _bracketed(said: Number) -> str:
+    text = str(said)
+    return text if text.isidentifier() or text.isdecimal() else f"({text})"

@@ -1,0 +1,132 @@
+"""The indices of what repeats: how they run, and how `{i + 1}` in a text becomes a number."""
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from sandbox.model.errors import brief
+from sandbox.model.expressions import RESERVED, Expression, ExpressionError
+from sandbox.model.locating import Path
+from sandbox.model.shorthand.notes import Notes
+from sandbox.model.suggest import suggestion
+
+Indices = Mapping[str, float]
+
+MOST_TIMES = 20_000
+"""How often one index may count: as many bodies as a level may have."""
+
+_BRACES = re.compile(r"\{([^{}]*)\}")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
+
+HOW = 'a count, {"i": 5} for 0 to 4, or the first and the last, {"i": [1, 5]}'
+
+
+class IndexFault(ValueError):  # noqa: N818 (it says what is wrong, and is caught beside)
+    """A text in braces that is no whole number; its own is fit to be shown."""
+
+
+def filled(text: str, indices: Indices) -> str:
+    """Return a text with numbers for what stands in braces.
+
+    Raises
+    ------
+    IndexFault
+        If something in braces is no whole number.
+    """
+    return _BRACES.sub(lambda found: _shown(_number(found[1], indices)), text)
+
+
+def _shown(number: int) -> str:
+    return f"({number})" if number < 0 else f"{number}"  # -1 has no power, but (-1) has
+
+
+def _number(source: str, indices: Indices) -> int:
+    if source in indices:  # nearly always
+        return int(indices[source])
+    said = f"'{{{brief(source)}}}'"
+    try:
+        expression = Expression(source)
+        if unknown := expression.names - indices.keys():
+            name = min(unknown)
+            hint = suggestion(name, indices)
+            raise IndexFault(f"{said} holds only indices, and '{name}' is none{hint}")
+        value = expression(indices)
+    except ExpressionError as error:
+        raise IndexFault(f"{said}: {error}") from None
+    if not value.is_integer():
+        raise IndexFault(f"{said} is {value:g}, not a whole number")
+    return int(value)
+
+
+def runs(said: Any, path: Path, indices: Indices, notes: Notes) -> Iterator[Indices]:  # noqa: ANN401 (whatever JSON holds)
+    """Yield the indices of every copy, the last index fastest.
+
+    Parameters
+    ----------
+    said
+        What `repeat` says: how far each index counts. The later ones may depend on those before.
+    path
+        Where it was typed.
+    indices
+        Those of what is around it.
+    notes
+        What is wrong is noted here, and nothing more is yielded.
+    """
+    if not isinstance(said, dict) or not said:
+        notes.refuse(path, f"must name an index and how far it counts: {HOW}")
+        return
+    yield from _nested(list(said.items()), path, indices, notes)
+
+
+def _nested(
+    left: list[tuple[str, Any]], path: Path, indices: Indices, notes: Notes
+) -> Iterator[Indices]:
+    if not left:
+        yield indices
+        return
+    (name, bounds), *rest = left
+    place = (*path, name)
+    if rule := _misnamed(name, indices):
+        notes.refuse(place, rule)
+        return
+    try:
+        first, last = _bounds(bounds, indices)
+    except IndexFault as fault:
+        notes.refuse(place, str(fault))
+        return
+    for index in range(first, last + 1):
+        notes.charge(0, path)
+        before = len(notes.faults)
+        yield from _nested(rest, path, {**indices, name: index}, notes)
+        if len(notes.faults) > before:
+            return  # the others would only say the same
+
+
+def _misnamed(name: str, indices: Indices) -> str:
+    if not _NAME.fullmatch(name):
+        return f"'{brief(name)}' is not a name: a letter, then letters, digits or _"
+    if name in RESERVED:
+        return f"'{name}' already has a meaning in formulas; choose another name"
+    return f"the index '{name}' is that of what is around this, too" if name in indices else ""
+
+
+def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (whatever JSON holds)
+    """Return the first and the last value of an index."""
+    if isinstance(said, list) and len(said) == 2:
+        first, last = (_whole(bound, indices) for bound in said)
+    else:
+        first, last = 0, _whole(said, indices) - 1
+    if abs(first) > MOST_TIMES or last - first >= MOST_TIMES:
+        raise IndexFault(f"counts too far; {MOST_TIMES:,} is the most")
+    if last < first - 1:
+        raise IndexFault(f"ends before it begins, from {first} to {last}")
+    return first, last
+
+
+def _whole(said: Any, indices: Indices) -> int:  # noqa: ANN401 (whatever JSON holds)
+    """Return a whole number, which may stand in braces."""
+    if isinstance(said, str) and (braces := _BRACES.fullmatch(said.strip())):
+        return _number(braces[1], indices)
+    if isinstance(said, bool) or not isinstance(said, int):
+        raise IndexFault(f"must be {HOW}; whole numbers, or in braces what other indices make")
+    return said

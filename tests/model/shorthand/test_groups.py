@@ -1,0 +1,143 @@
+"""Groups are placed as one: turned about their origin, then moved."""
+
+import json
+from cmath import rect
+from typing import Any, get_args
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.joints import Joint, bodies_of, ends_of
+from sandbox.model.level import Level, place
+from sandbox.model.loading import parse
+from sandbox.model.shorthand.groups import TURNED
+from tests.model.levels import Data, bare
+
+DISC = {"shape": {"type": "disc", "radius": 0.1}, "mass": "m"}
+VALUES = {"m": 2.0, "g": 9.81}
+
+DUMBBELL: Data = {
+    "bodies": {
+        "a": DISC,
+        "b": DISC | {"position": [1, 0.5], "angle": 0.2, "velocity": [1, 0]},
+    },
+    "joints": {
+        "rod": {"type": "rod", "ends": ["a", {"body": "b", "at": [0.1, 0]}]},
+        "hook": {"type": "rope", "ends": ["a", [0, 2]]},
+        "rail": {"type": "rail", "ends": ["b", [1, 0.5]], "direction": [1, 0]},
+    },
+}
+
+
+def level(**changes: object) -> Data:
+    return {**bare(), "checks": [], "ghosts": {}, "effects": {"rotation": {}, **bare()["effects"]},
+            "groups": {"pair": DUMBBELL}, **changes}  # fmt: skip
+
+
+def read(data: Data) -> Level:
+    return parse(json.dumps(data, indent=1))
+
+
+def told(data: Data) -> str:
+    with pytest.raises(LevelError) as caught:
+        read(data)
+    return str(caught.value)
+
+
+@given(x=st.floats(-5, 5), y=st.floats(-5, 5), angle=st.floats(-6, 6), as_text=st.booleans())
+def test_a_group_is_turned_and_moved_as_one(
+    x: float, y: float, angle: float, as_text: bool
+) -> None:
+    turn: object = f"{angle!r}*m/2" if as_text else angle
+    found = read(level(bodies={"left": {"copy": "pair", "position": [x, y], "angle": turn}}))
+
+    def there(px: float, py: float) -> complex:
+        return complex(x, y) + rect(1, angle) * complex(px, py)
+
+    places = {name: place(name, found.bodies, VALUES) for name in found.bodies}
+    assert places["left_a"] == pytest.approx(there(0, 0), abs=1e-12)
+    assert places["left_b"] == pytest.approx(there(1, 0.5), abs=1e-12)
+    assert found.bodies["left_b"].angle(VALUES) == pytest.approx(0.2 + angle, abs=1e-12)
+    speed = complex(*(part(VALUES) for part in found.bodies["left_b"].velocity))
+    assert speed == pytest.approx(rect(1, angle), abs=1e-12)
+    (_, first), (_, hook) = ends_of(found.joints["left_hook"])
+    assert first == "left_a"
+    assert place(hook, found.bodies, VALUES) == pytest.approx(there(0, 2), abs=1e-12)
+    direction = found.joints["left_rail"].direction  # type: ignore[union-attr]
+    way = complex(*(part(VALUES) for part in direction))
+    assert way == pytest.approx(rect(1, angle), abs=1e-12)
+
+
+def test_a_group_is_placed_several_times_by_repeating() -> None:
+    found = read(
+        level(bodies={"p{i}": {"repeat": {"i": 3}, "copy": "pair", "position": ["2*{i}", 0]}})
+    )
+
+    assert list(found.bodies) == ["p0_a", "p0_b", "p1_a", "p1_b", "p2_a", "p2_b"]
+    assert len(found.joints) == 9
+
+
+def test_its_bodies_stand_where_it_is_placed_and_its_joints_behind_all_others() -> None:
+    joints = {"own": {"type": "rope", "ends": ["ball", "left_a"]}}
+    bodies = {"ball": DISC, "left": {"copy": "pair"}, "last": DISC}
+    found = read(level(bodies=bodies, joints=joints))
+
+    assert list(found.bodies) == ["ball", "left_a", "left_b", "last"]
+    assert list(found.joints) == ["own", "left_rod", "left_hook", "left_rail"]
+
+
+def test_a_joint_of_a_group_may_hold_on_to_what_is_outside() -> None:
+    tie = {"type": "rope", "ends": [{"body": "a", "at": [0.1, 0]}, "post"]}
+    group = {"bodies": {"a": DISC}, "joints": {"tie": tie}}
+    found = read(level(groups={"pair": group}, bodies={"post": DISC, "one": {"copy": "pair"}}))
+
+    assert list(bodies_of(found.joints["one_tie"])) == ["one_a", "post"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "rule"),
+    [
+        ({"bodies": {"x": {"copy": "pari"}}}, "unknown group 'pari'; did you mean 'pair'?"),
+        ({"bodies": {"x": {"copy": 5}}}, "unknown group '5'"),
+        ({"bodies": {"x": {"copy": "pair", "mass": 2}}}, "unknown key 'mass' of a group"),
+        ({"bodies": {"x": {"copy": "pair", "position": [0]}}}, "must be two numbers"),
+        ({"bodies": {"x": {"copy": "pair", "angle": [0]}}}, "must be a number"),
+        ({"bodies": {"ball": DISC}}, "nothing places this group"),
+        ({"groups": 5, "bodies": {"ball": DISC}}, "must be an object"),
+        ({"groups": {"pair": {}}}, "'bodies' is missing"),
+        ({"groups": {"pair": DUMBBELL | {"checks": []}}}, "unknown key 'checks'; known: bodies"),
+        ({"groups": {"pair": {"bodies": {"a": {"copy": "pair"}}}}}, "cannot hold another one"),
+        ({"bodies": {"x_a": DISC, "x": {"copy": "pair"}}}, "'x_a' comes out twice"),
+        ({"bodies": {"x": {"copy": "pair", "position": ["q", 0]}}}, "unknown parameter 'q'"),
+    ],
+)
+def test_a_mistake_is_told(changes: Data, rule: str) -> None:
+    assert rule in told(level(**{"bodies": {"x": {"copy": "pair"}}, **changes}))
+
+
+def test_a_mistake_within_a_group_is_told_where_it_is_typed() -> None:
+    group = {"bodies": {"a{i}": DISC | {"repeat": {"i": 2}, "mass": 0}}}
+    data = level(groups={"pair": group}, bodies={"x": {"copy": "pair"}, "y": {"copy": "pair"}})
+    typed = json.dumps(data, indent=1).splitlines()
+    line = next(i for i, text in enumerate(typed, 1) if '"mass": 0' in text)
+
+    assert told(data).startswith(f"<text>:{line}:6: bodies.x_a0.mass: is 0, but must be greater")
+    assert told(data).count("\n") == 0, "once for all copies"
+
+
+def test_every_field_of_a_joint_that_has_a_place_is_turned() -> None:
+    """A new kind of joint with a pair of numbers of another name would stand askew."""
+    for joint in get_args(get_args(Joint)[0]):
+        for name, field in joint.model_fields.items():
+            told = str(field.annotation)
+            lies = any(word in told for word in ("Coordinate", "Held", "Curve"))
+            assert name in TURNED or not lies, f"{joint.__name__}.{name}"
+
+
+def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:
+    group: Any = {"bodies": {"a{i}": DISC | {"repeat": {"i": 200}}}}
+    data = level(groups={"pair": group}, bodies={"x{i}": {"repeat": {"i": 20_000}, "copy": "pair"}})
+
+    assert "more than 5,000,000 characters when it is written out" in told(data)

@@ -1,0 +1,53 @@
+"""What takes more time or memory than anybody has is stopped with a sentence."""
+
+from collections.abc import Iterator
+from itertools import accumulate
+
+import pytest
+
+from sandbox.physics.measuring import recording
+from sandbox.physics.run import build, simulate
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping import patience
+from tests.physics.scenes import GRAVITY, disc, level
+
+FALL = level({"ball": disc((0, 0))}, GRAVITY)
+
+
+def clock(*steps: float) -> Iterator[float]:
+    """Yield what a clock shows before and after each of some steps that take so long [s]."""
+    for before, after in zip((0, *accumulate(steps)), accumulate(steps), strict=False):
+        yield from (before, after)
+
+
+def test_a_run_whose_steps_take_minutes_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    times = clock(200, 0.01, 100, 100)  # the first was held up by the machine
+    monkeypatch.setattr(patience, "perf_counter", lambda: next(times))
+
+    with pytest.raises(SimulationError, match=r"a step takes 100 s, and 30 s are the"):
+        simulate(FALL)
+
+
+def test_a_recording_without_room_is_refused_before_it_begins(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(recording, "LARGEST", 8 * 3 * 100)  # 100 instants of two quantities
+
+    assert len(simulate(FALL, duration=1.5, record=["ball.position.y", "t"]).t) == 91
+    with pytest.raises(SimulationError, match=r"at t = 0 s: 121 instants .* 100 are the most"):
+        simulate(FALL, duration=2, record=["ball.position.y", "t"])
+
+
+def test_a_recording_that_nobody_ends_is_stopped(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(recording, "LARGEST", 8 * 3 * 100)
+
+    with pytest.raises(SimulationError, match="101 instants"):
+        simulate(FALL, record=["ball.position.y", "t"], until=lambda _world: False)
+
+
+def test_of_many_bodies_fewer_states_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of 10,000 bodies 1,000 were, which took more than a gigabyte."""
+    monkeypatch.setattr(recording, "STATES", 3)
+    kept = recording.Recorder(build(FALL), ["t"])
+    assert kept.trace.t.tolist() == [0]
+    assert simulate(FALL, duration=0.1).t.size == 7
