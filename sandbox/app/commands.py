@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.keys import PLAYING, SHOWING, WINDOW, Binding
+from sandbox.app.keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
 
@@ -18,7 +18,9 @@ BINDINGS: tuple[Binding, ...] = (
 
 def command(event: pygame.event.Event) -> str | None:
     """Return what a pressed key calls for."""
-    if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+    if event.mod & CONTROL:
+        return next((b.command for b in BINDINGS if b.control == event.key), None)
+    if event.mod & pygame.KMOD_ALT:
         return None
     for binding in BINDINGS:
         typed = event.unicode and event.unicode in binding.characters

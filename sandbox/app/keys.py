@@ -14,7 +14,11 @@ class Binding:
     text: str
     keys: tuple[int, ...] = ()
     characters: str = ""
+    control: int | None = None
+    """a key that calls for it together with Ctrl, or Cmd"""
 
+
+CONTROL = pygame.KMOD_CTRL | pygame.KMOD_META
 
 PLAYING = (
     Binding("play", "Space", "play or pause", (pygame.K_SPACE,)),

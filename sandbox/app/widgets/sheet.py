@@ -8,10 +8,23 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.text import Pen
+from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
 BAR = 26  # px, kept free for the scroll bar
+
+
+class Typed(Protocol):
+    """Fields that can be typed into."""
+
+    def focus(self, direction: int) -> Field | None:
+        """Go on to the next field, or back to the one before, and return it if there is any."""
+        ...
+
+    def revert(self) -> None:
+        """Let the fields say again what is the case."""
+        ...
 
 
 class Sheet:
@@ -24,7 +37,9 @@ class Sheet:
     container
         pygame_gui's.
     parameters
-        The fields that can be typed into; none unless a page puts some.
+        The parameters' fields and sliders; none unless a page puts some.
+    typed
+        Other fields that can be typed into, in place of those; None unless a page puts some.
     """
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
@@ -33,6 +48,7 @@ class Sheet:
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
         nowhere = pygame.Rect(0, 0, 0, 0)
         self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
+        self.typed: Typed | None = None
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
         """Put a picture at a height."""
