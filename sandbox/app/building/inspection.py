@@ -19,6 +19,8 @@ from sandbox.editing.suggest.scene import Suggestion
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.level import Body, Level
+from sandbox.model.locating import Path
+from sandbox.model.parts import expressions
 from sandbox.model.variants import DEFAULTS
 
 SIDES: Mapping[str, Side] = {
@@ -73,6 +75,12 @@ def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
         whole = [float(each.default or 0) for each in row]
         text = put(text, entry.path[:-1], whole)
     return set_field(text, entry.path, typed)
+
+
+def numbers(work: Work) -> frozenset[Path]:
+    """Return what can be made a parameter: what is said, and is no formula of others yet."""
+    level = work.draft.level
+    return frozenset(p for p, e in expressions(level) if not e.names) if level else frozenset()
 
 
 def parametrise(work: Work, entry: Entry) -> None:
