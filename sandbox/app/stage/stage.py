@@ -9,7 +9,7 @@ from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
-from sandbox.app.stage import bodies, flows, grid, joints, marks, texts
+from sandbox.app.stage import bodies, flows, grid, joints, liquid, marks, texts
 from sandbox.app.stage.forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
@@ -101,6 +101,7 @@ class Stage:
         flows.draw_belts(surface, self.camera, world, outlines)
         flows.draw_flames(surface, self.camera, world, outlines)
         self._draw_bodies(surface)
+        liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
         if view.few:
@@ -154,6 +155,7 @@ class Stage:
             return
         self._base_key, self._trail_key = key, None
         grid.draw_grid(self._base, camera)
+        liquid.draw_liquid(self._base, camera, self.view.world)
         middle = self._middle()
         for outline in self.view.still:
             if outline.layer <= 0:

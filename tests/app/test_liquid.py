@@ -1,0 +1,28 @@
+"""A liquid is seen where it is: below its surface, and over what is within it."""
+
+import pygame
+
+from sandbox.app import theme
+from tests.app.person import Person
+
+
+def test_it_fills_the_stage_below_its_surface_and_veils_what_is_within(person: Person) -> None:
+    person.window.open_level("newton/floating-block")
+    person.wait()
+
+    def color(x: float, y: float) -> tuple[int, ...]:
+        pixel = person.on_screen((x, y))
+        return tuple(person.window.surface.get_at((round(pixel[0]), round(pixel[1]))))[:3]
+
+    assert color(2.03, -0.53) == theme.mix(theme.STAGE, theme.ACCENT, 0.14)
+    assert color(2.03, 0.53) == theme.STAGE
+    assert color(0.3, -0.2) != color(0.3, 0.5)  # of the block
+
+
+def test_where_there_is_none_nothing_is_drawn(person: Person) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.wait()
+
+    blue = theme.mix(theme.STAGE, theme.ACCENT, 0.14)
+    pixels = pygame.surfarray.array3d(person.window.surface)
+    assert not (pixels == blue).all(axis=2).any()
