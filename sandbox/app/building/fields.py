@@ -125,7 +125,7 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
         yield Section(
             path, key.replace("_", " "), told or _first(model), tuple(rows(model, said, path))
         )
-    elif get_origin(kind) is tuple and _members(kind) and isinstance(said, Sequence):
+    elif _members(kind) and isinstance(said, Sequence) and _are_parts(said):
         yield Section(path, key.replace("_", " "), told, tuple(_items(kind, said, path)))
     elif (
         get_origin(kind) is Mapping
@@ -145,6 +145,11 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
     else:
         default = None if field.is_required() else field.default
         yield (_entry(key, kind, said, path, told, default, required=field.is_required()),)
+
+
+def _are_parts(said: Sequence[Json]) -> bool:
+    """Return whether all of a list has fields; a point has none, and is typed with its list."""
+    return not isinstance(said, str) and all(isinstance(item, Mapping) for item in said)
 
 
 def _items(kind: Any, said: Sequence[Json], path: Path) -> Iterator[Section]:  # noqa: ANN401

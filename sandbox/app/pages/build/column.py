@@ -52,7 +52,7 @@ class Column:
     def clear(self) -> None:
         """Take all away, and begin at the top again."""
         for widget in self._widgets:
-            widget.kill()
+            widget.kill()  # type: ignore[no-untyped-call]
         self._widgets.clear()
         self.y = MARGIN // 2
 

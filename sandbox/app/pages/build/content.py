@@ -15,7 +15,8 @@ from sandbox.model.effects import EFFECTS, Effects
 FIRST = "Draw something: take Disc or Box above, and drag on the stage."
 NOTHING_SELECTED = "Click on a body or joint on the stage to set its mass, length and so on."
 SELECTED = "Effects and suggested checks are shown while nothing is selected."
-NO_CHECKS = "Suggested checks: none yet, no set-up with a closed form is recognised."
+NO_CHECKS = "No checks to suggest: they are for set-ups with a closed form, such as a pendulum."
+CHECKED = "The level has checks; its own page (O) tells how they stand."
 CHECKS = "Recognised: a click adds the checks of its closed form."
 
 
@@ -73,7 +74,7 @@ def _suggested(editor: Editor) -> list[Block]:
     acts = tuple(inspection.suggestions(editor.work))
     if acts:
         return [Block(CHECKS, theme.NOTICE, acts)]
-    return [Block(NO_CHECKS)]
+    return [Block(CHECKED if editor.work.document.get("checks") else NO_CHECKS)]
 
 
 def _switches(editor: Editor) -> Block:

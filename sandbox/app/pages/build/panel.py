@@ -174,12 +174,14 @@ class BuildPage:
         self._put(above)
         self._put_name()
         self._put(below)
+        self._column.y += 2 * GAP
         self.inspector.build(rows, numbers, self._refused)
         self._put(last)
         self._sheet.end(self._column.y + GAP)
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
+            self._column.y += GAP
             if block.color is None:
                 self._column.heading(block.text)
             elif block.text:
