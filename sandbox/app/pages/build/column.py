@@ -19,7 +19,7 @@ GAP = 4  # px, between two
 SMALL = "@small"
 """The look of these buttons, and of their fields."""
 SIZE = 12  # of their captions, as theme.json says
-PADDING = 16  # px, beside a caption, left and right together
+PADDING = 14  # px, beside a caption, left and right together
 
 
 def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:

@@ -15,7 +15,7 @@ from sandbox.model.effects import EFFECTS, Effects
 FIRST = "Draw something: take Disc or Box above, and drag on the stage."
 NOTHING_SELECTED = "Click on a body or joint on the stage to set its mass, length and so on."
 SELECTED = "Effects and suggested checks are shown while nothing is selected."
-NO_CHECKS = "No checks to suggest: they are for set-ups with a closed form, such as a pendulum."
+NO_CHECKS = "No checks to suggest: they are for set-ups that have a closed form."
 CHECKED = "The level has checks; its own page (O) tells how they stand."
 CHECKS = "Recognised: a click adds the checks of its closed form."
 

@@ -122,7 +122,9 @@ class Palette:
         """Make room for the joints, or leave that to the fields."""
         for name in self._joints:
             button = self._buttons[name]
-            press(button, shown and name == self._editor.joining.kind)
-            if shown is not bool(button.visible):
-                (button.show if shown else button.hide)()  # type: ignore[no-untyped-call]
+            if shown and not button.visible:
+                button.show()  # type: ignore[no-untyped-call]
+            press(button, shown and name == self._editor.joining.kind)  # what is hidden has no look
+            if not shown and button.visible:
+                button.hide()  # type: ignore[no-untyped-call]
         self._sheet.pin(self._height if shown else self._without)
