@@ -60,7 +60,7 @@ def test_escape_takes_back_what_was_refused(builder: Builder) -> None:
     assert builder.page._refused == {}
 
 
-def test_each_choice_has_a_button(builder: Builder) -> None:
+def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: Builder) -> None:
     builder.at(-0.6, 0)
     lines = builder.page.inspector._lines["bodies", "left", "type"]
     static = next(button for button, means in lines.choices.items() if means == "static")
@@ -69,8 +69,8 @@ def test_each_choice_has_a_button(builder: Builder) -> None:
     builder.click(static.rect)
     builder.person.wait(0.1)
 
-    refused = builder.page._refused.get(("bodies", "left", "type"), "")
-    assert refused or builder.document["bodies"]["left"]["type"] == "static"
+    assert builder.page._refused["bodies", "left", "type"] == "a static body has no mass"
+    assert "type" not in builder.document["bodies"]["left"]
 
 
 def test_the_joint_in_hand_is_lit(builder: Builder) -> None:
