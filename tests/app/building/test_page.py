@@ -76,9 +76,13 @@ def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: 
 def test_the_joint_in_hand_is_lit(builder: Builder) -> None:
     builder.tool("join")
     builder.tool("rod")
-    lit = [name for name in ("rod", "pulley") if builder.page.palette.button(name).is_selected]
+    builder.tool("rod")
+    builder.person.move((0, 0))
+    corners = [builder.page.palette.button(name).rect.move(4, 4) for name in ("rod", "pulley")]
+    rod, pulley = (builder.person.color_at(corner.topleft) for corner in corners)
 
-    assert lit == ["rod"]
+    assert rod == (31, 95, 135)  # as theme.json says of what is selected
+    assert pulley != rod
 
 
 def test_an_effect_that_turns_bodies_brings_rotation_with_it(builder: Builder) -> None:

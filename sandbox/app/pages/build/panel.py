@@ -62,7 +62,10 @@ class BuildPage:
         for line in self.inspector.left():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:
-            return "" if self._press(event.ui_element) else None
+            if not self._press(event.ui_element):
+                return None
+            press(event.ui_element, False)  # a click has put out what was lit; `update` lights it
+            return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
         return None
