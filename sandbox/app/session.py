@@ -294,6 +294,19 @@ class Session:
         self.restart()
         self.playing = self.failure is None
 
+    def edit(self, level: Level) -> None:
+        """Play another level from its start: the one that is played, as somebody has changed it.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be run; then all stays as it was.
+        """
+        begun = self._built(level, (), level.defaults)
+        self.original = self.level = level
+        self.changes, self.earlier, self.playing = NONE, (), False
+        self._begin(*begun)
+
     def play_as(
         self, level: Level, beside: Sequence[Variant] = (), changes: Changes = NONE
     ) -> None:

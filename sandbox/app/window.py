@@ -15,7 +15,7 @@ from sandbox.app.commands import command
 from sandbox.app.hand import Hand
 from sandbox.app.keys import AT_HOME, WHILE_TYPING
 from sandbox.app.load import Load
-from sandbox.app.pages.page import Desk, PageCommand
+from sandbox.app.pages.page import Desk, OnStage, PageCommand
 from sandbox.app.pages.register import PAGES, opening, page, runs_beside
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
@@ -173,13 +173,20 @@ class Window:
             return
         self._open(path, settings or {}, accuracy)
 
+    @property
+    def _maker(self) -> OnStage | None:
+        """What is in the place of the hand for the page that is open; None if nothing is."""
+        return self.workers.on_stage(self.panels.page) if self.panels.side is not None else None
+
     def _switch(self, overlay: str) -> None:
         """Draw an overlay from now on, or draw it no more."""
         self.stage.shown[overlay] = not self.stage.shown[overlay]
 
     def do(self, command: str) -> None:
         """Do what a command asks for, as if its key was pressed."""
-        self._commands[command]()
+        maker = self._maker
+        if maker is None or self.session is None or not maker.command(command, self.session):
+            self._commands[command]()
 
     def _open(
         self,
@@ -209,7 +216,7 @@ class Window:
         self.stage.fit()
         if another:
             self.panels.show(opening(level, self.panels.page))
-        pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
+        self._entitle(level)
         self._lay_out()
 
     def _read(self, path: Path) -> Level:
@@ -236,6 +243,10 @@ class Window:
         else:
             self._reload()
             self._banner.tell(f"{path.name} has changed and was read again")
+
+    @staticmethod
+    def _entitle(level: Level) -> None:
+        pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
 
     def _list(self, path: Path) -> None:
         """Let the list of levels say what a file is called now."""
@@ -326,10 +337,19 @@ class Window:
         self.panels.home.leave()
 
     def _follow(self, session: Session) -> None:
-        """Show the session's world, if it has been built anew."""
-        if session.world is not self._world:
-            self._world = session.world
-            self.stage.use(session.world)
+        """Show the session's world, if it has been built anew, maybe from another file."""
+        if session.world is self._world:
+            return
+        self._world = session.world
+        self.stage.use(session.world)
+        path = _file(session.original)
+        if path != self._path:
+            self._path, self._settings, self._accuracy = path, {}, None
+            if path is not None:
+                self._list(path)
+            self.stage.fit()
+            self._entitle(session.original)
+            self._lay_out()
 
     def _handle(self, event: pygame.event.Event) -> None:
         if event.type == pygame.QUIT:
@@ -359,9 +379,12 @@ class Window:
     def _key(self, event: pygame.event.Event) -> None:
         if not self.panels.typing and self._at_home(event):
             return
-        chosen = command(event)
+        chosen, maker, session = command(event), self._maker, self.session
+        free = not (self.panels.typing or self._help or self.panels.home.open)
+        if free and maker is not None and session is not None and maker.key(event, session):
+            return
         if chosen and (not self.panels.typing or chosen in WHILE_TYPING):
-            self._commands[chosen]()
+            self.do(chosen)
         else:
             self.panels.manager.process_events(event)
 
@@ -372,15 +395,21 @@ class Window:
         elif self.panels.accepts(event):
             self._run_as_advised()
         elif chosen := self.panels.pressed(event):
-            self._commands[chosen]()
+            self.do(chosen)
         elif self._seek(event) or self._click_side(event):
             return
         elif self.session is not None:
-            mouse = pygame.mouse.get_pos()
-            if event.type == pygame.MOUSEWHEEL and self.panels.layout.stage.collidepoint(mouse):
-                self.hand.wheel(event.precise_y, mouse, self.panels.layout.stage)
-            elif event.type in _MOUSE:
-                self.hand.process(event, self.panels.layout.stage, self.session)
+            self._touch(event, self.session)
+
+    def _touch(self, event: pygame.event.Event, session: Session) -> None:
+        """Give an event of the mouse to what makes something on the stage, or to the hand."""
+        mouse, area, maker = pygame.mouse.get_pos(), self.panels.layout.stage, self._maker
+        if event.type == pygame.MOUSEWHEEL and area.collidepoint(mouse):
+            self.hand.wheel(event.precise_y, mouse, area)
+        elif event.type in _MOUSE and not (
+            maker is not None and maker.process(event, area, self.stage, session)
+        ):
+            self.hand.process(event, area, session)
 
     def _seek(self, event: pygame.event.Event) -> bool:
         """Go to the time that was clicked on or dragged to, and return whether one was."""
@@ -409,7 +438,7 @@ class Window:
         if side is None:
             return False
         if wanted := side.process(event):
-            self._commands[wanted]()
+            self.do(wanted)
             return True
         told = side.act(event)
         if told is not None:
@@ -537,14 +566,9 @@ class Window:
             self._banner.draw(surface, self._pen, layout.stage, None)
         elif self.session is not None and area:
             view = surface.subsurface(area)
-            session = self.session
-            self.stage.view.looking = session.looking
-            side = self.panels.side is not None
-            self.stage.asked = page(self.panels.page).overlay if side else ""
-            earlier = [run.trail for run in session.earlier]
-            self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
-            x, y = pygame.mouse.get_pos()
-            probe.draw(view, self.stage.view, session, (x - area.x, y - area.y))
+            session, maker = self.session, self._maker
+            if maker is None or not maker.draw(view, self.stage, self._pen, session):
+                self._draw_run(view, session)
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)
@@ -559,7 +583,24 @@ class Window:
         for x in (layout.stage.left, layout.stage.right - 1):
             surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
         if self._help:
-            messages.draw_help(surface, self._pen, layout.stage)
+            rows = page(self.panels.page).keys if self._maker is not None else ()
+            messages.draw_help(surface, self._pen, layout.stage, rows or messages.everywhere())
+
+    def _draw_run(self, view: pygame.Surface, session: Session) -> None:
+        self.stage.view.looking = session.looking
+        side = self.panels.side is not None
+        self.stage.asked = page(self.panels.page).overlay if side else ""
+        earlier = [run.trail for run in session.earlier]
+        self.stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+        x, y = pygame.mouse.get_pos()
+        left, top = self.panels.layout.stage.topleft
+        probe.draw(view, self.stage.view, session, (x - left, y - top))
+
+
+def _file(level: Level) -> Path | None:
+    """Return the file that a level was read from; None if it has none yet."""
+    path = Path(level.source)
+    return path if level.source and path.is_file() else None
 
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)

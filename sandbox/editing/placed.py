@@ -119,9 +119,16 @@ class Placed:
 
 
 def placed(level: Level, values: Values | None = None) -> dict[str, Placed]:
-    """Return all bodies of a level where they start."""
+    """Return all bodies of a level where they start; of the level asked for last they are kept."""
+    global _last
     chosen = level.defaults if values is None else values
-    return {name: Placed(name, body, chosen) for name, body in level.bodies.items()}
+    if _last is None or _last[0] is not level or _last[1] != chosen:
+        found = {name: Placed(name, body, chosen) for name, body in level.bodies.items()}
+        _last = level, chosen, found
+    return dict(_last[2])
+
+
+_last: tuple[Level, Values, dict[str, Placed]] | None = None
 
 
 def around(bodies: Iterable[Placed]) -> tuple[complex, complex]:

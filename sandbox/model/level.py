@@ -320,6 +320,16 @@ class Level(Model):
         """Note the text that it was read from."""
         self._origin = origin
 
+    @property
+    def text(self) -> str:
+        """The text that it was read from; empty without one."""
+        return self._origin.text if self._origin else ""
+
+    @property
+    def source(self) -> str:
+        """Where that text came from, such as a file; empty without one."""
+        return self._origin.source if self._origin else ""
+
     def place(self, path: Path) -> str:
         """Return where a part stands, as messages begin; its path alone without a text."""
         return self._origin.place(path) if self._origin else ".".join(map(str, path))

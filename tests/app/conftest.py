@@ -16,6 +16,7 @@ from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
 from sandbox.app.window import Window
+from sandbox.editing import recovery
 from tests.app.person import Person
 
 
@@ -26,9 +27,10 @@ def pen() -> Pen:
 
 
 @pytest.fixture(autouse=True)
-def _nothing_solved(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let nobody's stars be read or written but those of the test itself."""
+def _nothing_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let nobody's stars and drafts be read or written but those of the test itself."""
     monkeypatch.setattr(progress, "file", lambda: tmp_path / "stars" / "stars.json")
+    monkeypatch.setattr(recovery, "folder", lambda: tmp_path / "drafts")
 
 
 @pytest.fixture(autouse=True)

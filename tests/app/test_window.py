@@ -422,7 +422,9 @@ def test_a_list_for_which_there_is_no_room_is_there_when_there_is(
 def test_the_help_stands_whole_in_a_window_of_any_size(pen: Pen, size: tuple[int, int]) -> None:
     surface = pygame.Surface(size)
 
-    messages.draw_help(surface, pen, divide(size, levels=True, side=True).stage)
+    messages.draw_help(
+        surface, pen, divide(size, levels=True, side=True).stage, messages.everywhere()
+    )
 
     drawn = np.argwhere(pygame.surfarray.array3d(surface).any(axis=2))
     (left, top), (right, bottom) = drawn.min(axis=0), drawn.max(axis=0)

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import pygame
 
 from sandbox.app.keys import Binding
 from sandbox.app.load import Load
 from sandbox.app.session import Session
+from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet, below
@@ -19,15 +20,12 @@ Row = tuple[Color | None, str]
 
 
 class Worker(Protocol):
-    """What a page finds out in the background; there is one a window, whatever is shown.
+    """What a page finds out in the background; there is one a window, whatever is shown."""
 
-    Attributes
-    ----------
-    news
-        Another object whenever something else is to be shown.
-    """
-
-    news: object
+    @property
+    def news(self) -> object:
+        """Another object whenever something else is to be shown."""
+        ...
 
     @property
     def running(self) -> bool:
@@ -47,6 +45,32 @@ class Worker(Protocol):
 
 
 W = TypeVar("W", bound=Worker)
+
+
+@runtime_checkable
+class OnStage(Protocol):
+    """What mouse and keys are for on the stage while its page is open, before all others.
+
+    A page's worker that is one takes the hand's place, and may draw in place of the run.
+    """
+
+    def command(self, command: str, session: Session) -> bool:
+        """Do what a command of the window means here; return whether it means something else."""
+        ...
+
+    def key(self, event: pygame.event.Event, session: Session) -> bool:
+        """Do what a pressed key means here, and return whether it means anything."""
+        ...
+
+    def process(
+        self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
+    ) -> bool:
+        """Do what the mouse asks for, and return whether that was for this."""
+        ...
+
+    def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
+        """Draw what is made on the stage's surface; return whether that stands for the run."""
+        ...
 
 
 class Desk(NamedTuple):
@@ -85,13 +109,17 @@ class PageCommand(NamedTuple):
     """what the help says"""
     act: Callable[[Desk], str | None]
     """does it, and returns what is to be told; a `SandboxError` is told, too"""
+    control: int | None = None
+    """a key that calls for it together with Ctrl"""
 
     @property
     def binding(self) -> Binding:
         """Its key."""
         letter = self.character
         shown = f"Shift {letter}" if letter.isupper() else letter.upper()
-        return Binding(self.name, shown, self.text, (), letter)
+        if self.control is not None:
+            shown += f" or Ctrl {pygame.key.name(self.control).upper()}"
+        return Binding(self.name, shown, self.text, (), letter, self.control)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +147,10 @@ class Page:
     worker: Callable[[], Worker] | None = None
     """makes what it finds out in the background"""
     commands: tuple[PageCommand, ...] = ()
+    keys: tuple[tuple[str, str], ...] = ()
+    """keys and what they do while it is open, and not otherwise: what the help tells then"""
+    energy: bool = True
+    """whether the energies stand below it"""
     suits: Callable[[Level], bool] | None = None
     """which levels it is made for: with those it is opened, and with others the first page is"""
     overlay: str = ""

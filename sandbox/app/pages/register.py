@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from sandbox.app.pages import (
     accuracy,
+    build,
     challenge,
     effects,
     experiment,
@@ -22,6 +23,7 @@ from sandbox.model.level import Level
 
 PAGES: tuple[Page, ...] = (
     level.PAGE,
+    build.PAGE,
     challenge.PAGE,
     predict.PAGE,
     graph.PAGE,

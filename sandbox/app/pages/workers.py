@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.pages.page import Page, W, Worker, worker
+from sandbox.app.pages.page import OnStage, Page, W, Worker, worker
 from sandbox.app.session import Session
 
 
@@ -22,6 +22,11 @@ class Workers:
     def of(self, kind: type[W]) -> W:
         """Return the worker of a kind; `LookupError` if no page declares it."""
         return worker(self.all, kind)
+
+    def on_stage(self, page: str) -> OnStage | None:
+        """Return what is in the place of the hand while a page is open; None if nothing is."""
+        worker = self._by_page.get(page)
+        return worker if isinstance(worker, OnStage) else None
 
     @property
     def running(self) -> bool:

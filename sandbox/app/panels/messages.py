@@ -38,9 +38,15 @@ def draw_banner(
     return box.bottom
 
 
-def draw_help(surface: pygame.Surface, pen: Pen, area: pygame.Rect) -> None:
-    """Draw the table of keys in the middle of an area: in two columns, or smaller, if it must."""
-    rows = [*((binding.shown, binding.text) for binding in BINDINGS), ("", ""), *MOUSE]
+def everywhere() -> list[tuple[str, str]]:
+    """Return the keys of the window and what they do, and what the mouse does on the stage."""
+    return [*((binding.shown, binding.text) for binding in BINDINGS), ("", ""), *MOUSE]
+
+
+def draw_help(
+    surface: pygame.Surface, pen: Pen, area: pygame.Rect, rows: Sequence[tuple[str, str]]
+) -> None:
+    """Draw a table of keys in the middle of an area: in two columns, or smaller, if it must."""
     columns = 1 if (area.height - 110) // len(rows) >= ROW else 2
     each = ceil(len(rows) / columns)
     height = min(max((area.height - 110) // each, ROW), 22)

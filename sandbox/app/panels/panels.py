@@ -146,7 +146,7 @@ class Panels:
         if self.list is not None and (self._seeking or not self.typing):
             self.list.clear()
         if self.side is not None:
-            self.side.parameters.revert()
+            self.side.revert()
         self.manager.set_focus_set(None)
 
     def ask_for_file(self, folder: Path) -> None:

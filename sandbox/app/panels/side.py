@@ -26,7 +26,7 @@ FOOT = 8  # px, left free below all
 
 
 class SidePanel:
-    """The column of a session: a page that scrolls if it must, and below it the energy.
+    """The column of a session: a page that scrolls if it must, and below most the energy.
 
     Attributes
     ----------
@@ -43,7 +43,9 @@ class SidePanel:
         self._manager, self._pen, self._session = manager, pen, session
         self._graph, self._workers = as_graph, workers
         self.desk = Desk(session, workers.all, load)
-        upper = self._put_energy(rect)
+        self._energy: UIImage | None = None
+        self._switch: UIButton | None = None
+        upper = self._put_energy(rect) if register.page(page).energy else rect
         across = pygame.Rect(rect.x + MARGIN, TOP, rect.width - 2 * MARGIN, 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
         top = self._tabs.bottom + TOP - GAP
@@ -75,16 +77,20 @@ class SidePanel:
 
     def focus(self, direction: int) -> None:
         """Go on to the next number field, or back, and bring it into view."""
-        field = self.parameters.focus(direction)
+        field = (self._sheet.typed or self.parameters).focus(direction)
         if field is not None:
             container = self._sheet.container
             scroll(container, field.relative_rect.y - container.rect.height / 2)
+
+    def revert(self) -> None:
+        """Let all fields say again what is the case."""
+        (self._sheet.typed or self.parameters).revert()
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Return the command whose button was pressed, if one was."""
         if event.type != UI_BUTTON_PRESSED:
             return None
-        if event.ui_element is self._switch:
+        if self._switch is not None and event.ui_element is self._switch:
             return "energy"
         return self._tabs.pressed(event.ui_element)
 
@@ -97,7 +103,8 @@ class SidePanel:
 
     @property
     def switch(self) -> UIButton:
-        """The button that changes graph and bars."""
+        """The button that changes graph and bars, below a page that has it."""
+        assert self._switch is not None
         return self._switch
 
     def tab(self, page: str) -> UIButton:
@@ -126,7 +133,8 @@ class SidePanel:
             return
         self._since, self._shown = 0.0, state
         self.page.update()
-        self._sheet.replace(self._energy, self._draw_energy())
+        if self._energy is not None:
+            self._sheet.replace(self._energy, self._draw_energy())
 
     def _draw_energy(self) -> pygame.Surface:
         session = self._session

@@ -19,11 +19,11 @@ BAR = 130  # px, the most that the scale bar may be long
 def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
     """Draw the lines of the grid, the axes through the origin brighter."""
     surface.fill(theme.STAGE)
-    minor, major = _spacing(camera)
-    for spacing, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
-        for x in _marks(camera, spacing, 0):
+    minor, major = spacing(camera)
+    for apart, color in ((minor, theme.GRID), (major, theme.GRID_STRONG)):
+        for x in _marks(camera, apart, 0):
             _vertical(surface, camera, x, color)
-        for y in _marks(camera, spacing, 1):
+        for y in _marks(camera, apart, 1):
             _horizontal(surface, camera, y, color)
     _vertical(surface, camera, 0.0, theme.AXIS)
     _horizontal(surface, camera, 0.0, theme.AXIS)
@@ -31,17 +31,17 @@ def draw_grid(surface: pygame.Surface, camera: Camera) -> None:
 
 def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
     """Draw the rulers along the left and the lower edge, in metres."""
-    minor, major = _spacing(camera)
+    minor, major = spacing(camera)
     width, height = camera.size
     side = _side(camera, major, pen)
     shade = theme.mix(theme.STAGE, theme.PANEL, 0.7)
     surface.fill(shade, (0, height - RULER, width, RULER))
     surface.fill(shade, (0, 0, side, height))
-    for spacing, tick in ((minor, SHORT), (major, LONG)):
-        for x in _marks(camera, spacing, 0):
+    for apart, tick in ((minor, SHORT), (major, LONG)):
+        for x in _marks(camera, apart, 0):
             px = round(camera.to_screen((x, 0))[0])
             pygame.draw.line(surface, theme.AXIS, (px, height - RULER), (px, height - RULER + tick))
-        for y in _marks(camera, spacing, 1):
+        for y in _marks(camera, apart, 1):
             py = round(camera.to_screen((0, y))[1])
             pygame.draw.line(surface, theme.AXIS, (side - tick, py), (side, py))
     _write_marks(surface, camera, pen, major, side)
@@ -81,7 +81,7 @@ def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
     surface.blit(text, (left + (length - text.width) // 2, y - text.height - 1))
 
 
-def _spacing(camera: Camera) -> tuple[float, float]:
+def spacing(camera: Camera) -> tuple[float, float]:
     """Return the distances of the thin and of the numbered lines [m]."""
     major = nice(LABELLED * 2.5 / camera.scale)
     minor = next(m for m in (major / 10, major / 5, major / 2, major) if m * camera.scale >= MINOR)

@@ -105,12 +105,13 @@ def outlines(level: Level, values: Values) -> Mapping[str, Outline]:
     moving = 0
     for row, (name, spec) in enumerate(level.bodies.items()):
         moves = spec.type != "static"
-        found[name] = _outline(name, row, spec, values, _color(spec, moving))
+        found[name] = outlined(name, row, spec, values, moving)
         moving += moves
     return found
 
 
-def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> Outline:
+def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Outline:
+    """Return the outline of a body, before which so many move."""
     shape = spec.shape
     radius = shape.radius(values) if isinstance(shape, Disc | Hoop) else None
     line = shape if isinstance(shape, Segment | Polyline | Arc | Curve) else None
@@ -119,7 +120,7 @@ def _outline(name: str, row: int, spec: Body, values: Values, color: Color) -> O
         row=row,
         moves=spec.type != "static",
         heavy=spec.type == "dynamic",
-        color=color,
+        color=_color(spec, moving),
         radius=radius,
         points=tuple(local_points(spec, values) if radius is None else _circle(radius)),
         closed=line is None,

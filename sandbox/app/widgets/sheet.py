@@ -4,14 +4,27 @@ from typing import Protocol
 
 import pygame
 from pygame_gui import UIManager
-from pygame_gui.core import ObjectID
+from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.text import Pen
+from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
 BAR = 26  # px, kept free for the scroll bar
+
+
+class Typed(Protocol):
+    """Fields that can be typed into."""
+
+    def focus(self, direction: int) -> Field | None:
+        """Go on to the next field, or back to the one before, and return it if there is any."""
+        ...
+
+    def revert(self) -> None:
+        """Let the fields say again what is the case."""
+        ...
 
 
 class Sheet:
@@ -23,16 +36,23 @@ class Sheet:
         Of what is put on it [px].
     container
         pygame_gui's.
+    strip
+        What stays above it while it is scrolled; of no height unless a page pins some.
     parameters
-        The fields that can be typed into; none unless a page puts some.
+        The parameters' fields and sliders; none unless a page puts some.
+    typed
+        Other fields that can be typed into, in place of those; None unless a page puts some.
     """
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self.manager, self.pen = manager, pen
         self.width = rect.width - MARGIN - BAR
+        self._rect = rect
+        self.strip = UIContainer(pygame.Rect(rect.topleft, (rect.width, 1)), manager)
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
         nowhere = pygame.Rect(0, 0, 0, 0)
         self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
+        self.typed: Typed | None = None
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
         """Put a picture at a height."""
@@ -52,6 +72,15 @@ class Sheet:
         if image.relative_rect.size != surface.size:
             image.set_dimensions(surface.size)
         image.set_image(surface)
+
+    def pin(self, height: int) -> None:
+        """Let the strip above be so high [px]."""
+        if self.strip.rect.height == height:
+            return
+        rect = self._rect
+        self.strip.set_dimensions((rect.width, height))
+        self.container.set_relative_position((rect.x, rect.y + height))
+        self.container.set_dimensions((rect.width, max(rect.height - height, 1)))
 
     def end(self, height: int) -> None:
         """Let all be scrolled to, down to a height."""

@@ -1,11 +1,11 @@
 """Effects declared and dropped, and what they cost."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, get_args, get_origin
 
 from sandbox.editing.mending import COEFFICIENTS, accepted, without_meaning
 from sandbox.editing.patches import Changes, put, put_all, remove
-from sandbox.model.effects import EFFECTS
+from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
@@ -16,9 +16,12 @@ from sandbox.physics.run import costs
 COEFFICIENT = 0.5
 """What a body that moves gets where none is said; what stands still leaves it as it is, with 1."""
 
+BESIDE = ("contact", "rotation")
+"""What some effects are refused without; each of them has nothing to be told."""
+
 
 def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | None = None) -> str:
-    """Return a level that declares an effect, and what that needs: contact, coefficients.
+    """Return a level that declares an effect, and what that needs: contact, rotation, coefficients.
 
     Parameters
     ----------
@@ -42,11 +45,10 @@ def declare(text: str, level: Level, effect: str, settings: Mapping[str, Any] | 
     if settings is None and effect not in DEFAULTS:
         raise SandboxError(f"'{effect}' has to be told what it is")
     fields = settings if settings is not None else _trial(effect)
-    place = ("effects", effect)
-    entry = put(text, (*place, len(said or ())), fields)
-    forms = [entry] if said else [put(text, place, fields), entry]
-    forms = [_with_coefficients(form, level, effect) for form in forms]
-    return accepted(*forms, *(put(form, ("effects", "contact"), {}) for form in forms))
+    index = (len(said or ()),) if _several(effect) else ()
+    form = _with_coefficients(put(text, ("effects", effect, *index), fields), level, effect)
+    lacking = (each for each in BESIDE if each not in level.effects.declared)
+    return accepted(form, *(put(form, ("effects", each), {}) for each in lacking))
 
 
 def drop(text: str, level: Level, effect: str) -> str:
@@ -77,6 +79,12 @@ def cost(level: Level, effect: str, values: Values | None = None) -> str:
     before, after = costs(pair, level.defaults if values is None else values)
     more = f"{(after - before) * 1e6:+.2g} µs".replace("-", "−")
     return f"{more} a step, of {after * 1e6:.2g} µs with it"
+
+
+def _several(effect: str) -> bool:
+    """Return whether an effect may be said several times, in a list."""
+    kind = get_args(Effects.model_fields[effect].annotation)[0]
+    return get_origin(get_args(kind)[0] if get_args(kind) else kind) is tuple
 
 
 def _trial(effect: str) -> dict[str, Any]:

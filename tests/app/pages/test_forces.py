@@ -220,7 +220,7 @@ def test_overlays_of_forces_are_off_until_they_are_asked_for(
 
 def test_the_centre_of_mass_is_marked_between_the_bodies(person: Person) -> None:
     person.window.open_level("newton/atwood")
-    person.press(pygame.K_b, "b")
+    person.press(pygame.K_QUOTE, "'")
     person.wait()
     scene, camera = person.session.world.scene, person.window.stage.camera
     x, y = scene.mass @ person.session.world.snapshot.position / scene.mass.sum()

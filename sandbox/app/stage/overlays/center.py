@@ -26,7 +26,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 
 OVERLAY = Overlay(
     name="center",
-    key="b",
+    key="'",
     text="centre of mass of all that moves",
     draw=_draw,
     on=lambda _level: False,

@@ -1,0 +1,12 @@
+"""Something that can be done by a button."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+
+class Act(NamedTuple):
+    """What stands on the button, what its tool tip says, and what it does."""
+
+    caption: str
+    tip: str
+    do: Callable[[], object]

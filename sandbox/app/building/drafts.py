@@ -1,0 +1,106 @@
+"""The drafts of a window: none is lost when another level is shown, or when the window ends."""
+
+import re
+from itertools import chain, count
+from pathlib import Path
+
+import platformdirs
+
+from sandbox.editing.draft import Draft
+from sandbox.editing.recovery import Recoverable, Recovery, recoverable
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+
+OFTEN = 1.0  # s, between two looks at what is to be kept
+
+
+class Drafts:
+    """What is under edit, with a file or without.
+
+    Attributes
+    ----------
+    left
+        What windows have left that are no more, the newest first.
+    outside
+        Whether something else has written the file of the draft that is shown.
+    """
+
+    def __init__(self) -> None:
+        self._kept: dict[Draft, Recovery] = {}
+        self.left: list[Recoverable] | None = None  # not looked for yet
+        self.outside = False
+        self._mine: Draft | None = None  # which is to be written over what somebody else wrote
+        self._since = OFTEN
+
+    def of(self, level: Level) -> Draft:
+        """Return the draft of a level: what it is now, if it was edited before."""
+        found = (draft for draft in self._kept if draft.source == level.source)
+        draft = next(found, None) or self._read(level)
+        self.add(draft)
+        return draft
+
+    @staticmethod
+    def _read(level: Level) -> Draft:
+        try:
+            return Draft.open(Path(level.source))
+        except SandboxError:
+            return Draft.of(level.text)
+
+    def add(self, draft: Draft) -> None:
+        """Keep a draft from now on."""
+        self._kept.setdefault(draft, Recovery())
+        self.outside, self._since = False, OFTEN
+
+    def follow(self, shown: Draft, seconds: float) -> bool:
+        """Let time pass [s]; return whether there is another offer."""
+        self._since += seconds
+        if self._since < OFTEN:
+            return False
+        before = self.outside, self.left
+        self._since, self.outside = 0.0, shown is not self._mine and shown.changed_outside()
+        if self.left is None:
+            self.left = recoverable()
+        self.keep()
+        return before != (self.outside, self.left)
+
+    def keep(self) -> None:
+        """Keep what is not saved, should the window end."""
+        for draft, recovery in self._kept.items():
+            recovery.keep(draft)
+
+    def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
+        """Write a draft to its file, or to another.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be written, or something else would be written over unasked.
+        """
+        draft.save(path, overwrite=overwrite or draft is self._mine)
+        self._mine, self.outside = None, False
+        self.keep()
+
+    @staticmethod
+    def is_own(draft: Draft) -> bool:
+        """Whether a draft has a file, and not one that comes with the project."""
+        return draft.path is not None and not draft.path.is_relative_to(catalog.root())
+
+    @classmethod
+    def proposed(cls, draft: Draft, title: str) -> Path:
+        """Return a name for the file of a level that has none, which no file has yet."""
+        if draft.path is not None and cls.is_own(draft):
+            return draft.path
+        stem = re.sub(r"[^a-z0-9]+", "-", title.casefold()).strip("-") or "level"
+        folder = platformdirs.user_documents_path() / "Mechanics sandbox"
+        names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
+        return next(path for name in names if not (path := folder / f"{name}.json").exists())
+
+    def forget(self, left: Recoverable) -> None:
+        """Throw away what a window has left."""
+        left.forget()
+        self.left = [each for each in self.left or () if each is not left]
+
+    def keep_mine(self, draft: Draft) -> None:
+        """Write a draft over what something else has written, the next time it is saved."""
+        self._mine, self.outside = draft, False

@@ -1,0 +1,261 @@
+"""What of a part of a level can be typed, chosen or switched, by its model: nothing is listed here.
+
+A new field of a level, a body, a joint or an effect is in the inspector at once, with its unit and
+with what its docstring says.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic.fields import FieldInfo
+
+from sandbox.editing.layout import Json
+from sandbox.model.base import Model
+from sandbox.model.effects import Effects
+from sandbox.model.expressions import Expression
+from sandbox.model.locating import Path
+
+LEFT_OUT = ("$schema", "format", "bodies", "joints")
+"""Of a level: what is no concern of who draws it, and what is drawn and selected."""
+
+Sort = Literal["number", "text", "choice", "switch", "json"]
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """Something that can be set.
+
+    Attributes
+    ----------
+    path
+        Where in the level.
+    label, help, unit
+        What it is called, what is said of it, and its unit.
+    sort
+        How it is set: `json` stands for whatever has no field of its own, and is typed as it
+        stands in a file.
+    shown
+        What the level says; empty if it says nothing.
+    default
+        What holds if the level says nothing, for a person to read.
+    choices
+        Of a choice.
+    required
+        Whether the level must say it.
+    """
+
+    path: Path
+    label: str
+    help: str
+    unit: str
+    sort: Sort
+    shown: str
+    default: str = ""
+    choices: tuple[str, ...] = ()
+    required: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """Entries that belong together, below a heading that opens and closes them."""
+
+    path: Path
+    label: str
+    help: str
+    rows: tuple["Row", ...]
+
+
+Row = tuple[Entry, ...] | Section
+"""What stands on one line: one entry, the two of a point, or the heading of a section."""
+
+
+def rows(model: type[Model], said: Mapping[str, Json], path: Path) -> list[Row]:
+    """Return what can be set of a part.
+
+    Parameters
+    ----------
+    model
+        What the part is.
+    said
+        What the level says of it.
+    path
+        Where in the level it stands.
+    """
+    found: list[Row] = []
+    for name, field in model.model_fields.items():
+        if model is Effects and said.get(name) is None:
+            continue  # it is switched on, and then it has fields
+        key = field.alias or name
+        if key in LEFT_OUT and not path:
+            continue
+        found += _rows(key, field, said.get(key), (*path, key))
+    return found
+
+
+def read(entry: Entry, typed: str) -> Json:
+    """Return the value that a text means; None if the level is to say nothing.
+
+    A text that is no JSON is a formula, a name or words, as they stand between quotes in a file.
+    """
+    text = typed.strip()
+    if not text and not (entry.sort == "text" and entry.required):
+        return None
+    if entry.sort in ("text", "choice"):
+        return text
+    try:
+        value: Json = json.loads(text)
+    except ValueError:
+        return text
+    if entry.sort == "number" and isinstance(value, bool):
+        return text
+    return value
+
+
+def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
+    kind = bare(field.annotation)
+    if said is None and isinstance(field.default, Model):
+        said = {}
+    if get_origin(kind) is Literal and len(get_args(kind)) == 1:
+        return  # the type of a shape or a joint
+    told = " ".join((field.description or "").split())
+    if isinstance(said, Mapping) and (model := model_of(kind, said)):
+        yield Section(
+            path, key.replace("_", " "), told or _first(model), tuple(rows(model, said, path))
+        )
+    elif _members(kind) and isinstance(said, Sequence) and _are_parts(said):
+        yield Section(path, key.replace("_", " "), told, tuple(_items(kind, said, path)))
+    elif (
+        get_origin(kind) is Mapping
+        and isinstance(said, Mapping)
+        and model_of(get_args(kind)[1], {})
+    ):
+        yield Section(path, key.replace("_", " "), told, tuple(_named(kind, said, path)))
+    elif _is_point(kind):
+        values = said if isinstance(said, Sequence) and len(said) == 2 else (None, None)
+        defaults = field.default if isinstance(field.default, tuple) else (None, None)
+        yield tuple(
+            _entry(f"{key} {axis}", types, value, (*path, i), told, default, required=True)
+            for i, (axis, types, value, default) in enumerate(
+                zip("xy", get_args(kind), values, defaults, strict=True)
+            )
+        )
+    else:
+        default = None if field.is_required() else field.default
+        yield (_entry(key, kind, said, path, told, default, required=field.is_required()),)
+
+
+def _are_parts(said: Sequence[Json]) -> bool:
+    """Return whether all of a list has fields; a point has none, and is typed with its list."""
+    return not isinstance(said, str) and all(isinstance(item, Mapping) for item in said)
+
+
+def _items(kind: Any, said: Sequence[Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
+    member = _members(kind)
+    for index, item in enumerate(said):
+        model = model_of(member, item) if isinstance(item, Mapping) else None
+        if model is not None and isinstance(item, Mapping):
+            place = (*path, index)
+            label = str(item.get("quantity") or item.get("body") or index + 1)
+            yield Section(place, label, _first(model), tuple(rows(model, item, place)))
+
+
+def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
+    for name, item in said.items():
+        model = model_of(get_args(kind)[1], item) if isinstance(item, Mapping) else None
+        if model is not None and isinstance(item, Mapping):
+            place = (*path, name)
+            yield Section(place, name, _first(model), tuple(rows(model, item, place)))
+
+
+def _entry(
+    key: str, kind: Any, said: Json, path: Path, told: str, default: object, *, required: bool,  # noqa: ANN401
+) -> Entry:  # fmt: skip
+    kind, unit = bare(kind), ""
+    sort: Sort = "json"
+    choices: tuple[str, ...] = ()
+    if isinstance(kind, type) and issubclass(kind, Expression):
+        sort, unit = "number", kind.unit
+    elif kind is bool:
+        sort = "switch"
+    elif kind in (int, float):
+        sort = "number"
+    elif kind is str:
+        sort = "text"
+    elif get_origin(kind) is Literal and all(isinstance(c, str) for c in get_args(kind)):
+        sort, choices = "choice", get_args(kind)
+    label = key.replace("_", " ")
+    shown = _shown(said)
+    return Entry(path, label, told, unit, sort, shown, _default(default), choices, required)
+
+
+def _shown(said: Json) -> str:
+    """Return what a level says as a person would type it into a field."""
+    if said is None:
+        return ""
+    return said if isinstance(said, str) else json.dumps(said, ensure_ascii=False)
+
+
+def _default(default: object) -> str:
+    if isinstance(default, Expression):
+        return _default(default.source)
+    if isinstance(default, float) and default.is_integer():
+        return _shown(int(default))
+    if isinstance(default, bool | int | float | str):
+        return _shown(default)
+    return ""
+
+
+def bare(kind: Any) -> Any:  # noqa: ANN401 (a type is any object)
+    """Return a type without what is said beside it, and without None."""
+    while True:
+        if get_origin(kind) is Annotated:
+            kind = get_args(kind)[0]
+        elif get_origin(kind) in (Union, UnionType):
+            others = [each for each in get_args(kind) if each is not NoneType]
+            if len(others) != 1:
+                return kind
+            kind = others[0]
+        else:
+            return kind
+
+
+def model_of(kind: Any, said: Mapping[str, Json]) -> type[Model] | None:  # noqa: ANN401
+    """Return the model of a part of a type: of several that one which its own type names."""
+    kind = bare(kind)
+    if isinstance(kind, type) and issubclass(kind, Model):
+        return kind
+    if get_origin(kind) in (Union, UnionType):
+        for each in map(bare, get_args(kind)):
+            if isinstance(each, type) and issubclass(each, Model):
+                field = each.model_fields.get("type")
+                if field is not None and said.get("type") in get_args(field.annotation):
+                    return each
+    return None
+
+
+def _members(kind: Any) -> Any:  # noqa: ANN401
+    """Return the type of a list's items, if they are models; None if it is no such list."""
+    arguments = get_args(kind)
+    if len(arguments) == 2 and arguments[1] is ...:
+        member = bare(arguments[0])
+        parts = get_args(member) if get_origin(member) in (Union, UnionType) else (member,)
+        if any(isinstance(p, type) and issubclass(p, Model) for p in map(bare, parts)):
+            return member
+    return None
+
+
+def _is_point(kind: Any) -> bool:  # noqa: ANN401
+    parts = get_args(kind)
+    return (
+        get_origin(kind) is tuple
+        and len(parts) == 2
+        and all(isinstance(p, type) and issubclass(p, Expression) for p in parts)
+    )
+
+
+def _first(model: type[Model]) -> str:
+    """Return the first sentence that is said of a model."""
+    return " ".join((model.__doc__ or "").split("\n\n")[0].split())

@@ -1,0 +1,122 @@
+"""The handles of a body that is selected: one turns it, the others change its shape."""
+
+from cmath import rect
+from dataclasses import dataclass
+from math import hypot
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.building.sketch import Drawn
+from sandbox.app.camera import Camera
+from sandbox.model.shapes import XY, Arc, Box, Curve
+
+SIZE = 4  # px, half a handle
+REACH = 8.0  # px, from which it can be taken hold of
+STALK = 30.0  # px, of the handle that turns
+TURN = -1
+"""The index of that handle; the others' are those of `sandbox.editing.edits.handles`."""
+
+_SIDES = ((-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0))
+"""Where those of a box are, in halves of its sides."""
+
+
+@dataclass(frozen=True, slots=True)
+class Handle:
+    """Something to take hold of, and where it is [px]."""
+
+    index: int
+    place: XY
+
+
+def in_plane(body: Drawn, local: XY) -> XY:
+    """Return where a point of a body is in the plane [m]."""
+    placed = complex(*body.position) + complex(*local) * rect(1, body.angle)
+    return placed.real, placed.imag
+
+
+def in_body(body: Drawn, point: XY) -> XY:
+    """Return where a point of the plane is along a body's own axes [m]."""
+    local = (complex(*point) - complex(*body.position)) * rect(1, -body.angle)
+    return local.real, local.imag
+
+
+def size_of(body: Drawn) -> tuple[float, float, float, float]:
+    """Return left, bottom, right and top of a body along its own axes, from where it lies [m]."""
+    xs, ys = zip(*body.outline.points, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def of(body: Drawn, camera: Camera) -> list[Handle]:
+    """Return the handles of a body."""
+    places = (camera.to_screen(in_plane(body, local)) for local in _of_shape(body))
+    return [
+        Handle(TURN, _stalk(body, camera)[1]),
+        *map(Handle, range(len(_of_shape(body))), places),
+    ]
+
+
+def _of_shape(body: Drawn) -> list[XY]:
+    """Return where a body's own handles are, along its axes [m]."""
+    points, shape = list(body.outline.points), body.spec.shape
+    if body.outline.radius is not None:
+        return [(body.outline.radius, 0.0)]
+    if isinstance(shape, Curve):  # whose shape formulas say
+        return []
+    if isinstance(shape, Arc):
+        return [points[len(points) // 2]]
+    if isinstance(shape, Box):
+        _, _, right, top = size_of(body)
+        return [(x * right, y * top) for x, y in _SIDES]
+    return points
+
+
+def _stalk(body: Drawn, camera: Camera) -> tuple[XY, XY]:
+    """Return both ends of the stalk with the handle that turns [px]."""
+    left, _, right, top = size_of(body)
+    x, y = camera.to_screen(in_plane(body, ((left + right) / 2, top)))
+    way = rect(STALK, body.angle)
+    return (x, y), (x - way.imag, y - way.real)
+
+
+def at(handles: list[Handle], pixel: XY) -> Handle | None:
+    """Return the handle at a pixel."""
+    near = [(hypot(h.place[0] - pixel[0], h.place[1] - pixel[1]), i) for i, h in enumerate(handles)]
+    distance, index = min(near)
+    return handles[index] if distance <= REACH else None
+
+
+def draw(surface: pygame.Surface, body: Drawn, camera: Camera) -> None:
+    """Draw the handles of a body."""
+    lines.stroke(surface, theme.ACCENT, *_stalk(body, camera), 1)
+    for handle in of(body, camera):
+        if handle.index == TURN:
+            pygame.draw.aacircle(surface, theme.STAGE, handle.place, 6)
+            pygame.draw.aacircle(surface, theme.ACCENT, handle.place, 5)
+        else:
+            box = pygame.Rect(0, 0, 2 * SIZE + 1, 2 * SIZE + 1)
+            box.center = round(handle.place[0]), round(handle.place[1])
+            surface.fill(theme.STAGE, box.inflate(2, 2))
+            surface.fill(theme.ACCENT, box)
+
+
+def dragged(body: Drawn, index: int, to: XY) -> list[XY]:
+    """Return a body's outline with a handle elsewhere, along its own axes [m]."""
+    points, (x, y) = list(body.outline.points), in_body(body, to)
+    if isinstance(body.spec.shape, Box):
+        _, _, right, top = size_of(body)
+        side = _SIDES[index]
+        across = _stretched(right, side[0], x)
+        upwards = _stretched(top, side[1], y)
+        return [(across[px > 0], upwards[py > 0]) for px, py in points]
+    if body.outline.radius is not None or isinstance(body.spec.shape, Arc):
+        held = _of_shape(body)[index]
+        factor = hypot(x, y) / (hypot(*held) or 1.0)
+        return [(px * factor, py * factor) for px, py in points]
+    points[index] = x, y
+    return points
+
+
+def _stretched(half: float, side: int, to: float) -> tuple[float, float]:
+    """Return both ends of a box's side, of which the one on a side is elsewhere [m]."""
+    return (to if side < 0 else -half), (to if side > 0 else half)

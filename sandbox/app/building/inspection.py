@@ -1,0 +1,172 @@
+"""What the inspector shows of the work, and how it is set."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any, Literal
+
+from sandbox.app.building import fields
+from sandbox.app.building.act import Act
+from sandbox.app.building.examples import example
+from sandbox.app.building.fields import Entry, Row
+from sandbox.app.building.work import Work
+from sandbox.editing import suggest
+from sandbox.editing.edits import effects, transforms
+from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
+from sandbox.editing.edits.mirroring import mirror
+from sandbox.editing.edits.transforms import Side
+from sandbox.editing.patches import put
+from sandbox.editing.suggest.scene import Suggestion
+from sandbox.model.errors import LevelError, SandboxError
+from sandbox.model.joints import Joint
+from sandbox.model.level import Body, Level
+from sandbox.model.locating import Path
+from sandbox.model.parts import expressions
+from sandbox.model.variants import DEFAULTS
+
+SIDES: Mapping[str, Side] = {
+    "Left": "left",
+    "Right": "right",
+    "Top": "top",
+    "Bottom": "bottom",
+    "Above": "center-x",
+    "In line": "center-y",
+}
+"""What bodies are aligned at, by what stands on the buttons."""
+
+
+def subject(work: Work) -> str:
+    """Return what is inspected, in words."""
+    match work.selected:
+        case ():
+            return "The level"
+        case ((family, name),):
+            said = work.document[family][name]
+            return f"{name}: {said['type'] if family == 'joints' else said['shape']['type']}"
+        case several:
+            return f"{len(several)} parts"
+
+
+def rows(work: Work) -> Sequence[Row]:
+    """Return what can be set of what is inspected; of several parts nothing can."""
+    match work.selected:
+        case ():
+            return fields.rows(Level, work.document, ())
+        case ((family, name),):
+            said = work.document[family][name]
+            model = Body if family == "bodies" else fields.model_of(Joint, said)
+            return fields.rows(model, said, (family, name)) if model else ()
+    return ()
+
+
+def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
+    """Set an entry of a row to what was typed; return why that cannot be, or nothing."""
+    try:
+        work.put(_assigned(work.draft.text, row, entry, typed), f"set {entry.label}")
+    except LevelError as error:
+        return error.mistakes[0].rule
+    except SandboxError as error:
+        return str(error)
+    return ""
+
+
+def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
+    """Return the text with another value; of a point that is not said both halves are."""
+    if len(row) > 1 and not all(each.shown for each in row):
+        whole = [float(each.default or 0) for each in row]
+        text = put(text, entry.path[:-1], whole)
+    return set_field(text, entry.path, typed)
+
+
+def numbers(work: Work) -> frozenset[Path]:
+    """Return what can be made a parameter: what is said, and is no formula of others yet."""
+    level = work.draft.level
+    return frozenset(p for p, e in expressions(level) if not e.names) if level else frozenset()
+
+
+def parametrise(work: Work, entry: Entry) -> None:
+    """Make a number a parameter, of which the level's page has a slider."""
+
+    def edit(text: str, level: Level) -> str:
+        if not entry.shown:
+            raise SandboxError(f"type a number for '{entry.label}' first")
+        return make_parameter(text, entry.path, parameter_name(level, entry.path))
+
+    if work.change(f"make {entry.label} a parameter", edit):
+        name = list(work.document["parameters"])[-1]
+        work.tell(f"'{name}' is a parameter now; its slider is on the level's page (O)")
+
+
+def declared(work: Work) -> tuple[str, ...]:
+    """Return the effects that act."""
+    return tuple(work.document.get("effects", ()))
+
+
+def switch(work: Work, effect: str) -> None:
+    """Let an effect act, as it is tried where nothing is said of it, or act no more."""
+    if effect in declared(work):
+        work.change(f"switch {effect} off", lambda text, level: effects.drop(text, level, effect))
+    else:
+        said = None if effect in DEFAULTS else _example(work, effect)
+        work.change(
+            f"switch {effect} on", lambda text, level: effects.declare(text, level, effect, said)
+        )
+
+
+def _example(work: Work, effect: str) -> Mapping[str, Any]:
+    """Return an example of an effect that must be told what it is."""
+    bodies = work.sketch.bodies.items()
+    moving = [name for name, body in bodies if body.outline.heavy]
+    return example(effect, moving, [name for name, body in bodies if not body.outline.heavy])
+
+
+def suggestions(work: Work) -> list[Act]:
+    """Return the set-ups that are recognised, and what adds their checks."""
+    if work.draft.level is None:
+        return []
+    return [
+        Act(one.setup, "add its checks", partial(_take, work, one))
+        for one in work.once(suggest.suggestions)
+    ]
+
+
+def _take(work: Work, one: Suggestion) -> None:
+    if work.change(one.setup, lambda text, level: suggest.take(text, level, one)):
+        work.tell("Its checks are on the level's page (O), and hold while it runs")
+
+
+def arrangements(work: Work) -> list[Act]:
+    """Return what can be done with several bodies at once."""
+    names = work.chosen
+    if not names:
+        return []
+    several = [
+        *(
+            _arranging(work, caption, f"align: {side}", partial(_align, names, side))
+            for caption, side in SIDES.items()
+        ),
+        _arranging(
+            work, "Spread across", "the same gaps, from left to right", partial(_spread, names, "x")
+        ),
+        _arranging(work, "Spread upwards", "the same gaps, upwards", partial(_spread, names, "y")),
+    ]
+    return [
+        *(several if len(names) > 1 else ()),
+        _arranging(work, "Mirror across", "left becomes right", partial(_mirror, names, "x")),
+        _arranging(work, "Mirror upright", "top becomes bottom", partial(_mirror, names, "y")),
+    ]
+
+
+def _arranging(work: Work, caption: str, tip: str, edit: Callable[[str, Level], str]) -> Act:
+    return Act(caption, tip, lambda: work.change(caption.casefold(), edit))
+
+
+def _align(names: Sequence[str], side: Side, text: str, level: Level) -> str:
+    return transforms.align(text, level, names, side)
+
+
+def _spread(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
+    return transforms.distribute(text, level, names, axis)
+
+
+def _mirror(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
+    return mirror(text, level, names, axis)

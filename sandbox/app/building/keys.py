@@ -1,0 +1,129 @@
+"""What keys mean while something is built, and what the help tells of them."""
+
+from collections.abc import Callable, Mapping
+from typing import Protocol
+
+import pygame
+
+from sandbox.app.building.tools.register import TOOLS
+from sandbox.app.building.tools.tool import Tool
+from sandbox.app.building.work import Work
+from sandbox.app.keys import CONTROL
+from sandbox.app.session import Session
+
+ARROWS: Mapping[int, tuple[int, int]] = {
+    pygame.K_LEFT: (-1, 0),
+    pygame.K_RIGHT: (1, 0),
+    pygame.K_UP: (0, 1),
+    pygame.K_DOWN: (0, -1),
+}
+
+FINE = 0.1
+"""The share of a step by which arrows nudge while Alt is held."""
+
+HELP: tuple[tuple[str, str], ...] = (
+    *((kind.key, kind.text) for kind in TOOLS),
+    ("", ""),
+    ("Space", "try it; Esc comes back to building"),
+    ("Esc", "give up what was begun, select nothing"),
+    ("Enter, Backspace", "end what is clicked point by point; take a point back"),
+    ("drag, Shift and click", "select with a frame; one more, or one less"),
+    ("arrows", "nudge by a step of the grid; with Alt by a tenth of it"),
+    ("Alt", "let go of grid, ends and contact while it is held"),
+    ("Delete", "take out what is selected, and its joints"),
+    ("Ctrl C, V, D", "copy, paste, duplicate"),
+    ("Ctrl A", "select all"),
+    ("Ctrl Z, Ctrl Y", "undo; do again (also Ctrl Shift Z)"),
+    ("Ctrl S, Ctrl Shift S", "save; save under another name"),
+    ("Ctrl N", "an empty scene"),
+    ("right or middle drag", "move the view; the wheel zooms, F fits it"),
+    ("", ""),
+    ("letters", "open the other pages, where H tells all other keys"),
+)
+
+
+class Keyed(Protocol):
+    """What keys act on: the editor."""
+
+    work: Work
+
+    @property
+    def hand(self) -> Tool:
+        """The tool in hand."""
+        ...
+
+    def trying(self, session: Session) -> bool:
+        """Whether the run is shown."""
+        ...
+
+    def back(self, session: Session) -> None:
+        """Go back to building."""
+        ...
+
+    def choose(self, tool: str) -> None:
+        """Take a tool in hand."""
+        ...
+
+    def give_up(self) -> None:
+        """Give up what was begun, or else what is selected."""
+        ...
+
+    def save(self) -> None:
+        """Save the level to its file."""
+        ...
+
+    def save_as(self) -> None:
+        """Ask for the name under which to save."""
+        ...
+
+
+def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
+    """Do what a pressed key means, and return whether it means anything here."""
+    if event.mod & CONTROL:
+        return _with_control(editor, event, session)
+    kind = next((k for k in TOOLS if event.unicode and k.key == event.unicode), None)
+    if kind is not None:
+        editor.back(session)
+        editor.choose(kind.name)
+        return True
+    if editor.trying(session):
+        if event.key == pygame.K_ESCAPE:
+            editor.back(session)
+        return event.key == pygame.K_ESCAPE
+    return _while_building(editor, event)
+
+
+def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
+    shift, work = bool(event.mod & pygame.KMOD_SHIFT), editor.work
+    acts: Mapping[int, Callable[[], object]] = {
+        pygame.K_z: work.redo if shift else work.undo,
+        pygame.K_y: work.redo,
+        pygame.K_s: editor.save_as if shift else editor.save,
+        pygame.K_a: work.select_all,
+        pygame.K_c: work.copy,
+        pygame.K_v: work.paste,
+        pygame.K_d: work.duplicate,
+    }
+    act = acts.get(event.key)
+    if act is None:
+        return False
+    if event.key != pygame.K_s:
+        editor.back(session)
+    act()
+    return True
+
+
+def _while_building(editor: Keyed, event: pygame.event.Event) -> bool:
+    if event.key in ARROWS:
+        editor.work.nudge(*ARROWS[event.key], FINE if event.mod & pygame.KMOD_ALT else 1.0)
+    elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
+        editor.hand.finish()
+    elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
+        editor.hand.cancel()
+    elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
+        editor.work.delete()
+    elif event.key == pygame.K_ESCAPE:
+        editor.give_up()
+    else:
+        return False
+    return True

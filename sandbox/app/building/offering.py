@@ -1,0 +1,51 @@
+"""What there is to choose about files: to recover what was not saved, or whose changes stay."""
+
+from functools import partial
+from time import localtime, strftime
+from typing import NamedTuple
+
+from sandbox.app.building.act import Act
+from sandbox.app.building.editor import Editor
+from sandbox.app.session import Session
+from sandbox.editing.recovery import Recoverable
+
+
+class Offer(NamedTuple):
+    """Something to choose, and the ways to choose."""
+
+    told: str
+    ways: tuple[Act, ...]
+
+
+def offers(editor: Editor, session: Session) -> list[Offer]:
+    """Return what there is to choose now."""
+    found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
+    if editor.drafts.outside:
+        reading = Act("Read it", "take over what it holds; Ctrl+Z brings yours back", editor.reload)
+        mine = Act("Keep mine", "the next time it is saved write over it", partial(_keep, editor))
+        found.append(Offer("Something else has changed the file.", (reading, mine)))
+    return found
+
+
+def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
+    name = left.path.name if left.path else "a level without a file"
+    when = strftime("%d %b %H:%M", localtime(left.when))
+    recover = Act("Recover", "go on with it", partial(_recover, left, editor, session))
+    forget = Act("Forget it", "throw it away", partial(_forget, left, editor))
+    return Offer(f"What was drawn in {name} ({when}) was not saved.", (recover, forget))
+
+
+def _recover(left: Recoverable, editor: Editor, session: Session) -> None:
+    editor.begin(session, left.draft())
+    editor.drafts.keep()
+    _forget(left, editor)
+
+
+def _forget(left: Recoverable, editor: Editor) -> None:
+    editor.drafts.forget(left)
+    editor.show()
+
+
+def _keep(editor: Editor) -> None:
+    editor.drafts.keep_mine(editor.work.draft)
+    editor.show()

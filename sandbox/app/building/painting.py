@@ -1,0 +1,96 @@
+"""What is seen of the editor: the level as it is built, what is selected, and what is wrong."""
+
+from collections.abc import Collection, Sequence
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.building import preview
+from sandbox.app.building.sketch import Sketch
+from sandbox.app.building.spot import Part
+from sandbox.app.building.work import Work
+from sandbox.app.camera import Camera
+from sandbox.app.stage.grid import RULER
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.model.shapes import XY
+
+WIDE = 2.0  # px, of the line around what is selected
+PADDING = 8  # px, around a hint
+
+caught = preview.caught
+
+
+class Picture:
+    """A level as it is drawn, kept until it or the camera changes."""
+
+    def __init__(self) -> None:
+        self._kept = pygame.Surface((1, 1))
+        self._key: object = None
+
+    def of(self, work: Work, pen: Pen) -> pygame.Surface:
+        """Return the picture of what is built."""
+        camera = work.camera
+        key = camera.center, camera.scale, camera.size, work.version
+        if key != self._key:
+            if self._kept.size != camera.size:
+                self._kept = pygame.Surface(camera.size)
+            self._key = key
+            work.sketch.draw(self._kept, camera, pen)
+        return self._kept
+
+
+def draw_selected(
+    surface: pygame.Surface, sketch: Sketch, selected: Sequence[Part], camera: Camera
+) -> None:
+    """Draw a line around what is selected."""
+    for family, name in selected:
+        _around(surface, sketch, family, name, camera, theme.TEXT)
+
+
+def draw_culprits(
+    surface: pygame.Surface, sketch: Sketch, names: Collection[str], camera: Camera
+) -> None:
+    """Mark what is to blame if the level cannot run."""
+    for name in names:
+        family = "bodies" if name in sketch.bodies else "joints"
+        place = _around(surface, sketch, family, name, camera, theme.FAILED)
+        if place is not None:
+            x, y = place
+            pygame.draw.aacircle(surface, theme.FAILED, (x, y), 9)
+            lines.stroke(surface, theme.STAGE, (x, y - 5), (x, y + 1), 3)
+            pygame.draw.aacircle(surface, theme.STAGE, (x, y + 5), 1.8)
+
+
+def _around(
+    surface: pygame.Surface, sketch: Sketch, family: str, name: str, camera: Camera, color: Color
+) -> XY | None:
+    """Draw a line around a part, and return where it is on the stage."""
+    points: Sequence[XY] = ()
+    closed = False
+    if family == "bodies" and name in sketch.bodies:
+        points, closed = sketch.bodies[name].corners, sketch.bodies[name].outline.closed
+    elif family == "joints" and name in sketch.joints:
+        points = sketch.joints[name].path
+    corners = camera.path(points)
+    if not corners:
+        return None
+    if len(corners) == 1 or all(corner == corners[0] for corner in corners):
+        pygame.draw.aacircle(surface, color, corners[0], 12, 2)
+    else:
+        lines.path(surface, color, [*corners, corners[0]] if closed else corners, WIDE)
+    return corners[0] if not closed else max(corners, key=lambda corner: corner[0] - corner[1])
+
+
+def draw_hint(surface: pygame.Surface, pen: Pen, text: str) -> None:
+    """Say at the foot of the stage what to do next."""
+    lines_of_text = pen.paragraph(text, surface.width - 80, 13)
+    width = max(line.width for line in lines_of_text) + 2 * PADDING
+    box = pygame.Rect(0, 0, width, sum(line.height for line in lines_of_text) + PADDING)
+    box.midbottom = surface.width // 2, surface.height - RULER - 34
+    pygame.draw.rect(surface, theme.PANEL, box, border_radius=5)
+    pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=5)
+    y = box.y + PADDING // 2
+    for line in lines_of_text:
+        surface.blit(line, line.get_rect(midtop=(box.centerx, y)))
+        y += line.height

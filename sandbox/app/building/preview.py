@@ -1,0 +1,62 @@
+"""What is drawn of something that is not there yet: dashed outlines, points, and measures."""
+
+from collections.abc import Sequence
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.building.spot import Snapped
+from sandbox.app.camera import Camera
+from sandbox.app.text import Pen
+from sandbox.app.wording import number
+from sandbox.model.shapes import XY
+
+MARK = 6.0  # px, the radius of the mark where a point is caught
+ASIDE = 16  # px, from the mouse to what is written beside it
+
+
+def metres(value: float) -> str:
+    """Return a length for a person to read, to a millimetre or as fine as it is."""
+    return f"{number(value, 4)} m"
+
+
+def outline(
+    surface: pygame.Surface, camera: Camera, points: Sequence[XY], *, closed: bool = False
+) -> None:
+    """Draw a dashed line through points of the plane [m]."""
+    corners = camera.path(points)
+    if closed and corners:
+        corners.append(corners[0])
+    if len(corners) > 1:
+        lines.dashed(surface, theme.ACCENT, corners)
+
+
+def dots(surface: pygame.Surface, camera: Camera, points: Sequence[XY]) -> None:
+    """Mark points that have been set [m]."""
+    for place in camera.path(points):
+        pygame.draw.aacircle(surface, theme.STAGE, place, 5)
+        pygame.draw.aacircle(surface, theme.ACCENT, place, 4)
+
+
+def measure(surface: pygame.Surface, pen: Pen, pixel: XY, text: str) -> None:
+    """Write what is measured beside the mouse, on a ground of its own."""
+    line = pen.write(text, 13)
+    box = line.get_rect(topleft=(round(pixel[0]) + ASIDE, round(pixel[1]) + ASIDE)).inflate(12, 6)
+    box.clamp_ip(surface.get_rect())
+    pygame.draw.rect(surface, theme.RAISED, box, border_radius=4)
+    pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=4)
+    surface.blit(line, line.get_rect(center=box.center))
+
+
+def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: Snapped) -> None:
+    """Mark where a point was caught, and say what by unless that is the grid."""
+    if not snapped.by:
+        return
+    x, y = camera.to_screen(snapped.point)
+    if snapped.by == "grid":
+        for a, b in (((x - MARK, y), (x + MARK, y)), ((x, y - MARK), (x, y + MARK))):
+            lines.stroke(surface, theme.NOTICE, a, b, 1)
+        return
+    pygame.draw.aacircle(surface, theme.NOTICE, (x, y), MARK, 2)
+    text = pen.outlined(snapped.by)
+    surface.blit(text, text.get_rect(midbottom=(round(x), round(y) - 10)))

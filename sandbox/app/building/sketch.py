@@ -1,0 +1,229 @@
+"""A level as it is drawn while it is built: all that can be read, whatever is wrong elsewhere.
+
+Nothing has to run. A part that is as it was is not read again, so that a change to one of five
+hundred bodies takes little longer than a change to one of two.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import pairwise
+from math import hypot
+from typing import Any
+
+import numpy as np
+import pygame
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.app.camera import Camera
+from sandbox.app.stage import bodies, grid, joints
+from sandbox.app.stage.outline import Outline, outlined
+from sandbox.app.text import Pen
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.joints import Joint, Rail, Winding, Wire, points
+from sandbox.model.level import Body, View, place
+from sandbox.model.shapes import XY, evaluate
+from sandbox.model.wires import along
+
+KEPT = 5000
+"""How many parts are kept as they were read."""
+
+SIDEWAYS = 2000.0
+"""m, how far a rail is drawn to each side."""
+
+_JOINT: TypeAdapter[Joint] = TypeAdapter(Joint)
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A body where it starts."""
+
+    spec: Body
+    outline: Outline
+    position: XY
+    angle: float
+
+    @property
+    def corners(self) -> list[XY]:
+        """Its corners in the plane [m]."""
+        return self.outline.placed(self.position, self.angle)
+
+    def covers(self, point: XY, margin: float) -> bool:
+        """Whether it covers a point of the plane, or comes that close to it [m]."""
+        offset = point[0] - self.position[0], point[1] - self.position[1]
+        return self.outline.covers(offset, self.angle, margin)
+
+
+@dataclass(frozen=True, slots=True)
+class Tied:
+    """A joint at the start, through points of the plane [m]."""
+
+    spec: Joint
+    path: tuple[XY, ...]
+
+
+class Sketch:
+    """What a level's text draws.
+
+    Attributes
+    ----------
+    values
+        The parameters' default values, as far as they can be read.
+    bodies, joints
+        What can be drawn, by name.
+    view
+        What part of the plane it asks for.
+    """
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        self.values = dict(_numbers(_mapping(document, "parameters")))
+        specs = {
+            name: spec
+            for name, part in _mapping(document, "bodies").items()
+            if (spec := _body(json.dumps(part))) is not None
+        }
+        self.bodies = dict(_drawn(specs, self.values))
+        self.joints = dict(_tied(_mapping(document, "joints"), specs, self.values))
+        self.view = _view(json.dumps(document.get("view", {})))
+
+    def body_at(self, point: XY, margin: float) -> str | None:
+        """Return the body on top at a point, or that close to it [m]; what moves lies on top."""
+        found = [name for name, body in self.bodies.items() if body.covers(point, margin)]
+        moving = [name for name in found if self.bodies[name].outline.moves]
+        return next(reversed(moving or found), None)
+
+    def joint_at(self, point: XY, margin: float) -> str | None:
+        """Return the joint that comes so close to a point [m]; a pin before others."""
+        close = [n for n, joint in self.joints.items() if _distance(joint.path, point) <= margin]
+        return next((name for name in close if self.is_pin(name)), next(iter(close), None))
+
+    def is_pin(self, joint: str) -> bool:
+        """Whether a joint is drawn at one point."""
+        path = self.joints[joint].path
+        return all(place == path[0] for place in path)
+
+    def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+        """Draw all of it, on its grid."""
+        grid.draw_grid(surface, camera)
+        middle = self._middle(camera)
+        for body in self.bodies.values():
+            if not body.outline.moves:
+                place = body.position, body.angle
+                bodies.draw_surface(surface, camera, body.outline, *place, middle)
+        self._draw_joints(surface, camera, in_front=False)
+        few = len(self.bodies) <= bodies.FEW
+        for body in self.bodies.values():
+            if body.outline.moves:
+                place = body.position, body.angle
+                if few:
+                    bodies.draw_body(surface, camera, body.outline, *place, spoke=False)
+                else:
+                    bodies.draw_crowd(surface, camera, body.outline, *place)
+        self._draw_joints(surface, camera, in_front=True)
+        grid.draw_rulers(surface, camera, pen)
+        grid.draw_scale_bar(surface, camera, pen)
+
+    def _draw_joints(self, surface: pygame.Surface, camera: Camera, *, in_front: bool) -> None:
+        for joint in self.joints.values():
+            if isinstance(joint.spec, joints.IN_FRONT) is in_front:
+                joints.draw_joint(surface, camera, joint.spec, joint.path, slack=False)
+
+    def _middle(self, camera: Camera) -> XY:
+        """Return a point where things happen [m]."""
+        places = [body.position for body in self.bodies.values() if body.outline.moves]
+        if not places:
+            return camera.center
+        x, y = np.mean(places, axis=0).tolist()
+        return x, y
+
+
+def _distance(path: Sequence[XY], point: XY) -> float:
+    """Return how far a point is from a broken line [m]."""
+    if len(path) == 1:
+        return hypot(point[0] - path[0][0], point[1] - path[0][1])
+    return min(_from_piece(a, b, point) for a, b in pairwise(path))
+
+
+def _from_piece(a: XY, b: XY, point: XY) -> float:
+    way, to = complex(*b) - complex(*a), complex(*point) - complex(*a)
+    share = (to * way.conjugate()).real / abs(way) ** 2 if way else 0.0
+    return abs(to - min(max(share, 0.0), 1.0) * way)
+
+
+def _mapping(document: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    """Return a part whose members have names; an empty one if it is none."""
+    part = document.get(name)
+    return part if isinstance(part, dict) else {}
+
+
+def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
+    for name, parameter in parameters.items():
+        value = parameter.get("value") if isinstance(parameter, dict) else None
+        if isinstance(value, int | float):
+            yield name, float(value)
+
+
+@lru_cache(maxsize=KEPT)
+def _body(text: str) -> Body | None:
+    try:
+        return Body.model_validate_json(text)
+    except ValidationError:
+        return None
+
+
+@lru_cache(maxsize=KEPT)
+def _joint(text: str) -> Joint | None:
+    try:
+        return _JOINT.validate_json(text)
+    except ValidationError:
+        return None
+
+
+def _view(text: str) -> View:
+    try:
+        return View.model_validate_json(text)
+    except ValidationError:
+        return View()
+
+
+def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Drawn]]:
+    moving = 0
+    for row, (name, spec) in enumerate(specs.items()):
+        try:
+            outline = outlined(name, row, spec, values, moving)
+            yield name, Drawn(spec, outline, evaluate(spec.position, values), spec.angle(values))
+        except (SandboxError, ArithmeticError):  # a formula without a value here
+            continue
+        moving += spec.type != "static"
+
+
+def _tied(
+    parts: Mapping[str, Any], specs: Mapping[str, Body], values: Values
+) -> Iterator[tuple[str, Tied]]:
+    for name, part in parts.items():
+        joint = _joint(json.dumps(part))
+        try:
+            if joint is not None:
+                yield name, Tied(joint, tuple(_path(joint, specs, values)))
+        except (SandboxError, ArithmeticError, LookupError):  # or an end at no body
+            continue
+
+
+def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
+    """Return the points that a joint is drawn through [m]."""
+    if isinstance(joint, Wire):
+        return [(p.real, p.imag) for p in along(joint, values, 256).tolist()]
+    path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]
+    if isinstance(joint, Rail):
+        return _rail(path[1], evaluate(joint.direction, values))
+    if isinstance(joint, Winding):
+        return joints.around(path[0], path[1], joint.radius(values), joint)
+    return path
+
+
+def _rail(through: XY, direction: XY) -> list[XY]:
+    size = float(np.hypot(*direction)) or 1.0
+    dx, dy = (SIDEWAYS * along / size for along in direction)
+    return [(through[0] - dx, through[1] - dy), (through[0] + dx, through[1] + dy)]

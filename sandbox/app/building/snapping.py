@@ -1,0 +1,62 @@
+"""What catches points and bodies while they are drawn or moved, at the scale that is seen."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from sandbox.app.building.spot import Snapped
+from sandbox.app.camera import Camera
+from sandbox.editing import snapping
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+TOLD = {"center": "centre"}
+"""What catches a point, for a person to read, where that differs from its name."""
+
+REACH = 10.0  # px, from which a point or a body is caught
+
+
+class Scene(Protocol):
+    """What is snapped to: the work."""
+
+    camera: Camera
+    ignored: frozenset[str]
+
+    @property
+    def level(self) -> Level:
+        """The level under edit."""
+        ...
+
+
+class Snapping:
+    """Catches at the grid, at ends and centres, and where bodies touch."""
+
+    def __init__(self, work: Scene) -> None:
+        self._work = work
+
+    @property
+    def grid(self) -> float:
+        """The distance of two points of the grid [m]."""
+        return snapping.grid_step(1 / self._work.camera.scale)
+
+    @property
+    def _reach(self) -> float:
+        return REACH / self._work.camera.scale
+
+    def point(self, free: XY) -> Snapped:
+        """Return where a point is caught."""
+        work = self._work
+        try:
+            found = snapping.snap_point(work.level, free, self._reach, self.grid, work.ignored)
+        except SandboxError:  # what was made last is no level, and is about to be taken back
+            return Snapped(free, "")
+        return Snapped(found.point, TOLD.get(found.kind or "", found.kind or ""))
+
+    def moved(self, names: Sequence[str], by: XY) -> Snapped:
+        """Return by how much to move bodies so that they touch what they come near [m]."""
+        try:
+            found = snapping.snap_body(self._work.level, names, by, self._reach, self.grid)
+        except SandboxError:
+            return Snapped(by, "")
+        touches = f"touches {' and '.join(found.bodies)}" if found.kind == "contact" else ""
+        return Snapped(found.point, touches)

@@ -1,0 +1,60 @@
+"""The tool that takes bodies and joints out."""
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.building.spot import Part, Spot
+from sandbox.app.building.tools.tool import Bench
+from sandbox.app.text import Pen
+from sandbox.editing.edits import bodies
+from sandbox.model.level import Level
+
+CROSS = 6.0  # px
+
+
+class DeleteTool:
+    """Takes out what is clicked on."""
+
+    busy = False
+    hint = "Click what is to go; its joints go with a body"
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._under: Part | None = None
+        self._spot: Spot | None = None
+
+    def press(self, spot: Spot) -> None:
+        """Take out what is there."""
+        part = self._bench.part_at(spot.pixel)
+        if part is not None:
+            name = part[1]
+
+            def edit(text: str, level: Level) -> str:
+                return bodies.take_out(text, level, [name])
+
+            self._bench.change(f"delete {name}", edit)
+        self._under = None
+
+    def move(self, spot: Spot) -> None:
+        """Show what would go."""
+        self._spot, self._under = spot, self._bench.part_at(spot.pixel)
+
+    def release(self, spot: Spot) -> None:
+        """Do nothing: to press was enough."""
+
+    def finish(self) -> None:
+        """Do nothing: there is nothing to end."""
+
+    def cancel(self) -> None:
+        """Do nothing: nothing has been begun."""
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Mark what would go."""
+        if self._under is None or self._spot is None:
+            return
+        x, y = self._spot.pixel
+        for a, b in (((-1, -1), (1, 1)), ((-1, 1), (1, -1))):
+            start, end = (x + CROSS * a[0], y + CROSS * a[1]), (x + CROSS * b[0], y + CROSS * b[1])
+            lines.stroke(surface, theme.FAILED, start, end, 2)
+        text = pen.outlined(self._under[1])
+        surface.blit(text, text.get_rect(midbottom=(round(x), round(y) - 10)))

@@ -1,0 +1,165 @@
+"""The tool that ties bodies together, with any joint that there is."""
+
+from collections.abc import Mapping
+from typing import NamedTuple, get_args
+
+import pygame
+
+from sandbox.app.building import preview
+from sandbox.app.building.spot import Spot, apart
+from sandbox.app.building.tools.tool import Bench
+from sandbox.app.text import Pen
+from sandbox.editing.edits import joints
+from sandbox.editing.edits.joints import Pick
+from sandbox.editing.edits.made import Made
+from sandbox.model.joints import KINDS, Joint
+from sandbox.model.level import Level
+
+ON = 6.0  # px; so near to a body is on it
+TOGETHER = 8.0  # px; so near to each other two clicks end a joint of several places
+
+
+class Clicks(NamedTuple):
+    """What is clicked for a joint, one after the other; the last is clicked as often as needed."""
+
+    hints: tuple[str, ...]
+    several: bool = False
+
+
+PLAIN = Clicks(("Click what it holds at one end", "Click what it holds at the other end"))
+
+CLICKS: Mapping[str, Clicks] = {
+    "pulley": Clicks(
+        (
+            "Click what hangs at one end of the string",
+            "Click the first peg that it runs over",
+            "Click another peg, or what hangs at the other end; Enter ends it at a fixed point",
+        ),
+        several=True,
+    ),
+    "pivot": Clicks(("Click where the pin goes, through one body or through two",)),
+    "motor": Clicks(("Click where the driven pin goes, through one body or through two",)),
+    "rail": Clicks(("Click what runs on the rail", "Click where the rail leads")),
+    "winding": Clicks(
+        (
+            "Click what is tied to the string",
+            "Click the wheel, on the side on which the string leaves it",
+        )
+    ),
+    "wire": Clicks(("Click the bead", "Click a point that its wire goes through")),
+}
+"""What is clicked for joints that are not simply held at two ends."""
+
+
+class JoinTool:
+    """Joins what is clicked on, one place after the other.
+
+    Attributes
+    ----------
+    kind
+        The joint that is made, as a level's file calls it.
+    """
+
+    def __init__(self, bench: Bench, kind: str = "pulley") -> None:
+        self._bench = bench
+        self.kind = kind
+        self._places: list[Pick] = []
+        self._spot: Spot | None = None
+
+    def use(self, kind: str) -> None:
+        """Make another joint from now on."""
+        self.kind = kind
+        self._places.clear()
+
+    @property
+    def _clicks(self) -> Clicks:
+        return CLICKS.get(self.kind, PLAIN)
+
+    @property
+    def busy(self) -> bool:
+        """Whether a place is set."""
+        return bool(self._places)
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        hints = self._clicks.hints
+        return hints[min(len(self._places), len(hints) - 1)]
+
+    def press(self, spot: Spot) -> None:
+        """Set one more place; with the last the joint is made."""
+        found = self._bodies_at(spot)
+        if len(self._clicks.hints) == 1:
+            ends = (*found, None, None)[:2]
+            self._places = [Pick(spot.point, body) for body in ends]
+            self._make()
+            return
+        if self._clicks.several and self._ends(spot):
+            self.finish()
+            return
+        self._places.append(Pick(spot.point, found[0] if found else None))
+        full = len(self._places) == len(self._clicks.hints) and not self._clicks.several
+        hangs = self.kind == "pulley" and len(self._places) > 2 and found and not spot.shift
+        if full or hangs:
+            self._make()
+
+    def _bodies_at(self, spot: Spot) -> list[str]:
+        """Return the bodies that move at a place, the one on top first."""
+        sketch, reach = self._bench.sketch, ON / self._bench.camera.scale
+        return [
+            name
+            for name, body in reversed(list(sketch.bodies.items()))
+            if body.outline.moves and body.covers(spot.point, reach)
+        ]
+
+    def _ends(self, spot: Spot) -> bool:
+        """Whether a click there is the second one of a double click."""
+        if len(self._places) < len(self._clicks.hints):
+            return False
+        last = self._bench.camera.to_screen(self._places[-1].point)
+        return apart(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
+
+    def move(self, spot: Spot) -> None:
+        """Show where the next piece would run."""
+        self._spot = spot
+
+    def release(self, spot: Spot) -> None:
+        """Do nothing: a click has set a place already."""
+
+    def finish(self) -> None:
+        """Make the joint, if it has places enough."""
+        if self._clicks.several and len(self._places) >= len(self._clicks.hints):
+            self._make()
+
+    def _make(self) -> None:
+        kind, picks = self.kind, tuple(self._places)
+        self._places.clear()
+
+        def edit(text: str, level: Level) -> Made:
+            return joints.add_joint(text, level, kind, picks)
+
+        self._bench.make(f"tie a {kind}", edit, "joints")
+
+    def cancel(self) -> None:
+        """Take the last place back."""
+        if self._places:
+            self._places.pop()
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Draw what is set, and the piece to the mouse with its length."""
+        if not self._places or self._spot is None:
+            return
+        camera, end = self._bench.camera, self._spot.point
+        points = [place.point for place in self._places]
+        preview.outline(surface, camera, [*points, end])
+        preview.dots(surface, camera, points)
+        preview.measure(surface, pen, self._spot.pixel, preview.metres(apart(points[-1], end)))
+
+
+def kinds() -> Mapping[str, str]:
+    """Return all kinds of joints, as a level's file calls them, and what is said of them."""
+    models = get_args(get_args(Joint)[0])
+    return {
+        name: " ".join((model.__doc__ or "").split("\n\n")[0].split())
+        for name, model in zip(KINDS, models, strict=True)
+    }

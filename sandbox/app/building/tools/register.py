@@ -1,0 +1,25 @@
+"""The tools: one list, from which the palette, the keys and the help are derived."""
+
+from sandbox.app.building.tools.deleting import DeleteTool
+from sandbox.app.building.tools.joining import JoinTool
+from sandbox.app.building.tools.selecting import SelectTool
+from sandbox.app.building.tools.stretching import BoxTool, DiscTool
+from sandbox.app.building.tools.tool import Kind
+from sandbox.app.building.tools.tracing import CurveTool, PolygonTool, SurfaceTool
+
+TOOLS: tuple[Kind, ...] = (
+    Kind("select", "Select", "1", "select, move, turn and resize", SelectTool),
+    Kind("disc", "Disc", "2", "draw discs: press at the centre, drag to the rim", DiscTool),
+    Kind("box", "Box", "3", "draw boxes, from corner to corner", BoxTool),
+    Kind("polygon", "Polygon", "4", "draw polygons, a click a corner", PolygonTool),
+    Kind("surface", "Surface", "5", "draw floors, slopes and walls", SurfaceTool),
+    Kind("curve", "Freehand", "6", "draw what you like", CurveTool),
+    Kind("join", "Joint", "7", "tie bodies together, or to the plane", JoinTool),
+    Kind("delete", "Delete", "8", "take out what is clicked on", DeleteTool),
+)
+"""In the order of the palette; the first is in hand at first."""
+
+
+def kind(name: str) -> Kind:
+    """Return a tool by its name."""
+    return next(each for each in TOOLS if each.name == name)

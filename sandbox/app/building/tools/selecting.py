@@ -1,0 +1,248 @@
+"""The tool that selects, moves, turns and resizes."""
+
+from cmath import phase
+from enum import Enum, auto
+from math import degrees, pi, radians
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.building import handles, preview
+from sandbox.app.building.handles import Handle
+from sandbox.app.building.sketch import Drawn
+from sandbox.app.building.spot import Part, Snapped, Spot, apart
+from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.text import Pen
+from sandbox.app.wording import number
+from sandbox.editing.edits import transforms
+from sandbox.editing.edits.handles import drag_handle
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+STEP = radians(5)
+"""rad, to whole ones of which a body is turned unless Alt is held."""
+
+
+NOWHERE = Snapped((0.0, 0.0), "")
+
+
+class Doing(Enum):
+    """What the button held down is for."""
+
+    NOTHING = auto()
+    MOVING = auto()
+    TURNING = auto()
+    RESIZING = auto()
+    CATCHING = auto()
+
+
+class SelectTool:
+    """Selects by clicks or with a rubber band, and changes what is selected by its handles."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._doing = Doing.NOTHING
+        self._start: Spot | None = None
+        self._now: Spot | None = None
+        self._handle: Handle | None = None
+        self._way = NOWHERE
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is being dragged."""
+        return self._doing is not Doing.NOTHING
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        if self._bench.selected:
+            return "Drag to move, a handle to turn or resize; arrows nudge, Delete removes"
+        return "Click a body or a joint to change it, or drag a frame around several"
+
+    def press(self, spot: Spot) -> None:
+        """Take hold of a handle, of a part, or of a corner of a rubber band."""
+        bench = self._bench
+        self._start = self._now = spot
+        self._way = NOWHERE
+        if body := self._single:
+            self._handle = handles.at(handles.of(body, bench.camera), spot.pixel)
+            if self._handle is not None:
+                turning = self._handle.index == handles.TURN
+                self._doing = Doing.TURNING if turning else Doing.RESIZING
+                return
+        part = bench.part_at(spot.pixel)
+        if part is None:
+            self._doing = Doing.CATCHING
+            return
+        self._choose(part, more=spot.shift)
+        self._doing = Doing.MOVING
+        bench.ignored = frozenset(self._moved)
+
+    def _choose(self, part: Part, *, more: bool) -> None:
+        chosen = self._bench.selected
+        if more:
+            kept = tuple(p for p in chosen if p != part)
+            self._bench.select(kept if part in chosen else (*chosen, part))
+        elif part not in chosen:
+            self._bench.select((part,))
+
+    @property
+    def _single(self) -> Drawn | None:
+        """The body that is selected, if it is one alone."""
+        chosen = self._bench.selected
+        if len(chosen) == 1 and chosen[0][0] == "bodies":
+            return self._bench.sketch.bodies.get(chosen[0][1])
+        return None
+
+    @property
+    def _moved(self) -> list[str]:
+        """The bodies that are selected."""
+        return [name for family, name in self._bench.selected if family == "bodies"]
+
+    def move(self, spot: Spot) -> None:
+        """Drag what is held."""
+        if self._start is None or self._doing is Doing.NOTHING:
+            return
+        self._now = spot
+        if self._doing is Doing.MOVING and apart(spot.pixel, self._start.pixel) >= STILL:
+            (x, y), (a, b) = spot.free, self._start.free
+            self._way = self._snapped((x - a, y - b), spot)
+
+    def _snapped(self, by: XY, spot: Spot) -> Snapped:
+        """Return by how much what is selected is moved [m]; Alt lets go."""
+        moved = self._moved
+        return self._bench.snapped_by(moved, by) if moved and not spot.loose else Snapped(by, "")
+
+    def release(self, spot: Spot) -> None:
+        """Change what was dragged, and select what was caught."""
+        start, doing = self._start, self._doing
+        if start is None:
+            return
+        self.move(spot)
+        still = apart(spot.pixel, start.pixel) < STILL
+        by, turned, handle = self._way.point, self._turn, self._handle
+        body, caught = self._single, self._caught()
+        self.cancel()
+        if doing is Doing.CATCHING:
+            kept = self._bench.selected if spot.shift else ()
+            self._bench.select((*kept, *(p for p in caught if p not in kept)))
+        elif still:
+            return
+        elif doing is Doing.MOVING and by != (0.0, 0.0):
+            self._move_by(by)
+        elif doing is Doing.TURNING and body and turned:
+            self._turn_by(body, turned)
+        elif doing is Doing.RESIZING and body and handle:
+            self._drag_handle(body.outline.name, handle.index, spot.point)
+
+    def _move_by(self, by: XY) -> None:
+        moved = self._moved
+
+        def edit(text: str, level: Level) -> str:
+            return transforms.move(text, level, moved, by)
+
+        if moved:
+            self._bench.change("move", edit)
+
+    def _turn_by(self, body: Drawn, by: float) -> None:
+        def edit(text: str, level: Level) -> str:
+            return transforms.turn(text, level, [body.outline.name], by, body.position)
+
+        self._bench.change("turn", edit)
+
+    def _drag_handle(self, name: str, index: int, to: XY) -> None:
+        def edit(text: str, level: Level) -> str:
+            return drag_handle(text, level, name, index, to)
+
+        self._bench.change("resize", edit)
+
+    def finish(self) -> None:
+        """Do nothing: to let go ends it."""
+
+    def cancel(self) -> None:
+        """Let go of what is dragged, as it was."""
+        self._doing, self._handle, self._start, self._now = Doing.NOTHING, None, None, None
+        self._way = NOWHERE
+        self._bench.ignored = frozenset()
+
+    @property
+    def _turn(self) -> float:
+        """By how much the body is turned [rad]."""
+        body, start, now = self._single, self._start, self._now
+        if self._doing is not Doing.TURNING or not (body and start and now):
+            return 0.0
+        center = complex(*body.position)
+        by = phase((complex(*now.free) - center) / ((complex(*start.free) - center) or 1))
+        if now.loose:
+            return by
+        return round((body.angle + by) / STEP) * STEP - body.angle
+
+    def _caught(self) -> list[Part]:
+        """Return the parts within the rubber band: bodies as a whole, joints with all ends."""
+        if self._doing is not Doing.CATCHING or self._start is None or self._now is None:
+            return []
+        (x, y), (a, b) = self._start.free, self._now.free
+        if apart(self._start.pixel, self._now.pixel) < STILL:
+            return []
+        sketch = self._bench.sketch
+
+        def inside(points: list[XY] | tuple[XY, ...]) -> bool:
+            return all(
+                min(x, a) <= px <= max(x, a) and min(y, b) <= py <= max(y, b) for px, py in points
+            )
+
+        bodies = [("bodies", n) for n, body in sketch.bodies.items() if inside(body.corners)]
+        joints = [("joints", n) for n, joint in sketch.joints.items() if inside(joint.path)]
+        return [*bodies, *joints]
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Draw the handles, or what is being dragged."""
+        start, now, body = self._start, self._now, self._single
+        if body and self._doing in (Doing.NOTHING, Doing.CATCHING):
+            handles.draw(surface, body, self._bench.camera)
+        if start is None or now is None or apart(start.pixel, now.pixel) < STILL:
+            return
+        match self._doing:
+            case Doing.CATCHING:
+                self._draw_band(surface, start, now)
+            case Doing.MOVING:
+                self._draw_moved(surface, pen, now)
+            case Doing.TURNING if body:
+                self._draw_turned(surface, pen, body, now)
+            case Doing.RESIZING if body and self._handle:
+                self._draw_resized(surface, pen, body, self._handle, now)
+
+    @staticmethod
+    def _draw_band(surface: pygame.Surface, start: Spot, now: Spot) -> None:
+        (x, y), (a, b) = start.pixel, now.pixel
+        band = pygame.Rect(min(x, a), min(y, b), abs(x - a), abs(y - b))
+        pygame.draw.rect(surface, theme.ACCENT, band, 1)
+
+    def _draw_moved(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
+        dx, dy = self._way.point
+        for name in self._moved:
+            body = self._bench.sketch.bodies[name]
+            corners = [(x + dx, y + dy) for x, y in body.corners]
+            preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        told = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
+        preview.measure(surface, pen, now.pixel, told.strip())
+
+    def _draw_turned(self, surface: pygame.Surface, pen: Pen, body: Drawn, now: Spot) -> None:
+        angle = body.angle + self._turn
+        corners = body.outline.placed(body.position, angle)
+        preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        shown = degrees((angle + pi) % (2 * pi) - pi)
+        preview.measure(surface, pen, now.pixel, f"{number(shown, 4)}°")
+
+    def _draw_resized(
+        self, surface: pygame.Surface, pen: Pen, body: Drawn, handle: Handle, now: Spot
+    ) -> None:
+        local = handles.dragged(body, handle.index, now.point)
+        corners = [handles.in_plane(body, point) for point in local]
+        preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        xs, ys = zip(*local, strict=True)
+        width, height = max(xs) - min(xs), max(ys) - min(ys)
+        told = f"{preview.metres(width)} × {preview.metres(height)}"
+        if body.outline.radius is not None:
+            told = f"r {preview.metres(width / 2)}"
+        preview.measure(surface, pen, now.pixel, told)

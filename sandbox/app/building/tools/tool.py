@@ -1,0 +1,109 @@
+"""What a tool of the editor is, and what it says of itself."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import pygame
+
+from sandbox.app.building.sketch import Sketch
+from sandbox.app.building.spot import Part, Snapped, Spot
+from sandbox.app.camera import Camera
+from sandbox.app.text import Pen
+from sandbox.editing.edits.made import Made
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+STILL = 4.0  # px; who moves less between press and release has clicked
+
+
+class Bench(Protocol):
+    """What a tool works on.
+
+    Attributes
+    ----------
+    camera
+        From where the stage is seen.
+    sketch
+        The level as it is drawn.
+    selected
+        The parts that are selected, the last one chosen at the end.
+    ignored
+        The bodies to which nothing snaps: those that are moved.
+    """
+
+    camera: Camera
+    sketch: Sketch
+    selected: tuple[Part, ...]
+    ignored: frozenset[str]
+
+    def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
+        """Put something new into the level and select it; return whether that was possible."""
+        ...
+
+    def change(self, said: str, edit: Callable[[str, Level], str]) -> bool:
+        """Change the level, and return whether that was possible."""
+        ...
+
+    def select(self, parts: Sequence[Part]) -> None:
+        """Select parts, in place of those that are."""
+        ...
+
+    def part_at(self, pixel: XY) -> Part | None:
+        """Return the body or joint at a pixel; what is on top comes first."""
+        ...
+
+    def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
+        """Return by how much to move bodies so that they touch what they come near [m]."""
+        ...
+
+
+class Tool(Protocol):
+    """What the mouse does on the stage while the tool is in hand."""
+
+    @property
+    def busy(self) -> bool:
+        """Whether something has been begun that is not done yet."""
+        ...
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        ...
+
+    def press(self, spot: Spot) -> None:
+        """Begin, or set one more point."""
+        ...
+
+    def move(self, spot: Spot) -> None:
+        """Show what there would be."""
+        ...
+
+    def release(self, spot: Spot) -> None:
+        """Be done with it, if it was dragged."""
+        ...
+
+    def finish(self) -> None:
+        """Be done with what is set by several clicks."""
+        ...
+
+    def cancel(self) -> None:
+        """Give up what was begun, or the last part of it."""
+        ...
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Draw what there would be."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A tool as the palette shows it."""
+
+    name: str
+    caption: str
+    key: str
+    """a digit, while the page is open"""
+    text: str
+    """what it does, for the tool tip and the help"""
+    make: Callable[[Bench], Tool]

@@ -1,0 +1,170 @@
+"""What is drawn through several points: polygons, surfaces, and what a hand draws freely."""
+
+from math import atan2, degrees
+
+import pygame
+
+from sandbox.app.building import preview
+from sandbox.app.building.spot import Spot, apart
+from sandbox.app.building.tools.tool import Bench
+from sandbox.app.text import Pen
+from sandbox.app.wording import number
+from sandbox.editing.edits import bodies
+from sandbox.editing.edits.made import Made
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+CLOSE = 9.0  # px; a click so near to the first corner closes a polygon
+APART = 3.0  # px, between two points of a stroke
+OFF = 2.0  # px, by which the corners that are left of a stroke may be off it
+
+
+class Tracing:
+    """A point a click; the keys, a double click, or for a polygon its first corner, end it."""
+
+    least = 2
+    closed = False
+    begins = "Click where the surface begins"
+    goes_on = "Click the next point; Enter or a double click ends it, Backspace takes one back"
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._points: list[XY] = []
+        self._spot: Spot | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether a point is set."""
+        return bool(self._points)
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        return self.goes_on if self.busy else self.begins
+
+    def press(self, spot: Spot) -> None:
+        """Set one more point, or end."""
+        self._spot = spot
+        if self._points and self._ends(spot):
+            self.finish()
+        else:
+            self._points.append(spot.point)
+
+    def _ends(self, spot: Spot) -> bool:
+        """Whether a click there ends it."""
+        camera = self._bench.camera
+        last = apart(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
+        first = apart(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
+        return last or (self.closed and first and len(self._points) >= self.least)
+
+    def move(self, spot: Spot) -> None:
+        """Show where the next piece would run."""
+        self._spot = spot
+
+    def release(self, spot: Spot) -> None:
+        """Do nothing: a click has set a point already."""
+
+    def finish(self) -> None:
+        """Make what is set so far, if that is enough."""
+        points = tuple(self._points)
+        if len(points) >= self.least:
+            self._points.clear()
+            self.make(points)
+
+    def cancel(self) -> None:
+        """Take the last point back."""
+        if self._points:
+            self._points.pop()
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Draw what is set, and the piece to the mouse with its length and angle."""
+        if not self._points or self._spot is None:
+            return
+        camera, end = self._bench.camera, self._spot.point
+        preview.outline(surface, camera, [*self._points, end], closed=self.closed)
+        preview.dots(surface, camera, self._points)
+        x, y = end[0] - self._points[-1][0], end[1] - self._points[-1][1]
+        told = f"{preview.metres(apart(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
+        preview.measure(surface, pen, self._spot.pixel, told)
+
+    def make(self, points: tuple[XY, ...]) -> None:
+        """Put it into the level."""
+
+        def edit(text: str, level: Level) -> Made:
+            return bodies.add_surface(text, level, points)
+
+        self._bench.make("draw a surface", edit)
+
+
+class SurfaceTool(Tracing):
+    """Draws floors, slopes and walls."""
+
+
+class PolygonTool(Tracing):
+    """Draws polygons, corner by corner."""
+
+    least = 3
+    closed = True
+    begins = "Click the corners of the polygon, one after the other"
+    goes_on = "Click the next corner; the first one or Enter closes it, Backspace takes one back"
+
+    def make(self, points: tuple[XY, ...]) -> None:
+        """Put a polygon into the level."""
+
+        def edit(text: str, level: Level) -> Made:
+            return bodies.add_polygon(text, level, points)
+
+        self._bench.make("draw a polygon", edit)
+
+
+class CurveTool:
+    """Draws what a hand draws: a polygon if it comes back to where it began, else a surface."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._points: list[XY] = []
+        self._pixels: list[XY] = []
+
+    @property
+    def busy(self) -> bool:
+        """Whether a stroke has been begun."""
+        return bool(self._points)
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        return "Draw while you press; come back to the beginning for a closed body"
+
+    def press(self, spot: Spot) -> None:
+        """Begin a stroke."""
+        self._points, self._pixels = [spot.point], [spot.pixel]
+
+    def move(self, spot: Spot) -> None:
+        """Go on with it."""
+        if self._pixels and apart(spot.pixel, self._pixels[-1]) >= APART:
+            self._points.append(spot.free)
+            self._pixels.append(spot.pixel)
+
+    def release(self, spot: Spot) -> None:
+        """Make what was drawn, if that is more than a click."""
+        self.move(spot)
+        points = tuple(self._points)
+        self.cancel()
+        tolerance = OFF / self._bench.camera.scale
+
+        def edit(text: str, level: Level) -> Made:
+            return bodies.add_curve(text, level, points, tolerance)
+
+        if len(points) > 2:
+            self._bench.make("draw freely", edit)
+
+    def finish(self) -> None:
+        """Do nothing: to let go ends it."""
+
+    def cancel(self) -> None:
+        """Forget the stroke."""
+        self._points, self._pixels = [], []
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:  # noqa: ARG002 (nothing to write)
+        """Draw the stroke."""
+        preview.outline(surface, self._bench.camera, self._points)

@@ -1,0 +1,230 @@
+"""A level under edit as tools see it: its text, its drawing, what is selected, and every change."""
+
+import json
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any, TypeVar
+
+from sandbox.app.building.sketch import Sketch
+from sandbox.app.building.snapping import Snapping
+from sandbox.app.building.spot import Part, Snapped
+from sandbox.app.camera import Camera
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits import bodies, copying, transforms
+from sandbox.editing.edits.copying import Pasted
+from sandbox.editing.edits.made import Made
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+ASIDE = 40.0  # px, of a copy from what was copied
+MARGIN = 6.0  # px; so near to a part is on it
+
+Found = TypeVar("Found")
+
+
+class Work:
+    """What is on the workbench.
+
+    Attributes
+    ----------
+    draft
+        The level's text, its undo and its file.
+    document
+        What the text says.
+    sketch
+        The same as it is drawn.
+    camera
+        From where the stage is seen.
+    selected
+        The parts that are selected, the last one chosen at the end.
+    ignored
+        The bodies to which nothing snaps: those that are moved.
+    version
+        Another object whenever the text has changed.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    def __init__(self) -> None:
+        self.camera = Camera((1, 1))
+        self.ignored: frozenset[str] = frozenset()
+        self.snapping = Snapping(self)
+        self._told: str | None = None
+        self.selected: tuple[Part, ...] = ()
+        self._copied = ""
+        self._looked: tuple[object, object, Any] | None = None
+        self.take(Draft.empty())
+
+    def take(self, draft: Draft) -> None:
+        """Work on another level."""
+        self.draft, self.selected = draft, ()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Draw what the text says now."""
+        self.document: Mapping[str, Any] = json.loads(self.draft.text)
+        self.sketch = Sketch(self.document)
+        self.version = object()
+        self.select(self.selected)
+
+    def once(self, look: Callable[[Level], Found]) -> Found:
+        """Return what is found in the level, and look again only when it has changed."""
+        if self._looked is None or self._looked[:2] != (self.version, look):
+            self._looked = self.version, look, look(self.level)
+        found: Found = self._looked[2]
+        return found
+
+    def tell(self, text: str) -> None:
+        """Tell something in the banner."""
+        self._told = text
+
+    def told(self) -> str | None:
+        """Return what there is to be told, once."""
+        told, self._told = self._told, None
+        return told
+
+    # what changes it
+
+    def put(self, text: str, said: str, merge: str | None = None) -> None:
+        """Go over to another text."""
+        self.draft.change(text, said, merge)
+        self.refresh()
+
+    def change(
+        self, said: str, edit: Callable[[str, Level], str], merge: str | None = None
+    ) -> bool:
+        """Change the level, and return whether that was possible."""
+        try:
+            self.put(edit(self.draft.text, self.level), said, merge)
+        except SandboxError as error:
+            self.tell(str(error))
+            return False
+        return True
+
+    @property
+    def level(self) -> Level:
+        """The level that the text says.
+
+        Raises
+        ------
+        SandboxError
+            If it says none.
+        """
+        level = self.draft.level
+        if level is None:
+            raise SandboxError(self.mistake)
+        return level
+
+    @property
+    def mistake(self) -> str:
+        """The first sentence of the loader about the text."""
+        first = self.draft.mistakes[0]
+        return f"{first.path}: {first.rule}" if first.path else first.rule
+
+    def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
+        """Put something new into the level and select it; return whether that was possible."""
+        names: list[str] = []
+
+        def made(text: str, level: Level) -> str:
+            found = edit(text, level)
+            names.append(found.name)
+            return found.text
+
+        done = self.change(said, made)
+        if done:
+            self.select([(family, name) for name in names])
+        return done
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        self._stepped("Undone", self.draft.undo(), "There is nothing more to undo")
+
+    def redo(self) -> None:
+        """Take the step again that was taken back last."""
+        self._stepped("Done again", self.draft.redo(), "There is nothing to do again")
+
+    def _stepped(self, how: str, said: str | None, otherwise: str) -> None:
+        self.tell(f"{how}: {said}" if said else otherwise)
+        self.refresh()
+
+    def delete(self) -> None:
+        """Take out what is selected."""
+        names = [name for _, name in self.selected]
+        if names:
+            said = f"delete {', '.join(names)}"
+            self.change(said, lambda text, level: bodies.take_out(text, level, names))
+
+    def nudge(self, across: int, upwards: int, share: float) -> None:
+        """Move what is selected by a share of a step of the grid."""
+        step, names = self.snapping.grid * share, self.chosen
+        by = across * step, upwards * step
+        if names:
+            self.change("move", lambda t, level: transforms.move(t, level, names, by), "nudge")
+
+    def copy(self) -> None:
+        """Copy the bodies that are selected, with the joints between them."""
+        try:
+            self._copied = copying.copy(self.draft.text, self.level, self.chosen)
+        except SandboxError as error:
+            self.tell(str(error))
+
+    def paste(self) -> None:
+        """Put what was copied beside it, and select that."""
+        copied, by = self._copied, self._aside
+        self._add("paste", lambda text, level: copying.paste(text, level, copied, by))
+
+    def duplicate(self) -> None:
+        """Put what is selected a second time beside it, and select that."""
+        names, by = self.chosen, self._aside
+        self._add("duplicate", lambda text, level: copying.duplicate(text, level, names, by))
+
+    @property
+    def _aside(self) -> XY:
+        """How far copies are put aside [m]."""
+        return ASIDE / self.camera.scale, ASIDE / self.camera.scale
+
+    def _add(self, said: str, edit: Callable[[str, Level], Pasted]) -> None:
+        names: list[str] = []
+
+        def pasted(text: str, level: Level) -> str:
+            found = edit(text, level)
+            names.extend(found.names)
+            return found.text
+
+        if self.change(said, pasted):
+            self.select([("bodies", name) for name in names])
+
+    # what is selected
+
+    def select(self, parts: Sequence[Part]) -> None:
+        """Select parts that are there, in place of those that are."""
+        there: Mapping[str, Collection[str]] = {
+            "bodies": self.sketch.bodies,
+            "joints": self.sketch.joints,
+        }
+        self.selected = tuple((f, n) for f, n in parts if n in there[f])
+        self.news = object()
+
+    def select_all(self) -> None:
+        """Select all bodies and joints."""
+        found = [("bodies", name) for name in self.sketch.bodies]
+        self.select([*found, *(("joints", name) for name in self.sketch.joints)])
+
+    @property
+    def chosen(self) -> list[str]:
+        """The bodies that are selected."""
+        return [name for family, name in self.selected if family == "bodies"]
+
+    def part_at(self, pixel: XY) -> Part | None:
+        """Return the body or joint at a pixel: pins and what moves come before lines and floors."""
+        reach, point = MARGIN / self.camera.scale, self.camera.to_world(pixel)
+        joint = self.sketch.joint_at(point, reach)
+        body = self.sketch.body_at(point, 0.0 if joint else reach)
+        covered = body is not None and self.sketch.bodies[body].outline.moves
+        if joint and (self.sketch.is_pin(joint) or not covered):
+            return "joints", joint
+        return ("bodies", body) if body else None
+
+    def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
+        """Return by how much to move bodies so that they touch what they come near [m]."""
+        return self.snapping.moved(names, by)

@@ -1,0 +1,111 @@
+"""Widgets one below the other, all of which can be taken away again."""
+
+from collections.abc import Sequence
+
+import pygame
+from pygame_gui.core import ObjectID, UIElement
+from pygame_gui.elements import UIButton
+
+from sandbox.app import theme
+from sandbox.app.building.act import Act
+from sandbox.app.cards.card import Card, heading
+from sandbox.app.text import Pen
+from sandbox.app.theme import Color
+from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.sheet import MARGIN, Sheet
+
+HEIGHT = 24  # px, of a button and of a field
+GAP = 4  # px, between two
+SMALL = "@small"
+"""The look of these buttons, and of their fields."""
+SIZE = 12  # of their captions, as theme.json says
+PADDING = 14  # px, beside a caption, left and right together
+
+
+def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
+    """Return where buttons stand beside each other, as many on a line as fit into a width [px]."""
+    found: list[pygame.Rect] = []
+    x = y = 0
+    for caption in captions:
+        wide = pen.write(caption, SIZE).width + PADDING
+        if x and x + wide > width:
+            x, y = 0, y + HEIGHT + GAP
+        found.append(pygame.Rect(x, y, wide, HEIGHT))
+        x += wide + GAP
+    return found
+
+
+class Column:
+    """What a sheet shows, from above to below.
+
+    Attributes
+    ----------
+    y
+        Where the next widget is put [px].
+    """
+
+    def __init__(self, sheet: Sheet) -> None:
+        self._sheet = sheet
+        self._widgets: list[UIElement] = []
+        self.y = MARGIN // 2
+
+    def clear(self) -> None:
+        """Take all away, and begin at the top again."""
+        for widget in self._widgets:
+            widget.kill()  # type: ignore[no-untyped-call]
+        self._widgets.clear()
+        self.y = MARGIN // 2
+
+    def heading(self, text: str) -> None:
+        """Put a heading under a line."""
+        self._put_picture(heading(self._sheet.pen, self._sheet.width, text))
+
+    def text(self, text: str, color: Color = theme.DIM, x: int = 0) -> None:
+        """Put a wrapped paragraph."""
+        card = Card(self._sheet.pen, self._sheet.width - x)
+        card.text(text, SIZE, color)
+        self._put_picture(card.drawn(), x)
+
+    def _put_picture(self, picture: pygame.Surface, x: int = 0) -> None:
+        image = self._sheet.image(picture, self.y)
+        image.set_relative_position((MARGIN + x, self.y))
+        self._widgets.append(image)
+        self.y += picture.height + GAP
+
+    def label(self, text: str, x: int, room: int, tip: str = "") -> None:
+        """Put a word beside what follows on the same line, cut if there is no room [px]."""
+        pen = self._sheet.pen
+        picture = pen.write(pen.shorten(text, room, SIZE), SIZE, theme.DIM)
+        image = self._sheet.image(picture, self.y)
+        image.set_relative_position((MARGIN + x, self.y + (HEIGHT - picture.height) // 2))
+        if tip:
+            image.set_tooltip(tip, delay=0.6)
+        self._widgets.append(image)
+
+    def field(self, x: int, width: int, text: str, otherwise: str = "", tip: str = "") -> Field:
+        """Put a field on the present line; `otherwise` is seen while nothing is in it."""
+        field = Field(
+            pygame.Rect(MARGIN + x, self.y, width, HEIGHT), self._sheet.manager,
+            container=self._sheet.container, initial_text=text, placeholder_text=otherwise,
+            object_id=ObjectID(class_id=SMALL),
+        )  # fmt: skip
+        if tip:
+            field.set_tooltip(tip, delay=0.6)
+        self._widgets.append(field)
+        return field
+
+    def button(self, rect: pygame.Rect, caption: str, tip: str, kind: str = SMALL) -> UIButton:
+        """Put a button on the present line; its height there is 0."""
+        button = self._sheet.button(rect.move(0, self.y), caption, tip, kind)
+        self._widgets.append(button)
+        return button
+
+    def buttons(self, acts: Sequence[Act], x: int = 0) -> list[UIButton]:
+        """Put buttons beside each other, and go on below them."""
+        places = beside(self._sheet.pen, [act.caption for act in acts], self._sheet.width - x)
+        made = [
+            self.button(place.move(x, 0), act.caption, act.tip)
+            for act, place in zip(acts, places, strict=True)
+        ]
+        self.y += places[-1].bottom + GAP if places else 0
+        return made

@@ -1,0 +1,259 @@
+"""Fields, choices and switches for whatever can be set of a part; see `building.fields`."""
+
+import dataclasses
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+import pygame
+from pygame_gui.elements import UIButton
+
+from sandbox.app import theme
+from sandbox.app.building.act import Act
+from sandbox.app.building.fields import Entry, Row, Section
+from sandbox.app.pages.build.column import GAP, HEIGHT, Column
+from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.gui import press
+from sandbox.app.widgets.sheet import Sheet
+from sandbox.model.locating import Path
+
+LABEL = 98  # px
+UNIT = 44  # px
+SLIDER = 44  # px
+INDENT = 10  # px, of what belongs to a section
+MOST = 300
+"""Letters; what is longer is no line to type."""
+TOO_LONG = "too long for a line: edit it in the file"
+SWITCHED: Mapping[str, str] = {"no": "false", "yes": "true"}
+
+
+@dataclasses.dataclass(slots=True)
+class Line:
+    """An entry with its widgets; they belong together."""
+
+    entry: Entry
+    row: Sequence[Entry]
+    """the entries that stand together with it, such as both halves of a point"""
+    field: Field | None = None
+    shown: str = ""
+    """what the field says when nobody types"""
+    choices: dict[UIButton, str] = dataclasses.field(default_factory=dict)
+    slider: UIButton | None = None
+
+
+class Inspector:
+    """What can be set, one below the other."""
+
+    def __init__(self, sheet: Sheet, column: Column) -> None:
+        self._sheet, self._column = sheet, column
+        self._lines: dict[Path, Line] = {}
+        self._headings: dict[UIButton, Path] = {}
+        self._turned: set[Path] = set()
+        self._numbers: Collection[Path] = ()
+        self._refused: Mapping[Path, str] = {}
+        self._kept: dict[Path, tuple[str, str]] = {}
+        self._focused: Path | None = None
+
+    def shape(self, rows: Sequence[Row], numbers: Collection[Path]) -> tuple[object, ...]:
+        """Return what must be built anew if it changes: all but what is typed."""
+        found: list[object] = []
+        for row in rows:
+            if isinstance(row, Section):
+                opened = self._opened(row.path)
+                found.append((row.path, row.label, opened))
+                found += self.shape(row.rows, numbers) if opened else ()
+            else:
+                found += [_form(entry, numbers) for entry in row]
+        return tuple(found)
+
+    def build(
+        self, rows: Sequence[Row], numbers: Collection[Path], refused: Mapping[Path, str]
+    ) -> None:
+        """Put all widgets.
+
+        Parameters
+        ----------
+        rows
+            What can be set.
+        numbers
+            Which of it can be made a parameter.
+        refused
+            Why what was typed cannot be.
+        """
+        self._lines, self._headings = {}, {}
+        self._numbers, self._refused = numbers, refused
+        self._put_rows(rows, 0)
+        self._restore()
+        self.refresh(rows)
+
+    def _put_rows(self, rows: Sequence[Row], x: int) -> None:
+        for row in rows:
+            if isinstance(row, Section):
+                self._put_section(row, x)
+            else:
+                for entry in row:
+                    self._put(Line(entry, row), x)
+
+    def _put_section(self, section: Section, x: int) -> None:
+        opened, column = self._opened(section.path), self._column
+        place = pygame.Rect(x, 0, self._sheet.width - x, HEIGHT)
+        caption = f"{'−' if opened else '+'}  {section.label}"
+        self._headings[column.button(place, caption, section.help, "@section")] = section.path
+        column.y += HEIGHT + GAP
+        if opened:
+            self._put_rows(section.rows, x + INDENT)
+
+    def _opened(self, path: Path) -> bool:
+        """Whether a section is open: at first those of bodies and joints are."""
+        return (path[0] in ("bodies", "joints")) is not (path in self._turned)
+
+    def _put(self, line: Line, x: int) -> None:
+        entry, column = line.entry, self._column
+        self._lines[entry.path] = line
+        column.label(entry.label, x, LABEL - x, _tip(entry))
+        if options := _options(entry):
+            self._put_choices(line, options)
+        elif len(entry.shown) > MOST:
+            column.label(TOO_LONG, LABEL, self._sheet.width - LABEL)
+            column.y += HEIGHT + GAP
+        else:
+            self._put_field(line)
+        if why := self._refused.get(entry.path):
+            column.text(why, theme.FAILED, LABEL)
+
+    def _put_choices(self, line: Line, options: Mapping[str, str]) -> None:
+        acts = [Act(caption, line.entry.help, bool) for caption in options]
+        buttons = self._column.buttons(acts, LABEL)
+        line.choices = dict(zip(buttons, options.values(), strict=True))
+
+    def _put_field(self, line: Line) -> None:
+        entry, column = line.entry, self._column
+        room = self._sheet.width - LABEL
+        if entry.sort == "number":
+            room -= UNIT + SLIDER + GAP
+            column.label(entry.unit, LABEL + room + GAP, UNIT - GAP)
+        line.field = column.field(LABEL, room, entry.shown, entry.default, _tip(entry))
+        line.shown = entry.shown
+        if entry.shown and entry.path in self._numbers:
+            place = pygame.Rect(self._sheet.width - SLIDER, 0, SLIDER, HEIGHT)
+            tip = f"make this a parameter: {entry.label} gets a slider on the level's page"
+            line.slider = column.button(place, "slider", tip)
+        column.y += HEIGHT + GAP
+
+    def refresh(self, rows: Sequence[Row]) -> None:
+        """Show what the level says now; what is being typed, or was refused, stays."""
+        for row in self._entries(rows):
+            for entry in row:
+                line = self._lines[entry.path]
+                line.entry, line.row = entry, row
+                self._refresh_field(line)
+                for button, means in line.choices.items():
+                    press(button, (entry.shown or entry.default) == means)
+
+    def _refresh_field(self, line: Line) -> None:
+        field, shown = line.field, line.entry.shown
+        if field is None or field.is_focused or line.entry.path in self._refused:
+            return
+        line.shown = shown
+        if field.get_text() != shown:
+            field.set_text(shown)
+
+    def _entries(self, rows: Sequence[Row]) -> Iterator[Sequence[Entry]]:
+        """Yield the rows that are seen."""
+        for row in rows:
+            if not isinstance(row, Section):
+                yield row
+            elif self._opened(row.path):
+                yield from self._entries(row.rows)
+
+    # what is typed
+
+    @property
+    def _fields(self) -> list[tuple[Line, Field]]:
+        return [(line, line.field) for line in self._lines.values() if line.field is not None]
+
+    def keep(self) -> None:
+        """Note what is being typed, or was refused, before all is built anew."""
+        self._focused = next((li.entry.path for li, f in self._fields if f.is_focused), None)
+        self._kept = {
+            line.entry.path: (field.get_text(), line.shown)
+            for line, field in self._fields
+            if field.is_focused or line.entry.path in self._refused
+        }
+
+    def _restore(self) -> None:
+        for line, field in self._fields:
+            if (kept := self._kept.get(line.entry.path)) is not None:
+                text, line.shown = kept
+                field.set_text(text)
+            if line.entry.path == self._focused:
+                self._sheet.manager.set_focus_set(field.get_focus_set())
+
+    def left(self) -> list[Line]:
+        """Return where something was typed into a field that the keyboard has left since."""
+        return [li for li, f in self._fields if not f.is_focused and f.get_text() != li.shown]
+
+    def line(self, element: object) -> Line | None:
+        """Return the entry that a widget sets."""
+        return next(
+            (
+                line
+                for line in self._lines.values()
+                if element in (line.field, line.slider, *line.choices)
+            ),
+            None,
+        )
+
+    def turn(self, element: object) -> bool:
+        """Open or close a section, and return whether a widget is the heading of one."""
+        path = next((p for button, p in self._headings.items() if button is element), None)
+        if path is not None:
+            self._turned ^= {path}
+        return path is not None
+
+    def field(self, *path: str | int) -> Field:
+        """Return the field of a place in the level."""
+        found = self._lines[path].field
+        assert found is not None
+        return found
+
+    def parametrise_button(self, *path: str | int) -> UIButton:
+        """Return the button that makes a number a parameter."""
+        found = self._lines[path].slider
+        assert found is not None
+        return found
+
+    def focus(self, direction: int) -> Field | None:
+        """Go on to the next field, or back to the one before, and return it if there is any."""
+        fields = [field for _, field in self._fields]
+        if not fields:
+            return None
+        here = next((i for i, field in enumerate(fields) if field.is_focused), None)
+        start = (-1 if direction > 0 else 0) if here is None else here
+        field = fields[(start + direction) % len(fields)]
+        self._sheet.manager.set_focus_set(field.get_focus_set())
+        field.select_range = [0, len(field.get_text())]
+        return field
+
+    def revert(self) -> None:
+        """Let the fields say again what is the case."""
+        for line, field in self._fields:
+            line.shown = line.entry.shown
+            field.set_text(line.shown)
+
+
+def _options(entry: Entry) -> Mapping[str, str]:
+    """Return what there is to choose from, and what a level says for it."""
+    if entry.sort == "switch":
+        return SWITCHED
+    return {choice.replace("-", " "): choice for choice in entry.choices}
+
+
+def _tip(entry: Entry) -> str:
+    """Return what is said of an entry while the mouse rests on it."""
+    told = entry.help or entry.label
+    return f"{told}; {entry.default} if nothing is said" if entry.default else told
+
+
+def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:
+    """Return what the widgets of an entry depend on."""
+    adjustable = bool(entry.shown) and entry.path in numbers
+    return entry.path, entry.sort, adjustable, len(entry.shown) > MOST

@@ -1,0 +1,130 @@
+"""The tools, and what is done with a level as a whole: they stay while the page is scrolled."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import pygame
+from pygame_gui.core import ObjectID
+from pygame_gui.elements import UIButton
+
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.tools.joining import kinds
+from sandbox.app.building.tools.register import TOOLS
+from sandbox.app.pages.build.column import GAP, HEIGHT, SMALL, beside
+from sandbox.app.session import Session
+from sandbox.app.widgets.gui import allow, press
+from sandbox.app.widgets.sheet import MARGIN, Sheet
+
+ROW = HEIGHT + GAP  # px
+ACROSS = 4
+"""How many tools stand beside each other."""
+TRY, STOP = "Try it", "Back to building"
+
+
+class Palette:
+    """A button for each tool, and below one for each joint while that tool is in hand."""
+
+    def __init__(self, sheet: Sheet, editor: Editor, session: Session) -> None:
+        self._sheet, self._editor, self._session = sheet, editor, session
+        self._buttons: dict[str, UIButton] = {}
+        self._acts: dict[UIButton, Callable[[], object]] = {}
+        self._joints = kinds()
+        y = self._put_tools(self._put_acts(0))
+        whole = pygame.Rect(0, y, sheet.width, HEIGHT + 2)
+        tip = "let time run, and come back from there (Space, Esc)"
+        self._put(whole, TRY, TRY, tip, partial(editor.try_it, session), "@main")
+        self._without = whole.bottom + GAP
+        self._height = self._put_joints(self._without)
+        self.update()
+
+    def _put_acts(self, y: int) -> int:
+        """Put what is done with the level, and return where it ends."""
+        editor, session = self._editor, self._session
+        acts: tuple[tuple[str, str, Callable[[], object]], ...] = (
+            ("New", "an empty scene: the ground alone (Ctrl N)", partial(editor.new, session)),
+            ("Undo", "", partial(self._step, editor.work.undo)),
+            ("Redo", "", partial(self._step, editor.work.redo)),
+            ("Save", "save it to its file (Ctrl S)", editor.save),
+            ("Save as", "save it under another name (Ctrl Shift S)", editor.save_as),
+        )
+        for (name, tip, act), place in zip(acts, self._places(len(acts), y), strict=True):
+            self._put(place, name, name, tip, act)
+        return y + ROW
+
+    def _put_tools(self, y: int) -> int:
+        for start in range(0, len(TOOLS), ACROSS):
+            several = TOOLS[start : start + ACROSS]
+            for kind, place in zip(several, self._places(ACROSS, y), strict=False):
+                tip = f"{kind.text} ({kind.key})"
+                self._put(place, kind.name, kind.caption, tip, partial(self._take, kind.name))
+            y += ROW
+        return y
+
+    def _put_joints(self, y: int) -> int:
+        places = beside(self._sheet.pen, list(self._joints), self._sheet.width)
+        for (name, text), place in zip(self._joints.items(), places, strict=True):
+            self._put(place.move(0, y), name, name, text, partial(self._join, name))
+        return y + places[-1].bottom + GAP
+
+    def _places(self, count: int, y: int) -> Iterator[pygame.Rect]:
+        """Yield so many places of the same width beside each other."""
+        width = (self._sheet.width + GAP) / count
+        for i in range(count):
+            left, right = round(i * width), round((i + 1) * width)
+            yield pygame.Rect(left, y, right - left - GAP, HEIGHT)
+
+    def _put(
+        self, place: pygame.Rect, name: str, caption: str, tip: str,
+        act: Callable[[], object], kind: str = SMALL,
+    ) -> None:  # fmt: skip
+        button = UIButton(
+            place.move(MARGIN, 0), caption, self._sheet.manager, container=self._sheet.strip,
+            tool_tip_text=tip, object_id=ObjectID(class_id=kind),
+        )  # fmt: skip
+        self._buttons[name], self._acts[button] = button, act
+
+    def button(self, name: str) -> UIButton:
+        """Return the button of a tool or a joint by its name, or one by its caption."""
+        return self._buttons[name]
+
+    def press(self, element: object) -> bool:
+        """Do what a button is for, and return whether it is one of these."""
+        act = next((act for button, act in self._acts.items() if button is element), None)
+        if act is not None:
+            act()
+        return act is not None
+
+    def _step(self, act: Callable[[], None]) -> None:
+        self._editor.back(self._session)
+        act()
+
+    def _take(self, tool: str) -> None:
+        self._editor.back(self._session)
+        self._editor.choose(tool)
+
+    def _join(self, kind: str) -> None:
+        self._editor.joining.use(kind)
+        self._editor.show()
+
+    def update(self) -> None:
+        """Show what is in hand, and what can be undone and saved."""
+        editor, draft = self._editor, self._editor.work.draft
+        for kind in TOOLS:
+            press(self._buttons[kind.name], kind.name == editor.tool)
+        for name, key, said in (("Undo", "Ctrl Z", draft.undoes), ("Redo", "Ctrl Y", draft.redoes)):
+            allow(self._buttons[name], said is not None)
+            self._buttons[name].set_tooltip(f"{said} ({key})" if said else None, delay=0.6)
+        allow(self._buttons["Save"], draft.changed or draft.path is None)
+        self._buttons[TRY].set_text(STOP if editor.trying(self._session) else TRY)
+        self._show_joints(editor.tool == "join")
+
+    def _show_joints(self, shown: bool) -> None:
+        """Make room for the joints, or leave that to the fields."""
+        for name in self._joints:
+            button = self._buttons[name]
+            if shown and not button.visible:
+                button.show()  # type: ignore[no-untyped-call]
+            press(button, shown and name == self._editor.joining.kind)  # what is hidden has no look
+            if not shown and button.visible:
+                button.hide()  # type: ignore[no-untyped-call]
+        self._sheet.pin(self._height if shown else self._without)

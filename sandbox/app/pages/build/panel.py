@@ -1,0 +1,210 @@
+"""The page on which levels are built: the tools, what there is to decide, and the fields."""
+
+from collections.abc import Collection, Sequence
+from pathlib import Path
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
+from pygame_gui.elements import UIButton
+
+from sandbox.app.building import inspection
+from sandbox.app.building.act import Act
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.fields import Row
+from sandbox.app.pages.build import content
+from sandbox.app.pages.build.column import GAP, HEIGHT, Column
+from sandbox.app.pages.build.content import Block
+from sandbox.app.pages.build.inspector import Inspector, Line
+from sandbox.app.pages.build.palette import Palette
+from sandbox.app.pages.page import Desk
+from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.gui import press, scroll
+from sandbox.app.widgets.sheet import Sheet
+from sandbox.model import locating
+
+Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
+
+
+class BuildPage:
+    """Shows what the editor works on, and sets it.
+
+    Attributes
+    ----------
+    palette
+        The tools.
+    inspector
+        The fields.
+    """
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._session = sheet, desk.session
+        self._editor = desk.worker(Editor)
+        self._column = Column(sheet)
+        self.palette = Palette(sheet, self._editor, desk.session)
+        self.inspector = Inspector(sheet, self._column)
+        self._buttons: list[UIButton] = []
+        self._acts: list[tuple[UIButton, Act]] = []
+        self._name: Field | None = None
+        self._refused: dict[locating.Path, str] = {}
+        self._selected: object = None
+        self._shape: object = None
+        sheet.typed = self
+        self.update()
+
+    def button(self, caption: str) -> UIButton:
+        """Return a button below the tools by its caption."""
+        return next(button for button, act in self._acts if act.caption == caption)
+
+    # what is asked for
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Do what was clicked on or typed; what is to be told of that the editor tells."""
+        for line in self.inspector.left():
+            self._set(line)
+        if event.type == UI_BUTTON_PRESSED:
+            if not self._press(event.ui_element):
+                return None
+            press(event.ui_element, False)  # a click has put out what was lit; `update` lights it
+            return ""
+        if event.type == UI_TEXT_ENTRY_FINISHED:
+            return "" if self._enter(event.ui_element) else None
+        return None
+
+    def _press(self, element: object) -> bool:
+        line = self.inspector.line(element)
+        if line is not None:
+            self._choose(line, element)
+            return True
+        act = next((act for button, act in self._acts if button is element), None)
+        if act is not None:
+            act.do()
+            return True
+        return self.palette.press(element) or self.inspector.turn(element)
+
+    def _choose(self, line: Line, element: object) -> None:
+        if element is line.slider:
+            inspection.parametrise(self._editor.work, line.entry)
+            return
+        means = next(means for button, means in line.choices.items() if button is element)
+        self._assign(line, means)
+
+    def _enter(self, element: object) -> bool:
+        """Take what was typed; a field that is done with leaves the keys to the tools."""
+        if element is self._name:
+            self._save_here()
+            return True
+        line = self.inspector.line(element)
+        if line is None:
+            return False
+        if self._set(line):
+            self._sheet.manager.set_focus_set(None)
+        return True
+
+    def _set(self, line: Line) -> bool:
+        """Set an entry to what its field says, and return whether that can be."""
+        assert line.field is not None
+        line.shown = line.field.get_text()
+        return self._assign(line, line.shown)
+
+    def _assign(self, line: Line, typed: str) -> bool:
+        entry, work = line.entry, self._editor.work
+        why = inspection.assign(work, line.row, entry, typed)
+        self._refused.pop(entry.path, None)
+        if why:
+            self._refused[entry.path] = why
+            work.tell(f"{entry.label}: {why}")
+            self._editor.show()
+        return not why
+
+    def _save_here(self) -> None:
+        assert self._name is not None
+        self._editor.save(Path(self._name.get_text().strip()).expanduser())
+
+    # fields, as the window goes through them
+
+    def focus(self, direction: int) -> Field | None:
+        """Go on to the next field, or back to the one before, and return it if there is any."""
+        return self.inspector.focus(direction)
+
+    def revert(self) -> None:
+        """Let all fields say again what is the case, and ask for no name any more."""
+        self._refused.clear()
+        self.inspector.revert()
+        if self._name is not None and self._name.is_focused:
+            self._editor.stop_naming()
+        self._editor.show()
+
+    # what is shown
+
+    def update(self) -> None:
+        """Show what is new; what stands there already is kept."""
+        selected = self._editor.work.selected
+        another, self._selected = selected != self._selected, selected
+        if another:
+            self._refused.clear()
+        self.palette.update()
+        rows, numbers = inspection.rows(self._editor.work), inspection.numbers(self._editor.work)
+        blocks = self._blocks()
+        shape = (
+            selected, self._editor.naming, [block.shape for part in blocks for block in part],
+            self.inspector.shape(rows, numbers), dict(self._refused),
+        )  # fmt: skip
+        if shape != self._shape:
+            self._shape = shape
+            self._build(blocks, rows, numbers)
+        self._refresh(blocks)
+        self.inspector.refresh(rows)
+        if another:
+            scroll(self._sheet.container, 0)
+
+    def _blocks(self) -> Blocks:
+        """Return what stands above the name that is asked for, below that, and below the fields."""
+        editor = self._editor
+        below = content.subject(editor)
+        if editor.naming:
+            here = Act("Save here", "write the file (Enter)", self._save_here)
+            leave = Act("Do not save", "go on without (Esc)", editor.stop_naming)
+            below.insert(0, Block("", acts=(here, leave)))
+        return content.above(editor, self._session), below, content.arranging(editor)
+
+    def _build(
+        self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[locating.Path]
+    ) -> None:
+        above, below, last = blocks
+        self.inspector.keep()
+        self._column.clear()
+        self._buttons = []
+        self._put(above)
+        self._put_name()
+        self._put(below)
+        self._column.y += 2 * GAP
+        self.inspector.build(rows, numbers, self._refused)
+        self._put(last)
+        self._sheet.end(self._column.y + GAP)
+
+    def _put(self, blocks: Sequence[Block]) -> None:
+        for block in blocks:
+            self._column.y += GAP
+            if block.color is None:
+                self._column.heading(block.text)
+            elif block.text:
+                self._column.text(block.text, block.color)
+            self._buttons += self._column.buttons(block.acts)
+
+    def _put_name(self) -> None:
+        """Ask for a name to save under, if that is wanted."""
+        before, self._name = self._name, None
+        if self._editor.naming:
+            typed = before.get_text() if before is not None else str(self._editor.proposed)
+            self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
+            self._column.y += HEIGHT + GAP
+            self._sheet.manager.set_focus_set(self._name.get_focus_set())
+
+    def _refresh(self, blocks: Blocks) -> None:
+        """Let the buttons do what they say of the level as it is now."""
+        shown = [block for part in blocks for block in part]
+        acts = [act for block in shown for act in block.acts]
+        pressed = [act.caption in block.pressed for block in shown for act in block.acts]
+        self._acts = list(zip(self._buttons, acts, strict=True))
+        for button, on in zip(self._buttons, pressed, strict=True):
+            press(button, on)

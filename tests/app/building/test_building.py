@@ -1,0 +1,176 @@
+"""Levels are built with the mouse, from nothing, and run."""
+
+import pygame
+import pytest
+
+from sandbox.app.building.tools.joining import CLICKS, PLAIN, kinds
+from sandbox.model.loading import parse
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
+from tests.app.building.builder import Builder
+
+
+def test_an_atwood_machine_takes_less_than_25_clicks_and_passes_its_checks(
+    builder: Builder,
+) -> None:
+    builder.new()
+    builder.tool("box")
+    builder.drag((-2.5, 1), (-1.5, 2))
+    builder.drag((1.5, 1), (2.5, 2))
+    builder.fill("15", "bodies", "box2", "mass")
+    builder.tool("join")
+    builder.tool("pulley")
+    for place in ((-2, 1.5), (-2, 6), (2, 6), (2, 1.5)):
+        builder.at(*place)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("Atwood machine")
+    builder.click(builder.page.palette.button("Try it").rect)
+
+    assert builder.person.session.playing
+    assert builder.clicks < 25
+    level = parse(builder.editor.work.draft.text)
+    assert level.checks
+    assert all(result.verdict == "passed" for result in grade(simulate(level)))
+
+
+def test_every_joint_of_the_register_is_tied_with_the_mouse_and_runs(builder: Builder) -> None:
+    refused = {}
+    for kind in kinds():
+        builder.new()
+        builder.tool("disc")
+        builder.drag((-2, 4), (-1, 4))
+        builder.drag((2, 4), (3, 4))
+        builder.tool("join")
+        builder.tool(kind)
+        needed = len(CLICKS.get(kind, PLAIN).hints)
+        places = [(-2, 4), (3, 4)] if kind == "winding" else [(-2, 4), (2, 4)]
+        if kind == "pulley":
+            places.insert(1, (0, 8))
+        for place in places[:needed]:
+            builder.at(*place)
+        builder.key(pygame.K_SPACE, " ")
+        made = builder.document.get("joints", {})
+        if [joint["type"] for joint in made.values()] != [kind] or builder.editor.refusal:
+            refused[kind] = made, builder.editor.refusal
+
+    assert refused == {}
+
+
+def test_a_polygon_a_surface_and_a_stroke_are_drawn(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_4, "4")
+    for corner in ((-4, 1), (-2, 1), (-3, 3), (-4, 1)):
+        builder.at(*corner)
+    builder.key(pygame.K_5, "5")
+    for point in ((1, 4), (3, 2), (6, 2)):
+        builder.at(*point)
+    builder.key(pygame.K_RETURN, "\r")
+    builder.key(pygame.K_6, "6")
+    builder.drag((-8, 5), (-5, 6))
+
+    shapes = [body["shape"]["type"] for body in builder.document["bodies"].values()]
+    assert shapes[1:3] == ["polygon", "polyline"]
+    assert len(shapes) == 4
+    assert builder.editor.work.draft.level is not None
+
+
+def test_a_body_is_moved_turned_and_resized_by_hand(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_3, "3")
+    builder.drag((-1, 4), (1, 5))
+    builder.key(pygame.K_1, "1")
+    builder.drag((0.1, 4.6), (2.1, 6.6))
+    assert builder.document["bodies"]["box1"]["position"] == [2, 6.5]
+
+    builder.drag((3, 7), (4, 8))
+    shape = builder.document["bodies"]["box1"]["shape"]
+    assert (shape["width"], shape["height"]) == (3, 2)
+
+    camera = builder.editor.work.camera
+    stalk = camera.to_screen((2.5, 8))
+    start = camera.to_world((stalk[0], stalk[1] - 30))
+    builder.drag(start, (5, 7))
+    angle = parse(builder.editor.work.draft.text).bodies["box1"].angle({})
+    assert angle == pytest.approx(-1.5708, abs=0.1)
+
+
+def test_a_body_that_is_dropped_near_the_ground_touches_it_exactly(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_2, "2")
+    builder.drag((0, 4), (0.5, 4))
+    radius = builder.document["bodies"]["disc1"]["shape"]["radius"]
+    builder.key(pygame.K_1, "1")
+    builder.drag((0, 4), (3, radius + 0.1))
+
+    x, y = builder.document["bodies"]["disc1"]["position"]
+    assert abs(y - radius) < 1e-15
+    assert x == 3
+
+
+def test_alt_lets_go_of_the_grid(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_2, "2")
+    pygame.key.set_mods(pygame.KMOD_LALT)
+    builder.drag((0.137, 4.0411), (0.5, 4))
+    pygame.key.set_mods(pygame.KMOD_NONE)
+
+    x, _ = builder.document["bodies"]["disc1"]["position"]
+    assert x != pytest.approx(round(x * 2) / 2, abs=1e-3)
+
+
+def test_a_frame_catches_several_and_shift_takes_one_out(builder: Builder) -> None:
+    builder.drag((-1.5, -1), (1.5, 1))
+    assert builder.editor.work.chosen == ["left", "right"]
+
+    pygame.key.set_mods(pygame.KMOD_LSHIFT)
+    builder.at(-0.6, 0)
+    pygame.key.set_mods(pygame.KMOD_NONE)
+    assert builder.editor.work.chosen == ["right"]
+
+
+def test_what_is_selected_is_nudged_copied_duplicated_and_deleted(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    step = builder.editor.work.snapping.grid
+    builder.key(pygame.K_RIGHT)
+    builder.key(pygame.K_RIGHT)
+    x, _ = builder.document["bodies"]["left"]["position"]
+    assert x == pytest.approx(-0.6 + 2 * step)
+    builder.control("z")
+    assert builder.document["bodies"]["left"]["position"] == [-0.6, 0]
+
+    builder.control("d")
+    builder.control("c")
+    builder.control("v")
+    assert len(builder.document["bodies"]) == 4
+    builder.key(pygame.K_DELETE)
+    assert len(builder.document["bodies"]) == 3
+
+
+def test_the_delete_tool_takes_out_a_body_and_its_joint(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_2, "2")
+    builder.drag((0, 4), (1, 4))
+    builder.drag((4, 4), (5, 4))
+    builder.key(pygame.K_7, "7")
+    builder.tool("rod")
+    builder.at(0, 4)
+    builder.at(4, 4)
+    assert builder.document["joints"]
+    builder.key(pygame.K_8, "8")
+    builder.at(0, 4)
+
+    assert "joints" not in builder.document
+    assert "disc1" not in builder.document["bodies"]
+
+
+def test_escape_takes_back_what_was_begun_and_never_ends_the_app(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_5, "5")
+    builder.at(0, 1)
+    builder.at(2, 1)
+    for _ in range(8):
+        builder.key(pygame.K_ESCAPE)
+
+    assert builder.person.window.open
+    assert builder.editor.tool == "select"
+    assert list(builder.document["bodies"]) == ["ground"]

@@ -1,0 +1,209 @@
+"""What is built is run, undone, saved, and not lost."""
+
+import json
+from pathlib import Path
+
+import pygame
+import pytest
+
+from sandbox.app.building.drafts import OFTEN
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.offering import offers
+from sandbox.app.window import Window
+from sandbox.editing import recovery
+from sandbox.model import catalog
+from tests.app.building.builder import Builder
+from tests.app.person import Person
+
+
+@pytest.fixture
+def mine(person: Person, tmp_path: Path) -> Builder:
+    """Somebody at the Build page of a level of their own."""
+    person.open(tmp_path, catalog.find("newton/atwood").read_text(encoding="utf-8"))
+    return Builder(person)
+
+
+def file_of(builder: Builder) -> Path:
+    path = builder.editor.work.draft.path
+    assert path is not None
+    return path
+
+
+def test_the_run_stands_at_its_start_while_building_and_comes_back_there(mine: Builder) -> None:
+    mine.at(-0.6, 0)
+    mine.key(pygame.K_LEFT)
+    text = mine.editor.work.draft.text
+    mine.key(pygame.K_SPACE, " ")
+    mine.person.wait(0.3)
+    assert mine.person.session.world.steps > 3
+    mine.key(pygame.K_ESCAPE)
+
+    assert mine.person.session.world.steps == 0
+    assert not mine.person.session.playing
+    assert mine.editor.work.draft.text == text
+
+
+def test_to_change_something_while_it_runs_comes_back_to_the_start(mine: Builder) -> None:
+    mine.key(pygame.K_SPACE, " ")
+    mine.person.wait(0.2)
+    mine.key(pygame.K_3, "3")
+
+    assert mine.person.session.world.steps == 0
+    assert mine.editor.tool == "box"
+
+
+def test_the_run_is_that_of_what_was_built(mine: Builder) -> None:
+    mine.key(pygame.K_2, "2")
+    mine.drag((3, 2), (3.5, 2))
+    mine.key(pygame.K_SPACE, " ")
+    mine.person.wait(0.2)
+
+    assert "disc1" in mine.person.session.level.bodies
+    assert mine.person.session.world.steps > 0
+
+
+def test_undo_and_redo_take_back_everything_and_do_it_again(mine: Builder) -> None:
+    first = mine.editor.work.draft.text
+    mine.key(pygame.K_2, "2")
+    for x in range(5):
+        mine.drag((x - 2, 3), (x - 1.8, 3))
+    last = mine.editor.work.draft.text
+    for _ in range(5):
+        mine.control("z")
+    assert mine.editor.work.draft.text == first
+    for _ in range(4):
+        mine.control("y")
+    mine.control("z", pygame.KMOD_SHIFT)
+
+    assert mine.editor.work.draft.text == last
+
+
+def test_an_overlap_is_told_in_words_and_cannot_be_run(mine: Builder) -> None:
+    mine.new()
+    mine.key(pygame.K_3, "3")
+    mine.drag((-1, 2), (1, 4))
+    mine.drag((0, 3), (2, 5))
+    mine.person.wait(0.1)
+    assert {"box1", "box2"} & mine.editor.culprits
+    mine.key(pygame.K_SPACE, " ")
+    assert not mine.person.session.playing
+    assert "overlap" in mine.editor.refusal
+
+    mine.control("z")
+    mine.person.wait(0.1)
+    assert mine.editor.refusal == ""
+
+
+def test_a_level_that_was_not_touched_is_saved_as_it_was(mine: Builder) -> None:
+    before = file_of(mine).read_bytes()
+    mine.control("s")
+
+    assert file_of(mine).read_bytes() == before
+
+
+@pytest.mark.sweep
+@pytest.mark.all_levels
+def test_every_level_opens_in_the_editor_and_is_saved_byte_for_byte(
+    person: Person, tmp_path: Path
+) -> None:
+    person.window.open_level("newton/atwood")
+    person.wait()
+    builder = Builder(person)
+    different = []
+    for name in catalog.names():
+        path = catalog.find(name)
+        person.window.open_level(name)
+        builder.key(pygame.K_b, "b")  # a challenge opens with a page of its own
+        copy = tmp_path / f"{name.replace('/', '-')}.json"
+        builder.editor.save(copy)
+        if copy.read_bytes() != path.read_bytes():
+            different.append(name)
+
+    assert different == []
+
+
+def test_a_new_level_is_saved_under_the_name_that_is_typed(mine: Builder, tmp_path: Path) -> None:
+    mine.new()
+    mine.key(pygame.K_2, "2")
+    mine.drag((0, 3), (1, 3))
+    mine.control("s")
+    mine.person.wait(0.1)
+    assert mine.page._name is not None
+    mine.page._name.set_text(str(tmp_path / "mine.json"))
+    mine.act("Save here")
+    mine.person.wait(0.1)
+
+    assert "disc1" in json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))["bodies"]
+    assert mine.person.window._path == tmp_path / "mine.json"
+    mine.control("z")
+    assert list(mine.document["bodies"]) == ["ground"]
+
+
+def test_another_level_and_back_loses_nothing(mine: Builder) -> None:
+    mine.key(pygame.K_2, "2")
+    mine.drag((3, 2), (3.5, 2))
+    path, text = file_of(mine), mine.editor.work.draft.text
+    mine.person.window.open_level("newton/incline")
+    mine.person.wait(0.1)
+    mine.person.window.open_level(str(path))
+    mine.person.wait(0.1)
+
+    assert mine.editor.work.draft.text == text
+    assert "disc1" in mine.person.session.level.bodies
+
+
+def test_what_was_not_saved_is_offered_to_the_next_window(mine: Builder) -> None:
+    mine.key(pygame.K_2, "2")
+    mine.drag((3, 2), (3.5, 2))
+    mine.person.wait(OFTEN + 0.1)
+    text = mine.editor.work.draft.text
+    recovery._OPEN.clear()  # as if the process had ended
+
+    window = Window((1280, 800))
+    window.open_level("newton/incline")
+    after = Builder(Person(window))
+    after.person.wait(0.1)
+    after.act("Recover")
+    after.person.wait(0.1)
+
+    assert after.editor.work.draft.text == text
+    assert offers(after.editor, after.person.session) == []
+
+
+def test_a_file_that_was_changed_outside_is_told_and_not_written_over(mine: Builder) -> None:
+    path = file_of(mine)
+    outside = path.read_text(encoding="utf-8").replace("Atwood machine", "Changed outside")
+    path.write_text(outside, encoding="utf-8")
+    mine.key(pygame.K_2, "2")
+    mine.drag((3, 2), (3.5, 2))
+    mine.person.wait(OFTEN + 0.1)
+    mine.control("s")
+    assert path.read_text(encoding="utf-8") == outside
+
+    mine.act("Read it")
+    mine.person.wait(0.1)
+    assert mine.person.session.level.title == "Changed outside"
+
+
+def test_the_help_tells_the_keys_of_the_page_while_it_is_open(mine: Builder) -> None:
+    mine.key(pygame.K_F1)
+    mine.key(pygame.K_2, "2")
+    assert mine.editor.tool == "select"  # the help is open: keys are for it
+    mine.key(pygame.K_F1)
+    mine.key(pygame.K_o, "o")
+    mine.key(pygame.K_2, "2")
+
+    assert mine.editor.tool == "select"
+
+
+def test_while_another_page_is_open_the_hand_is_back(mine: Builder) -> None:
+    mine.key(pygame.K_o, "o")
+    before = mine.editor.work.draft.text
+    mine.person.drag(mine.person.on_screen((-0.6, 0)), mine.person.on_screen((-0.6, 1)))
+
+    assert mine.person.session.world.disturbed
+    assert mine.editor.work.draft.text == before
+
+
+def test_there_is_one_editor_a_window(mine: Builder) -> None:
+    assert mine.page._editor is mine.person.window.workers.of(Editor)

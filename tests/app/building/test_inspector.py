@@ -1,0 +1,90 @@
+"""Every field of a level can be set beside the stage, and refuses nonsense there."""
+
+from typing import get_args
+
+import pytest
+
+from sandbox.app.building import fields
+from sandbox.app.building.fields import Section
+from sandbox.model.effects import EFFECTS
+from sandbox.model.joints import Joint
+from sandbox.model.level import Body
+from tests.app.building.builder import Builder
+
+
+def test_a_field_takes_an_expression(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.fill("2*m2 + 1", "bodies", "left", "mass")
+
+    assert builder.document["bodies"]["left"]["mass"] == "2*m2 + 1"
+    assert builder.person.session.level.bodies["left"].mass({"m2": 1.5}) == 4  # type: ignore[misc]
+
+
+def test_nonsense_is_refused_beside_the_field_with_the_loaders_sentence(builder: Builder) -> None:
+    before = builder.editor.work.draft.text
+    builder.at(-0.6, 0)
+    builder.fill("-3", "bodies", "left", "mass")
+
+    assert builder.editor.work.draft.text == before
+    assert "greater than 0" in builder.page._refused["bodies", "left", "mass"]
+
+
+def test_one_click_makes_a_number_a_parameter(builder: Builder) -> None:
+    builder.new()
+    builder.tool("disc")
+    builder.drag((0, 3), (1, 3))
+    builder.click(builder.page.inspector.parametrise_button("bodies", "disc1", "mass").rect)
+    builder.person.wait(0.1)
+
+    assert builder.document["bodies"]["disc1"]["mass"] == "mass"
+    assert "mass" in builder.person.session.level.parameters
+
+
+def test_half_of_a_point_that_is_not_said_can_be_typed(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.fill("-2", "bodies", "left", "velocity", 1)
+
+    assert builder.document["bodies"]["left"]["velocity"] == [0, -2]
+
+
+@pytest.mark.parametrize("effect", list(EFFECTS))
+def test_every_effect_is_switched_on_and_off(builder: Builder, effect: str) -> None:
+    builder.new()
+    for x in (0, 4):
+        builder.tool("disc")
+        builder.drag((x, 3), (x + 1, 3))
+    builder.key(27)
+    builder.key(27)
+    if effect in builder.document["effects"]:
+        builder.act(effect)
+    if effect == "belt":  # which the loader refuses without
+        builder.act("friction")
+    builder.act(effect)
+    builder.person.wait(0.1)
+    assert effect in builder.document["effects"]
+    builder.act(effect)
+
+    assert effect not in builder.document.get("effects", {})
+
+
+def test_every_field_of_the_models_has_a_row() -> None:
+    for model in (Body, *get_args(get_args(Joint)[0])):
+        said: dict[str, object] = {}
+        rows = fields.rows(model, said, ())  # type: ignore[arg-type]
+        shown = {row.path[0] if isinstance(row, Section) else row[0].path[0] for row in rows}
+        assert shown | {"type"} == {*model.model_fields, "type"}
+
+
+def test_what_a_field_means_is_said_with_it() -> None:
+    rows = fields.rows(Body, {"shape": {"type": "disc", "radius": 1}}, ())
+    entries = [entry for row in rows if not isinstance(row, Section) for entry in row]
+
+    assert all(entry.help for entry in entries if entry.label != "type")
+    assert next(entry.unit for entry in entries if entry.label == "mass") == "kg"
+
+
+def test_an_angle_is_typed_in_degrees(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.fill("30*deg", "bodies", "left", "angle")
+
+    assert builder.document["bodies"]["left"]["angle"] == "30*deg"

@@ -1,0 +1,96 @@
+"""What the page says, and how fields, tools and choices behave on it."""
+
+import pygame
+
+from sandbox.app.pages.build import content
+from tests.app.building.builder import Builder
+
+
+def texts(builder: Builder) -> list[str]:
+    return [block.text for block in content.subject(builder.editor)]
+
+
+def test_it_says_when_effects_and_checks_are_shown_and_a_button_leads_there(
+    builder: Builder,
+) -> None:
+    builder.at(-0.6, 0)
+    assert any("while nothing is selected" in text for text in texts(builder))
+    builder.act("Select nothing")
+    builder.person.wait(0.1)
+
+    assert builder.page.button("gravity").is_selected
+
+
+def test_tools_stay_where_they_are_while_the_fields_are_scrolled(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    before = builder.page.palette.button("disc").rect.copy()
+    builder.reach(builder.page.inspector.field("bodies", "left", "layer"))
+
+    assert builder.page.palette.button("disc").rect == before
+
+
+def test_what_was_typed_into_a_field_that_is_left_is_taken(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.click(builder.page.inspector.field("bodies", "left", "angle").rect)
+    pygame.event.post(pygame.Event(pygame.TEXTINPUT, text="1"))
+    builder.person.wait(0.1)
+    builder.at(3, 3)
+
+    assert builder.document["bodies"]["left"]["angle"] == 1
+    assert not builder.editor.work.selected
+
+
+def test_enter_leaves_a_field_so_that_the_keys_are_those_of_the_tools(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.fill("3", "bodies", "left", "mass")
+    builder.key(pygame.K_7, "7")
+
+    assert builder.editor.tool == "join"
+    assert builder.document["bodies"]["left"]["mass"] == 3
+
+
+def test_escape_takes_back_what_was_refused(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    builder.fill("-3", "bodies", "left", "mass")
+    assert builder.page.inspector.field("bodies", "left", "mass").get_text() == "-3"
+    builder.key(pygame.K_ESCAPE)
+    builder.person.wait(0.1)
+
+    assert builder.page.inspector.field("bodies", "left", "mass").get_text() == "m1"
+    assert builder.page._refused == {}
+
+
+def test_each_choice_has_a_button_and_what_cannot_be_is_told_beside_it(builder: Builder) -> None:
+    builder.at(-0.6, 0)
+    lines = builder.page.inspector._lines["bodies", "left", "type"]
+    static = next(button for button, means in lines.choices.items() if means == "static")
+    dynamic = next(button for button, means in lines.choices.items() if means == "dynamic")
+    assert dynamic.is_selected
+    builder.click(static.rect)
+    builder.person.wait(0.1)
+
+    assert builder.page._refused["bodies", "left", "type"] == "a static body has no mass"
+    assert "type" not in builder.document["bodies"]["left"]
+
+
+def test_the_joint_in_hand_is_lit(builder: Builder) -> None:
+    builder.tool("join")
+    builder.tool("rod")
+    builder.tool("rod")
+    builder.person.move((0, 0))
+    corners = [builder.page.palette.button(name).rect.move(4, 4) for name in ("rod", "pulley")]
+    rod, pulley = (builder.person.color_at(corner.topleft) for corner in corners)
+
+    assert rod == (31, 95, 135)  # as theme.json says of what is selected
+    assert pulley != rod
+
+
+def test_an_effect_that_turns_bodies_brings_rotation_with_it(builder: Builder) -> None:
+    builder.new()
+    builder.tool("disc")
+    builder.drag((0, 3), (1, 3))
+    builder.key(pygame.K_ESCAPE)
+    builder.key(pygame.K_ESCAPE)
+    builder.act("torque")
+
+    assert {"torque", "rotation"} <= builder.document["effects"].keys()
