@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner, Result
 
-from sandbox.model import catalog
 from tests.elsewhere import python
 from validation.cli import app
 from validation.effects import costs, growth
@@ -61,7 +60,6 @@ def _small() -> Iterator[None]:
         patch.setattr(parts, "PHENOMENA", ("atwood", "circular_motion"))
         patch.setattr(parts, "SAMPLE", LEVELS)
         patch.setattr(parts, "HARD", HARD)
-        patch.setattr(catalog, "names", lambda: list(LEVELS))
         patch.setattr(costs, "QUICK", (1, 100, 200))
         patch.setattr(growth, "QUICK", {"gas": (2, 9), "pile": (2, 9)})
         yield
