@@ -163,7 +163,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (touching, "effects.belt", [BELT], None),
         (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'friction'"),
         (bare, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0: 'belt' needs the effect 'contact'"),
-        (touching, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0.body: 'ball' is dynamic, but a belt stands still"),
+        (touching, "effects.belt", [{**BELT, "body": "ball"}], "effects.belt.0.body: 'ball' is dynamic, but a belt is static or kinematic"),
         (touching, "effects.belt", [{**BELT, "body": "flor"}], "effects.belt.0.body: unknown body 'flor'; did you mean 'floor'?"),
         (touching, "effects.belt", [BELT, BELT], "effects.belt.1.body: 'floor' is a belt already"),
         (touching, "bodies.ball.static_friction", 1, None),

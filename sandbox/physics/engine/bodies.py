@@ -62,11 +62,9 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
         body.velocity = evaluate(spec.velocity, values)
         body.angular_velocity = spec.angular_velocity(values)
     if spec.motion:
-        x, y, turn = (
-            float(formula.slope("t").at(values, {"t": np.zeros(())}))
-            for formula in (*spec.motion.displacement, spec.motion.turn)
-        )
-        body.velocity, body.angular_velocity = (x, y), turn
+        from sandbox.physics.engine.motions import velocities_at_start
+
+        body.velocity, body.angular_velocity = velocities_at_start(spec.motion, values)
     return body
 
 

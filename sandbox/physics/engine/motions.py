@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from sandbox.model.expressions import Array, Values
-from sandbox.model.level import Body
+from sandbox.model.level import Body, Motion
+from sandbox.model.shapes import XY
 from sandbox.physics.engine.batch import Batch
 
 
@@ -66,3 +67,12 @@ class Motions:
         velocity = self._batch.velocity()
         velocity[self.bodies] = self._next
         self._batch.set_velocity(velocity)
+
+
+def velocities_at_start(motion: Motion, values: Values) -> tuple[XY, float]:
+    """Return the velocity and the angular velocity with which a motion begins [m/s, rad/s]."""
+    x, y, turn = (
+        float(formula.slope("t").at(values, {"t": np.zeros(())}))
+        for formula in (*motion.displacement, motion.turn)
+    )
+    return (x, y), turn
