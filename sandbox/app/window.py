@@ -185,6 +185,8 @@ class Window:
     def do(self, command: str) -> None:
         """Do what a command asks for, as if its key was pressed."""
         maker = self._maker
+        if self.panels.home.open and command not in AT_HOME:
+            self._go_home()
         if maker is None or self.session is None or not maker.command(command, self.session):
             self._commands[command]()
 

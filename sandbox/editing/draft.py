@@ -1,6 +1,7 @@
 """A level under edit: its text, what it loads as, its undo, and its file."""
 
 import codecs
+import os
 from collections import deque
 from pathlib import Path
 
@@ -172,7 +173,7 @@ class Draft:
 
     def changed_outside(self) -> bool:
         """Whether somebody else has written its file since it was read; one that is gone is not."""
-        if self.path is None or not self.path.exists():
+        if self.path is None or not os.path.lexists(self.path):
             return False
         try:
             return content(self.path) != self._held
@@ -185,18 +186,19 @@ class Draft:
         Raises
         ------
         SandboxError
-            If it has no file, or the file cannot be read.
+            If it has no file, or the file cannot be read, or has mistakes.
         """
         if self.path is None:
             raise SandboxError("the level has no file yet; there is nothing to read again")
         held = content(self.path)
         text = decoded(held, str(self.path))
+        parse(text, str(self.path))  # what has mistakes is not taken over
         self.change(text, "read the file again")
         self._held, self.saved = held, text
 
     def _refuse_to_overwrite(self, target: Path) -> None:
         if target != self.path:
-            if target.exists():
+            if os.path.lexists(target):
                 raise SandboxError(f"{target} is there already; choose another name")
         elif self.changed_outside():
             rule = "was changed outside since it was read; read it again, or overwrite it"

@@ -1,5 +1,6 @@
 """The drafts of a window: none is lost when another level is shown, or when the window ends."""
 
+import os
 import re
 from itertools import chain, count
 from pathlib import Path
@@ -10,6 +11,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.files import make_folder
 from sandbox.model.level import Level
 
 OFTEN = 1.0  # s, between two looks at what is to be kept
@@ -43,9 +45,12 @@ class Drafts:
     @staticmethod
     def _read(level: Level) -> Draft:
         try:
-            return Draft.open(Path(level.source))
+            draft = Draft.open(Path(level.source))
         except SandboxError:
             return Draft.of(level.text)
+        if draft.level is not None:
+            return draft
+        return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
         """Keep a draft from now on."""
@@ -64,10 +69,10 @@ class Drafts:
         self.keep()
         return before != (self.outside, self.left)
 
-    def keep(self) -> None:
-        """Keep what is not saved, should the window end."""
-        for draft, recovery in self._kept.items():
-            recovery.keep(draft)
+    def keep(self) -> str:
+        """Keep what is not saved, should the window end; return why that cannot be, if so."""
+        told = [recovery.keep(draft) for draft, recovery in self._kept.items()]
+        return next(filter(None, told), "")
 
     def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
         """Write a draft to its file, or to another.
@@ -77,7 +82,10 @@ class Drafts:
         SandboxError
             If it cannot be written, or something else would be written over unasked.
         """
-        draft.save(path, overwrite=overwrite or draft is self._mine)
+        mine = draft is self._mine and path in (None, draft.path)
+        if path is not None and path.parent == _folder():
+            make_folder(_folder())
+        draft.save(path, overwrite=overwrite or mine)
         self._mine, self.outside = None, False
         self.keep()
 
@@ -92,9 +100,9 @@ class Drafts:
         if draft.path is not None and cls.is_own(draft):
             return draft.path
         stem = re.sub(r"[^a-z0-9]+", "-", title.casefold()).strip("-") or "level"
-        folder = platformdirs.user_documents_path() / "Mechanics sandbox"
+        folder = _folder()
         names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
-        return next(path for name in names if not (path := folder / f"{name}.json").exists())
+        return next(path for name in names if not os.path.lexists(path := folder / f"{name}.json"))
 
     def forget(self, left: Recoverable) -> None:
         """Throw away what a window has left."""
@@ -104,3 +112,8 @@ class Drafts:
     def keep_mine(self, draft: Draft) -> None:
         """Write a draft over what something else has written, the next time it is saved."""
         self._mine, self.outside = draft, False
+
+
+def _folder() -> Path:
+    """Return where levels of one's own are saved, unless somebody says otherwise."""
+    return platformdirs.user_documents_path() / "Mechanics sandbox"

@@ -124,12 +124,15 @@ class Editor:
         level = work.draft.level
         if level is None:
             work.tell(f"That cannot be: {work.mistake}")
-            work.draft.undo()
+            while level is None and work.draft.undo():
+                level = work.draft.level
             work.refresh()
-            level = work.level
         self._tried = work.version
         self.show()
         self.refusal, self.culprits = "", frozenset()
+        if level is None:
+            self.refusal = work.mistake
+            return False
         try:
             session.edit(level)
             self._played = level

@@ -61,7 +61,7 @@ def rows(work: Work) -> Sequence[Row]:
 def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
     """Set an entry of a row to what was typed; return why that cannot be, or nothing."""
     try:
-        work.put(_assigned(work.draft.text, row, entry, typed), f"set {entry.label}")
+        work.put(_assigned(work.text, row, entry, typed), f"set {entry.label}")
     except LevelError as error:
         return error.mistakes[0].rule
     except SandboxError as error:

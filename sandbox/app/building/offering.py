@@ -37,8 +37,10 @@ def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
 
 def _recover(left: Recoverable, editor: Editor, session: Session) -> None:
     editor.begin(session, left.draft())
-    editor.drafts.keep()
-    _forget(left, editor)
+    if why := editor.drafts.keep():
+        editor.work.tell(why)
+    else:
+        _forget(left, editor)
 
 
 def _forget(left: Recoverable, editor: Editor) -> None:

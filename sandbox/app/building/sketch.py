@@ -6,6 +6,7 @@ hundred bodies takes little longer than a change to one of two.
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
@@ -21,7 +22,7 @@ from sandbox.app.stage import bodies, grid, joints
 from sandbox.app.stage.outline import Outline, outlined
 from sandbox.app.text import Pen
 from sandbox.model.errors import SandboxError
-from sandbox.model.expressions import Values
+from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, Rail, Winding, Wire, points
 from sandbox.model.level import Body, View, place
 from sandbox.model.shapes import XY, evaluate
@@ -70,7 +71,7 @@ class Sketch:
     Attributes
     ----------
     values
-        The parameters' default values, as far as they can be read.
+        The parameters' default values, and those of constants, as far as they can be read.
     bodies, joints
         What can be drawn, by name.
     view
@@ -78,7 +79,8 @@ class Sketch:
     """
 
     def __init__(self, document: Mapping[str, Any]) -> None:
-        self.values = dict(_numbers(_mapping(document, "parameters")))
+        parameters = dict(_numbers(_mapping(document, "parameters")))
+        self.values = _with_constants(parameters, _mapping(document, "constants"))
         specs = {
             name: spec
             for name, part in _mapping(document, "bodies").items()
@@ -165,6 +167,20 @@ def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
             yield name, float(value)
 
 
+def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
+    """Return parameters and constants, each of which may use others, wherever they stand."""
+    values, pending = dict(parameters), dict(said)
+    while pending:
+        known = len(pending)
+        for name, formula in said.items():
+            with suppress(SandboxError, ArithmeticError, LookupError, TypeError):
+                values[name] = Expression(formula)(values)  # not while it lacks another
+                pending.pop(name, None)
+        if len(pending) == known:
+            break
+    return values
+
+
 @lru_cache(maxsize=KEPT)
 def _body(text: str) -> Body | None:
     try:
@@ -194,7 +210,7 @@ def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Dra
         try:
             outline = outlined(name, row, spec, values, moving)
             yield name, Drawn(spec, outline, evaluate(spec.position, values), spec.angle(values))
-        except (SandboxError, ArithmeticError):  # a formula without a value here
+        except (SandboxError, ArithmeticError, KeyError):  # a formula without a value here
             continue
         moving += spec.type != "static"
 

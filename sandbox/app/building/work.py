@@ -12,6 +12,7 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, transforms
 from sandbox.editing.edits.copying import Pasted
 from sandbox.editing.edits.made import Made
+from sandbox.editing.plain import plain
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
@@ -29,8 +30,10 @@ class Work:
     ----------
     draft
         The level's text, its undo and its file.
+    text
+        What is edited: the draft's text, with everything written out that repeats or is placed.
     document
-        What the text says.
+        What that says.
     sketch
         The same as it is drawn.
     camera
@@ -62,7 +65,8 @@ class Work:
 
     def refresh(self) -> None:
         """Draw what the text says now."""
-        self.document: Mapping[str, Any] = json.loads(self.draft.text)
+        self.text = plain(self.draft.text)
+        self.document: Mapping[str, Any] = json.loads(self.text)
         self.sketch = Sketch(self.document)
         self.version = object()
         self.select(self.selected)
@@ -87,7 +91,10 @@ class Work:
 
     def put(self, text: str, said: str, merge: str | None = None) -> None:
         """Go over to another text."""
-        self.draft.change(text, said, merge)
+        if text != self.text:
+            if self.text != self.draft.text:
+                self.tell("What repeats, and groups, are written out now; Ctrl Z brings them back")
+            self.draft.change(text, said, merge)
         self.refresh()
 
     def change(
@@ -95,7 +102,7 @@ class Work:
     ) -> bool:
         """Change the level, and return whether that was possible."""
         try:
-            self.put(edit(self.draft.text, self.level), said, merge)
+            self.put(edit(self.text, self.level), said, merge)
         except SandboxError as error:
             self.tell(str(error))
             return False
@@ -164,7 +171,7 @@ class Work:
     def copy(self) -> None:
         """Copy the bodies that are selected, with the joints between them."""
         try:
-            self._copied = copying.copy(self.draft.text, self.level, self.chosen)
+            self._copied = copying.copy(self.text, self.level, self.chosen)
         except SandboxError as error:
             self.tell(str(error))
 

@@ -55,7 +55,7 @@ class OpenDialog(UIFileDialog):
             return Path(event.text)
         path = None
         if event.type == UI_TEXT_ENTRY_FINISHED and element is self.file_path_text_line:
-            path = Path(event.text).expanduser()
+            path = Path(os.path.expanduser(event.text))  # an unknown ~name stays
         elif (
             event.type == UI_SELECTION_LIST_DOUBLE_CLICKED_SELECTION
             and element is self.file_selection_list

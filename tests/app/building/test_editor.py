@@ -207,3 +207,47 @@ def test_while_another_page_is_open_the_hand_is_back(mine: Builder) -> None:
 
 def test_there_is_one_editor_a_window(mine: Builder) -> None:
     assert mine.page._editor is mine.person.window.workers.of(Editor)
+
+
+@pytest.mark.parametrize(
+    ("level", "body"), [("momentum/cradle", "ball3"), ("machines/two-carts", "left_frame")]
+)
+def test_what_repeats_is_written_out_by_the_first_edit_and_comes_back_with_undo(
+    builder: Builder, level: str, body: str
+) -> None:
+    builder.person.window.open_level(level)
+    builder.person.wait(0.1)
+    work = builder.editor.work
+    typed = work.draft.text
+    assert f'"{body}": {{' not in typed
+
+    work.select([("bodies", body)])
+    builder.person.wait(0.1)  # the inspector shows it
+    builder.key(pygame.K_RIGHT)
+
+    assert f'"{body}": {{' in work.draft.text
+    assert work.draft.level is not None
+    builder.control("z")
+    assert work.draft.text == typed
+
+
+def test_a_file_that_was_broken_outside_is_not_taken_over(mine: Builder) -> None:
+    file_of(mine).write_text("[1", encoding="utf-8")
+    mine.editor.reload()
+    mine.person.wait(0.1)
+
+    assert mine.editor.work.draft.level is not None
+    mine.key(pygame.K_o, "o")
+    mine.key(pygame.K_b, "b")
+    mine.person.wait(0.1)
+    assert mine.editor.work.draft.level is not None
+
+
+def test_to_keep_ones_own_overwrites_no_other_file(mine: Builder, tmp_path: Path) -> None:
+    other = tmp_path / "other.json"
+    other.write_text("precious", encoding="utf-8")
+    mine.editor.drafts.keep_mine(mine.editor.work.draft)
+
+    mine.editor.save(other)
+
+    assert other.read_text(encoding="utf-8") == "precious"

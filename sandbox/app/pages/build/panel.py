@@ -1,5 +1,6 @@
 """The page on which levels are built: the tools, what there is to decide, and the fields."""
 
+import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
@@ -118,7 +119,8 @@ class BuildPage:
 
     def _save_here(self) -> None:
         assert self._name is not None
-        self._editor.save(Path(self._name.get_text().strip()).expanduser())
+        typed = os.path.expanduser(self._name.get_text().strip())  # an unknown ~name stays
+        self._editor.save(Path(typed).absolute())
 
     # fields, as the window goes through them
 
