@@ -173,7 +173,10 @@ def quantity(name: str, level: Level) -> Quantity:
     if name == TIME.name:
         return TIME
     whole, _, what = name.rpartition(".")
-    if what in OVER_TIME:
+    if what in OVER_TIME and whole:
+        if (inner := whole.rpartition("."))[0] and inner[2] in OVER_TIME:
+            rule = f"'{brief(whole)}' has no '{what}' over time"
+            raise QuantityError(f"'{brief(name)}' is not a quantity of this level; {rule}")
         return _over_time(quantity(whole, level), what)
     owners = _owners(level)
     subject, dot, rest = name.partition(".")

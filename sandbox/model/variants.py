@@ -197,6 +197,8 @@ def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
     except ExpressionError as error:
         raise EffectError(f"{effect}.coefficient: {error}") from error
     bodies = {name: body.model_copy(update={effect: root}) for name, body in level.bodies.items()}
+    for body in bodies.values():
+        define(body, level.constants)
     pairless = level.effects.model_copy(
         update={effect: getattr(level.effects, effect).model_copy(update={"pairs": ()})}
     )

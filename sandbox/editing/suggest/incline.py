@@ -79,7 +79,7 @@ def _of(scene: Scene, name: str, slope: str, up: complex) -> Iterator[Suggestion
     mu, theta = _friction(scene, name, slope), _theta(scene, name, slope, angle)
     if fall is None or not LEAST < angle < MOST or mu is None or theta is None:
         return
-    rubs = Expression(mu)(scene.values)
+    rubs = Expression(mu)(scene.known)
     along = -fall(scene.values) * (sin(angle) - rubs * cos(angle))
     down = up * (-1j if (up * 1j).imag > 0 else 1j)
     g, weight = opposite(fall), f"{scene.mass(name)}*{opposite(fall)}"

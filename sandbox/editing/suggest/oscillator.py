@@ -34,7 +34,8 @@ def _bob(scene: Scene, joint: Spring) -> str | None:
     if len(held) != 1 or not isinstance(bob := held[0], str):
         return None
     alone = scene.level.bodies[bob].type == "dynamic" and len(scene.joints[bob]) == 1
-    simple = not joint.pushes_only and joint.damping(scene.values) == 0
+    linear = not joint.pushes_only and joint.law is None
+    simple = linear and joint.damping(scene.values) == 0
     return bob if alone and simple and joint.stiffness(scene.values) > 0 else None
 
 
@@ -58,9 +59,9 @@ def _along(scene: Scene, joint: Spring, bob: str) -> Iterator[Suggestion]:
     rest = f"({slack} + {said(fall.acceleration[index])}*{m}/{k})" if fall and pull else slack
     beat = f"sqrt({k}/{m})"
     form = f"{rest} + ({start} - {rest})*cos({beat}*t) + {speed}/{beat}*sin({beat}*t)"
-    omega, motion = sqrt(Expression(f"{k}/{m}")(values)), Formula(form)
+    omega, motion = sqrt(Expression(f"{k}/{m}")(scene.known)), Formula(form)
     times = np.linspace(0, min(scene.lasts, 2 * pi / omega), 60)
-    swing = motion.over(values, times) - (peg.imag if index else peg.real)
+    swing = motion.over(scene.known, times) - (peg.imag if index else peg.real)
     unit = 1j if index else 1 + 0j
     across = dot(pull, unit * 1j) or dot(scene.velocity(bob), unit * 1j)
     if across or np.ptp(swing) < TOUCHING or swing.min() * swing.max() <= 0:

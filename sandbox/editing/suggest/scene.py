@@ -60,6 +60,11 @@ class Scene:
     values: Values
 
     @cached_property
+    def known(self) -> Values:
+        """The values of parameters and constants, for formulas that are put together anew."""
+        return {**self.values, **{name: c(self.values) for name, c in self.level.constants.items()}}
+
+    @cached_property
     def where(self) -> Mapping[str, Placed]:
         """All bodies where they start."""
         return placed(self.level, self.values)

@@ -25,6 +25,12 @@ from sandbox.model.shorthand.notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS
 from sandbox.model.suggest import suggestion
 
+INTO_EACH = 10
+"""Into how many numbers of a body the place and the angle of a copy come, at the most."""
+
+LARGEST = 1e100
+"""What is larger is no number of a level."""
+
 COPY = "copy"
 
 Number = float | int | str
@@ -124,7 +130,10 @@ class _Placing:
         group = self._group_of(copy, path)
         if group is None:
             return
-        self._notes.charge(len(json.dumps(group)), followed(path, self._notes.typed))
+        told = len(name) + INTO_EACH * len(json.dumps([copy.get("position"), copy.get("angle")]))
+        parts = len(group["bodies"]) + len(group.get("joints", {}))
+        size = len(json.dumps(group)) + parts * told
+        self._notes.charge(size, followed(path, self._notes.typed))
         frame, inside = _Frame(copy), group["bodies"].keys()
         of = (GROUPS, copy[COPY])
         for local, body in group["bodies"].items():
@@ -170,7 +179,9 @@ def _keys_within(bodies: Any) -> dict[str, str]:  # noqa: ANN401 (whatever JSON 
 
 
 def _is_number(said: object) -> bool:
-    return isinstance(said, int | float | str) and not isinstance(said, bool)
+    if isinstance(said, bool) or not isinstance(said, int | float | str):
+        return False
+    return isinstance(said, str) or abs(said) <= LARGEST
 
 
 def _is_point(said: object) -> bool:
@@ -199,6 +210,8 @@ class _Frame:
             made["angle"] = _sum(self._angle, body.get("angle", 0))
         if "velocity" in body:
             made["velocity"] = self.vector(body["velocity"])
+        if isinstance(motion := body.get("motion"), dict) and "displacement" in motion:
+            made["motion"] = {**motion, "displacement": self.vector(motion["displacement"])}
         return made
 
     def joint(self, joint: Any, names: _Names) -> Any:  # noqa: ANN401

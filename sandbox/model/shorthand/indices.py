@@ -117,7 +117,7 @@ def _bounds(said: Any, indices: Indices) -> tuple[int, int]:  # noqa: ANN401 (wh
         first, last = (_whole(bound, indices) for bound in said)
     else:
         first, last = 0, _whole(said, indices) - 1
-    if abs(first) > MOST_TIMES or last - first >= MOST_TIMES:
+    if max(abs(first), abs(last)) > 2 * MOST_TIMES or last - first >= MOST_TIMES:
         raise IndexFault(f"counts too far; {MOST_TIMES:,} is the most")
     if last < first - 1:
         raise IndexFault(f"ends before it begins, from {first} to {last}")

@@ -55,7 +55,7 @@ class _Copying:
     def part(self, part: Any, typed: Path, made: Path, indices: Indices) -> Any:  # noqa: ANN401
         """Return the copy of a part, which was typed in one place and comes to stand in another."""
         if indices:
-            self._notes.charge(len(part) if isinstance(part, str) else 0, typed)
+            self._notes.charge(0, typed)
         if isinstance(part, dict):
             return self._object(part, typed, made, indices)
         if isinstance(part, list):
@@ -113,6 +113,7 @@ class _Copying:
     def _text(self, text: str, typed: Path, indices: Indices) -> str:
         if not indices:
             return text  # braces mean nothing where nothing repeats
+        self._notes.charge(len(text), typed)
         try:
             return filled(text, indices)
         except IndexFault as fault:

@@ -4,6 +4,7 @@ import json
 from cmath import rect
 from typing import Any, get_args
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -141,3 +142,30 @@ def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:
     data = level(groups={"pair": group}, bodies={"x{i}": {"repeat": {"i": 20_000}, "copy": "pair"}})
 
     assert "more than 5,000,000 characters when it is written out" in told(data)
+
+
+def test_a_motion_in_a_group_is_turned_with_it() -> None:
+    slide = {"type": "kinematic", "shape": DISC["shape"], "motion": {"displacement": ["t", 0]}}
+    data = {**bare(), "groups": {"g": {"bodies": {"slide": slide}}}}
+    data["bodies"]["k"] = {"copy": "g", "angle": "90*deg", "position": [5, 5]}
+
+    motion = read(data).bodies["k_slide"].motion
+
+    assert motion is not None
+    x, y = (float(formula.over(VALUES, np.array([2.0]))[0]) for formula in motion.displacement)
+    assert x == pytest.approx(0, abs=1e-15)
+    assert y == 2
+
+
+@pytest.mark.parametrize(
+    "bodies",
+    [
+        {"k": {"copy": "crowd", "angle": "0*" + "1" * 100_000}},
+        {"b{i}" + "A" * 100_000: {"repeat": {"i": 1000}, "mass": 1}},
+    ],
+)
+def test_what_would_fill_the_memory_is_refused_before_it_is_written_out(bodies: Data) -> None:
+    crowd = {f"b{i}": DISC | {"velocity": [1, 0]} for i in range(100)}
+    data = level(groups={"crowd": {"bodies": crowd}}, bodies=bodies)
+
+    assert "more than 5,000,000 characters" in told(data)
