@@ -20,6 +20,7 @@ from typing import Literal
 import numpy as np
 
 from sandbox.experiments.observables import Observable
+from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
 from sandbox.model.instants import MOST_MEETINGS
@@ -268,7 +269,7 @@ def _crossing(of: str, rest: list[str], level: Level) -> CrossingEvent:
 
 
 def _time(text: str, level: Level) -> Expression:
-    if re.fullmatch(r"[a-z]+", text) and text not in level.parameters:
+    if re.fullmatch(r"[a-z]+", text) and text not in {*level.parameters, *level.constants}:
         hint = suggestion(text, {*_EVENTS, *level.parameters})
         raise MeasureError(f"'{brief(text)}' is no time and no event{hint}")
     return _over_parameters(text, level)
@@ -276,6 +277,7 @@ def _time(text: str, level: Level) -> Expression:
 
 def _over_parameters(text: str, level: Level) -> Expression:
     found = Expression(float(text) if _NUMBER.fullmatch(text) else text)
+    let_use([found], level.constants)
     if unknown := next(iter(sorted(found.names - set(level.parameters))), None):
         hint = suggestion(unknown, level.parameters)
         raise MeasureError(f"'{brief(unknown)}' is no parameter of the level{hint}")

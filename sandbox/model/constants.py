@@ -1,6 +1,6 @@
 """Named constants: formulas of the parameters and of each other, which other formulas may use."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from graphlib import CycleError, TopologicalSorter
 
 from sandbox.model.base import Model
@@ -10,10 +10,15 @@ from sandbox.model.walking import expressions
 
 def define(part: Model, constants: Mapping[str, Expression]) -> None:
     """Let the formulas of a part of a level use its constants; where they form a circle, none."""
+    let_use((expression for _, expression in expressions(part)), constants)
+
+
+def let_use(formulas: Iterable[Expression], constants: Mapping[str, Expression]) -> None:
+    """Let formulas use constants; where these form a circle, none."""
     if not constants or circle(constants):
         return
     ordered = {name: constants[name] for name in _ordered(constants)}
-    for _, expression in expressions(part):
+    for expression in formulas:
         if expression.written:
             expression.define(ordered)
 

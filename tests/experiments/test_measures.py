@@ -7,6 +7,7 @@ import pytest
 
 from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.catalog import find
+from sandbox.model.expressions import Expression
 from sandbox.model.loading import load
 from tests.experiments.making import plan, table
 
@@ -77,3 +78,12 @@ def test_what_never_came_is_no_number(tmp_path: Path) -> None:
 def test_what_does_not_exist_is_refused_with_what_was_meant(text: str, said: str) -> None:
     with pytest.raises(MeasureError, match=said):
         parse(text, load(find("kinematics/projectile")), until=False)
+
+
+def test_a_time_may_be_said_by_a_constant_of_the_level() -> None:
+    level = load(find("momentum/bounce-by-bounce"))
+
+    at = parse("ball.speed@fall/2", level, until=False).at
+
+    assert isinstance(at, Expression)
+    assert at(level.defaults) == level.constants["fall"](level.defaults) / 2
