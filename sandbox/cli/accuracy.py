@@ -56,7 +56,7 @@ def _stepping(given: Mapping[str, float | str]) -> Stepping:
         [name] = error.errors()[0]["loc"]
         value = given[str(name)]
         said = value if isinstance(value, str) else f"{value:g}"
-        rule = wording.rule(error.errors()[0], (name,))
+        rule = wording.rule(error.errors()[0])
         raise UsageError(f"--{name} {said}: {rule}") from error
 
 

@@ -117,12 +117,12 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
     for detail in error.errors(include_url=False):
         known = document.values.keys() if document else {detail["loc"][:1]}
         path = wording.path_of(detail, known.__contains__)
-        yield Fault(path, _rule(detail, path))
+        yield Fault(path, _rule(detail))
 
 
-def _rule(detail: ErrorDetails, path: tuple[str | int, ...]) -> str:
+def _rule(detail: ErrorDetails) -> str:
     if detail["type"] == "extra_forbidden":
         keys = [f.alias or name for name, f in Experiment.model_fields.items()]
         name = str(detail["loc"][-1])
         return f"unknown key '{brief(name)}'{suggestion(name, keys, most=len(keys))}"
-    return wording.rule(detail, path)
+    return wording.rule(detail)

@@ -261,7 +261,7 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[str]:
 def _said(error: SandboxError | ValidationError) -> str:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
-        return wording.rule(detail, detail["loc"])
+        return wording.rule(detail)
     return str(error)
 
 

@@ -235,7 +235,7 @@ def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Itera
     ]
     ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
     for path, detail in ordered[: MAX_MISTAKES + 1]:
-        yield Fault(path, wording.rule(detail, path))
+        yield Fault(path, wording.rule(detail))
     mended = _mend(document, data, details)
     if mended is not None:
         yield from dangling(mended)

@@ -184,7 +184,7 @@ def _said(effect: str, detail: ErrorDetails) -> str:
     shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})
     if detail["type"] == "missing" and isinstance(detail["loc"][-1], str):
         return f"'{effect}' needs a setting: {effect}.{detail['loc'][-1]}=..."
-    return f"{place}: {wording.rule(shown, detail['loc'])}"
+    return f"{place}: {wording.rule(shown)}"
 
 
 def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:

@@ -94,12 +94,13 @@ def _typical(kind: str, detail: ErrorDetails) -> str:
     return _TYPES[kind].format(**context)
 
 
-def rule(detail: ErrorDetails, path: Path) -> str:
+def rule(detail: ErrorDetails) -> str:
     """Say an error of pydantic."""
     last = detail["loc"][-1] if detail["loc"] else ""
     match detail["type"]:
         case _ if last == "[key]":
-            return f"'{brief(str(path[-1]))}' is not a name: a letter, then letters, digits or _"
+            name = brief(str(detail["input"]))
+            return f"'{name}' is not a name: a letter, then letters, digits or _"
         case "extra_forbidden":
             return _unknown(str(last), detail["loc"])
         case "missing" if isinstance(last, int):

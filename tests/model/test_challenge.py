@@ -41,6 +41,8 @@ def test_a_challenge_that_is_right_is_read() -> None:
         ({"goals": []}, "challenge.goals: has 0 entries, but needs at least 1"),
         ({"goals": [{**GOAL, "quantity": "bal.speed"}]}, "did you mean 'ball.speed'?"),
         ({"goals": [{**GOAL, "above": "u"}]}, "challenge.goals.0.above: unknown parameter 'u'"),
+        ({"goals": [{**GOAL, "below": "exp(700*u)"}]}, "goals.0.below: unknown parameter 'u'"),
+        ({"goals": [{**GOAL, "below": "exp(700*20)"}]}, "goals.0.below"),
         ({"goals": [{**GOAL, "below": 0}]}, "is 1, above 'below', 0: nothing lies between them"),
         ({"goals": [{**GOAL, "at": 3}]}, "challenge.goals.0.at: is at 3 s, but the run lasts"),
         (

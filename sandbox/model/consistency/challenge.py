@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 
+from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.consistency.mentions import named_parameters
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
@@ -54,7 +55,12 @@ def goals_can_be_met(level: Level) -> Iterator[Fault]:
         for index, goal in enumerate(getattr(level.challenge, kind)):
             if goal.above is None or goal.below is None:
                 continue
-            least, most = goal.above(values), goal.below(values)
+            if not goal.above.names | goal.below.names <= values.keys():
+                continue  # an unknown parameter is told elsewhere, and so is what has no value
+            try:
+                least, most = goal.above(values), goal.below(values)
+            except ExpressionError:
+                continue
             if least > most:
                 rule = f"is {least:g}, above 'below', {most:g}: nothing lies between them"
                 yield Fault(("challenge", kind, index, "above"), rule)

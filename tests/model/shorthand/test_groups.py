@@ -169,3 +169,11 @@ def test_what_would_fill_the_memory_is_refused_before_it_is_written_out(bodies: 
     data = level(groups={"crowd": {"bodies": crowd}}, bodies=bodies)
 
     assert "more than 5,000,000 characters" in told(data)
+
+
+def test_a_name_of_a_group_that_is_none_is_told_by_itself() -> None:
+    group = {"bodies": {"at": 1.5}, "joints": {"axle{i}": {}}}
+
+    assert "'k_axle{i}' is not a name" in told(
+        {"groups": {"g": group}, "bodies": {"k": {"copy": "g"}}}
+    )
