@@ -2,6 +2,7 @@
 
 import os
 import re
+from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
@@ -37,8 +38,11 @@ class Drafts:
 
     def of(self, level: Level) -> Draft:
         """Return the draft of a level: what it is now, if it was edited before."""
-        found = (draft for draft in self._kept if draft.source == level.source)
+        found = (draft for draft in reversed(self._kept) if draft.source == level.source)
         draft = next(found, None) or self._read(level)
+        if not draft.changed and draft.changed_outside():
+            with suppress(SandboxError):  # what has mistakes now is offered, and not read
+                draft.reload()
         self.add(draft)
         return draft
 
@@ -54,7 +58,7 @@ class Drafts:
 
     def add(self, draft: Draft) -> None:
         """Keep a draft from now on."""
-        self._kept.setdefault(draft, Recovery())
+        self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest at the end
         self.outside, self._since = False, OFTEN
 
     def follow(self, shown: Draft, seconds: float) -> bool:

@@ -279,3 +279,14 @@ def test_a_motor_between_two_free_bodies_turns_them_against_each_other() -> None
     between = found["b.angular_velocity"] - found["a.angular_velocity"]
     assert worst(between, found["t"]) <= 1e-12
     assert np.abs(found["system.angular_momentum"]).max() <= 1e-15
+
+
+def test_a_wound_string_that_is_turned_beyond_all_numbers_is_told() -> None:
+    wheel = {"shape": {"type": "disc", "radius": 0.5}, "mass": 1}
+    effects = {"rotation": {}, "torque": [{"body": "wheel", "torque": "1/t"}]}
+    string = {
+        "type": "winding", "ends": [[2, -4], "wheel"], "radius": 0.5, "unwinds": "counterclockwise",
+    }  # fmt: skip
+
+    with pytest.raises(SimulationError, match="no longer anywhere finite"):
+        build(level({"wheel": wheel}, effects, joints={"string": string})).advance(3)

@@ -5,6 +5,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from math import atan2, pi, sqrt, tau
 
+import numpy as np
+
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation, Share
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.state.anchor import Anchor
@@ -66,7 +68,7 @@ class Wound:
             raise JointFailure(self.joint, f"the end of '{self.joint}' has run into its wheel")
         free = sqrt(square)
         contact = phase(apart) - self.sense * atan2(free, self.radius)
-        self._contact = contact + tau * round((self._contact - contact) / tau)
+        self._contact = contact + tau * float(np.rint((self._contact - contact) / tau))
         wound = self.radius * self.sense * (self._contact - float(place.angle[self.wheel]))
         along = exp(1j * (contact + self.sense * pi / 2))
         return free + wound, (
