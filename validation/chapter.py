@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sandbox.model import catalog
-from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
+from sandbox.model.generating import generate
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"
@@ -276,12 +276,12 @@ def page() -> str:
 
 def main() -> int:
     """Write the map, and return the exit status."""
-    try:
-        write_atomically(catalog.sources() / PAGE, page())
-    except SandboxError as error:
-        sys.stderr.write(f"{error}\n")
-        return 2
-    return 0
+    return generate(_write)
+
+
+def _write() -> list[Path]:
+    write_atomically(catalog.sources() / PAGE, page())
+    return []
 
 
 if __name__ == "__main__":

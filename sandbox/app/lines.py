@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import pairwise
-from math import atan2, cos, hypot, sin
+from math import atan2, cos, hypot, pi, sin
 
 import pygame
 
@@ -10,11 +10,28 @@ from sandbox.app.theme import Color
 from sandbox.model.shapes import XY
 
 FAR = 5_000.0  # px; what reaches further out is cut before it is drawn
+INNER = 0.45  # of the radius of a star, where its inner corners are
 
 
 def near(points: Sequence[XY]) -> bool:
     """Whether all pixels are close enough to be drawn without being cut."""
     return all(abs(x) < FAR and abs(y) < FAR for x, y in points)
+
+
+def distance(a: XY, b: XY, point: XY) -> float:
+    """Return how far a point is from the piece of a line between two others."""
+    along, way = complex(*b) - complex(*a), complex(*point) - complex(*a)
+    share = (way * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(way - min(max(share, 0.0), 1.0) * along)
+
+
+def star(center: XY, radius: float) -> list[XY]:
+    """Return the corners of a star with five points, one of them up."""
+    radii = [radius if i % 2 == 0 else INNER * radius for i in range(10)]
+    return [
+        (center[0] + r * sin(pi * i / 5), center[1] - r * cos(pi * i / 5))
+        for i, r in enumerate(radii)
+    ]
 
 
 def cut(corners: Sequence[XY]) -> list[XY]:

@@ -80,7 +80,8 @@ def _near(view: View, history: History, pixel: XY) -> Iterator[Found]:
 
 def draw(surface: pygame.Surface, view: View, session: Session, pixel: XY) -> None:
     """Mark what the mouse points at on a trail, and tell it."""
-    found = find(view, session, pixel)
+    over = surface.get_rect().collidepoint(pixel)
+    found = find(view, session, pixel) if over else None
     if found is None:
         return
     at = view.camera.to_screen(found.place)

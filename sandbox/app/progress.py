@@ -3,15 +3,12 @@
 from pathlib import Path
 from typing import Annotated
 
-from pydantic import Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter
 
-from sandbox.model.errors import SandboxError
-from sandbox.model.files import data_folder, read_ordinary, write_atomically
+from sandbox.app import kept
+from sandbox.model.files import data_folder
 
 _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
-
-LARGEST = 1_000_000
-"""Bytes of the file: what is larger was not written here."""
 
 
 def file() -> Path:
@@ -37,17 +34,9 @@ class Progress:
         if stars <= self.stars(title):
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
-        path = file()
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            write_atomically(path, _STARS.dump_json(self._stars, indent=1), follow=False)
-        except (OSError, SandboxError) as error:
-            return f"the stars are not kept for the next time: {error}"
-        return ""
+        why = kept.keep(file(), _STARS, self._stars)
+        return f"the stars are not kept for the next time: {why}" if why else ""
 
 
 def _read() -> dict[str, int]:
-    try:
-        return _STARS.validate_json(read_ordinary(file(), LARGEST) or b"{}")
-    except (OSError, ValidationError):
-        return {}
+    return kept.read(file(), _STARS, {})

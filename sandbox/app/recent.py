@@ -3,17 +3,15 @@
 import os
 from pathlib import Path
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import TypeAdapter
 
-from sandbox.model.errors import SandboxError
-from sandbox.model.files import data_folder, read_ordinary, write_atomically
+from sandbox.app import kept
+from sandbox.model.files import data_folder
 
 _PATHS = TypeAdapter(list[str])
 
 MOST = 12
 """Files that are kept, the latest."""
-LARGEST = 1_000_000
-"""Bytes of the file: what is larger was not written here."""
 
 
 def file() -> Path:
@@ -40,21 +38,11 @@ class Recent:
         if self.paths[:1] == (path,):
             return ""
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
-        told = [
-            str(path),
-            *(each for each in _read() if each != str(path)),
-        ]  # another window's, too
-        try:
-            file().parent.mkdir(parents=True, exist_ok=True)
-            write_atomically(file(), _PATHS.dump_json(told[:MOST], indent=1), follow=False)
-        except (OSError, SandboxError, ValueError) as error:
-            return f"that this file was opened is not kept for the next time: {error}"
-        return ""
+        others = [each for each in _read() if each != str(path)]  # another window's, too
+        why = kept.keep(file(), _PATHS, [str(path), *others][:MOST])
+        return f"that this file was opened is not kept for the next time: {why}" if why else ""
 
 
 def _read() -> list[str]:
-    try:
-        found = _PATHS.validate_json(read_ordinary(file(), LARGEST) or b"[]")
-    except (OSError, ValidationError):
-        return []
+    found = kept.read(file(), _PATHS, [])
     return [path for path in found if "\0" not in path and Path(path).is_absolute()][:MOST]

@@ -92,7 +92,7 @@ class Window:
 
     def _make_commands(self) -> Mapping[str, Callable[[], None]]:
         stage = self.stage
-        acts: dict[str, Callable[[], None]] = {
+        return {
             "play": lambda: self._with_session(Session.toggle),
             "step": lambda: self._with_session(Session.step),
             "step back": lambda: self._with_session(Session.step_back),
@@ -119,13 +119,6 @@ class Window:
             "open file": self._ask_for_file,
             **self._page_commands(),
         }
-        return {n: act if n in AT_HOME else partial(self._at_stage, act) for n, act in acts.items()}
-
-    def _at_stage(self, act: Callable[[], None]) -> None:
-        """Do what is to be seen on the stage, which is shown again for it."""
-        if self.panels.home.open:
-            self._go_home()
-        act()
 
     def _go_home(self) -> None:
         """Show the levels as cards, or the stage again."""
@@ -183,7 +176,7 @@ class Window:
         self.stage.shown[overlay] = not self.stage.shown[overlay]
 
     def do(self, command: str) -> None:
-        """Do what a command asks for, as if its key was pressed."""
+        """Do what a command asks for, as its key does: beside the cards, or at the stage."""
         maker = self._maker
         if self.panels.home.open and command not in AT_HOME:
             self._go_home()

@@ -15,8 +15,8 @@ import typer
 from sandbox.cli.commands import app
 from sandbox.model import catalog, joints, quantities
 from sandbox.model.effects import EFFECTS
-from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
+from sandbox.model.generating import generate
 from sandbox.model.loading import parse
 from sandbox.model.schema import schema
 
@@ -221,15 +221,14 @@ PAGES = {"level-format.md": level_format, "quantities.md": all_quantities, "comm
 
 def main() -> int:
     """Write the pages, say where, and return the exit status."""
-    try:
-        folder = catalog.sources() / FOLDER
-        for name, page in PAGES.items():
-            write_atomically(folder / name, page())
-            sys.stdout.write(f"{folder / name}\n")
-    except SandboxError as error:
-        sys.stderr.write(f"{error}\n")
-        return 2
-    return 0
+    return generate(_write)
+
+
+def _write() -> Iterator[Path]:
+    folder = catalog.sources() / FOLDER
+    for name, page in PAGES.items():
+        write_atomically(folder / name, page())
+        yield folder / name
 
 
 if __name__ == "__main__":

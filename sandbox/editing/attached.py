@@ -39,7 +39,7 @@ def pinned(level: Level, names: Collection[str]) -> set[str]:
     return found
 
 
-def attached(text: str, before: Level, moved: Collection[str], values: Values) -> str:
+def attached(text: str, before: Level, moved: Collection[str], values: Values | None = None) -> str:
     """Return a level in which pins and rails hold again, after bodies were moved.
 
     The point of the plane, or of a body that stayed, follows the one that moved. A rod whose
@@ -54,11 +54,12 @@ def attached(text: str, before: Level, moved: Collection[str], values: Values) -
     moved
         The bodies that were moved, turned or made larger.
     values
-        The parameters' values.
+        The parameters' values; the level's own if left out.
     """
     if all(set(bodies_of(joint)).isdisjoint(moved) for joint in before.joints.values()):
         return text
     level = Level.model_validate_json(text)
+    values = level.defaults if values is None else values
     where = placed(level, values)
     changes = Changes()
     for name, joint in level.joints.items():

@@ -14,15 +14,11 @@ from sandbox.editing.layout import INDENT, Json, laid_out, line
 from sandbox.editing.spans import Span, Spans
 from sandbox.model.document import Document
 from sandbox.model.errors import SandboxError
-from sandbox.model.level import Level
 from sandbox.model.locating import Path
-from sandbox.model.writing import NAMED, WIDTH
+from sandbox.model.writing import NAMED, ORDER, WIDTH
 
 Changes = dict[Path, Json]
 """What is to stand where in a text."""
-
-_ORDER = tuple(known.alias or name for name, known in Level.model_fields.items())
-
 
 _LINES = tuple((part,) for part in NAMED)
 """The parts whose members have a line each: bodies, joints, checks."""
@@ -224,7 +220,7 @@ def _place(parent: Span, key: str) -> int:
     """Return how many members come before a new one: in a level the parts have their order."""
     if parent.path:
         return len(parent.members)
-    order = [*_ORDER, *(str(member.path[-1]) for member in parent.members)]
+    order = [*ORDER, *(str(member.path[-1]) for member in parent.members)]
     own = order.index(json.loads(key.removesuffix(": ")))
     ahead = takewhile(lambda m: order.index(str(m.path[-1])) < own, parent.members)
     return len(list(ahead))

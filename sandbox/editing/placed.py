@@ -9,6 +9,7 @@ from math import pi
 
 import numpy as np
 
+from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import (
@@ -121,11 +122,26 @@ class Placed:
 def placed(level: Level, values: Values | None = None) -> dict[str, Placed]:
     """Return all bodies of a level where they start; of the level asked for last they are kept."""
     global _last
-    chosen = level.defaults if values is None else values
-    if _last is None or _last[0] is not level or _last[1] != chosen:
-        found = {name: Placed(name, body, chosen) for name, body in level.bodies.items()}
-        _last = level, chosen, found
+    values = level.defaults if values is None else values
+    if _last is None or _last[0] is not level or _last[1] != values:
+        found = {name: Placed(name, body, values) for name, body in level.bodies.items()}
+        _last = level, values, found
     return dict(_last[2])
+
+
+def chosen(level: Level, names: Iterable[str], values: Values | None) -> dict[str, Placed]:
+    """Return some bodies of a level where they start.
+
+    Raises
+    ------
+    SandboxError
+        If there are none.
+    """
+    where = placed(level, values)
+    found = {name: where[name] for name in names}
+    if not found:
+        raise SandboxError("choose the bodies first")
+    return found
 
 
 _last: tuple[Level, Values, dict[str, Placed]] | None = None

@@ -11,13 +11,11 @@ from sandbox.editing.spans import Spans
 from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.level import Level
+from sandbox.model.level import NAME, Level
 from sandbox.model.loading import parse
 from sandbox.model.locating import Path
 from sandbox.model.parts import expressions
 from sandbox.model.quantities import quantity
-
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,30}")
 
 
 def rename(text: str, path: Path, name: str) -> str:
@@ -54,7 +52,7 @@ def rename(text: str, path: Path, name: str) -> str:
 
 
 def _refuse_taken(level: Level, part: str, name: str) -> None:
-    if not NAME.fullmatch(name):
+    if not re.fullmatch(NAME, name):
         raise SandboxError(f"'{brief(name)}' is no name: a letter, then letters, digits or _")
     numbers = {**level.parameters, **level.constants}
     among = numbers if part == "parameters" else {**level.bodies, **level.joints}

@@ -74,7 +74,8 @@ from sandbox.model.mention import Mention, QuantityName
 from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
 
-Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,30}$")]
+NAME = r"[A-Za-z][A-Za-z0-9_]{0,30}"
+Name = Annotated[str, Field(pattern=f"^{NAME}$")]
 """What bodies, joints and parameters are called: a letter, then letters, digits or _."""
 
 

@@ -10,9 +10,9 @@ from pydantic_core import core_schema, to_jsonable_python
 
 from sandbox.model import catalog
 from sandbox.model.base import Model
-from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
+from sandbox.model.generating import generate
 from sandbox.model.level import Level
 from sandbox.model.mention import NAMES
 from sandbox.model.shorthand.schema import Each, Typed, with_repeats
@@ -112,12 +112,7 @@ def _explain(part: Any) -> Any:  # noqa: ANN401 (whatever JSON holds)
 
 def main() -> int:
     """Write the schema, say where, and return the exit status."""
-    try:
-        sys.stdout.write(f"{write()}\n")
-    except SandboxError as error:
-        sys.stderr.write(f"{error}\n")
-        return 2
-    return 0
+    return generate(lambda: [write()])
 
 
 if __name__ == "__main__":

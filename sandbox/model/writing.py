@@ -17,7 +17,8 @@ WIDTH = 100
 """Columns: what stands a line a member is put on one line if it fits in so many."""
 
 _INDENT = "  "
-_ORDER = order(known.alias or name for name, known in Level.model_fields.items())
+ORDER = order(known.alias or name for name, known in Level.model_fields.items())
+"""The outermost keys of a level, as they stand below each other."""
 
 NAMED = ("parameters", "constants", GROUPS, "bodies", "joints", "checks", "ghosts")
 """The parts whose members come and go, so that each may have a line of its own, however short."""
@@ -118,7 +119,7 @@ def _read(typed: str) -> _Part:
 def _written(level: _Part) -> str:
     """Return the text of a whole level."""
     chosen = level.spread
-    level.members.sort(key=lambda part: _ORDER.index(part.name))
+    level.members.sort(key=lambda part: ORDER.index(part.name))
     for part in level.members:
         part.broken = True
         if part.name in NAMED and not chosen:  # nobody has said where lines are to end

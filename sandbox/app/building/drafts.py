@@ -1,13 +1,11 @@
 """The drafts of a window: none is lost when another level is shown, or when the window ends."""
 
 import os
-import re
 from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
-import platformdirs
-
+from sandbox.app import own_files
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import catalog
@@ -87,8 +85,8 @@ class Drafts:
             If it cannot be written, or something else would be written over unasked.
         """
         mine = draft is self._mine and path in (None, draft.path)
-        if path is not None and path.parent == _folder():
-            make_folder(_folder())
+        if path is not None and path.parent == own_files.folder():
+            make_folder(path.parent)
         draft.save(path, overwrite=overwrite or mine)
         self._mine, self.outside = None, False
         self.keep()
@@ -103,8 +101,7 @@ class Drafts:
         """Return a name for the file of a level that has none, which no file has yet."""
         if draft.path is not None and cls.is_own(draft):
             return draft.path
-        stem = re.sub(r"[^a-z0-9]+", "-", title.casefold()).strip("-") or "level"
-        folder = _folder()
+        stem, folder = own_files.stem(title), own_files.folder()
         names = chain((stem,), (f"{stem}-{number}" for number in count(2)))
         return next(path for name in names if not os.path.lexists(path := folder / f"{name}.json"))
 
@@ -116,8 +113,3 @@ class Drafts:
     def keep_mine(self, draft: Draft) -> None:
         """Write a draft over what something else has written, the next time it is saved."""
         self._mine, self.outside = draft, False
-
-
-def _folder() -> Path:
-    """Return where levels of one's own are saved, unless somebody says otherwise."""
-    return platformdirs.user_documents_path() / "Mechanics sandbox"

@@ -10,17 +10,19 @@ from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from math import hypot
+from math import dist
 from typing import Any
 
 import numpy as np
 import pygame
 from pydantic import TypeAdapter, ValidationError
 
+from sandbox.app import lines
 from sandbox.app.camera import Camera
 from sandbox.app.stage import bodies, grid, joints
 from sandbox.app.stage.outline import Outline, outlined
 from sandbox.app.text import Pen
+from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, Rail, Winding, Wire, points
@@ -144,14 +146,8 @@ class Sketch:
 def _distance(path: Sequence[XY], point: XY) -> float:
     """Return how far a point is from a broken line [m]."""
     if len(path) == 1:
-        return hypot(point[0] - path[0][0], point[1] - path[0][1])
-    return min(_from_piece(a, b, point) for a, b in pairwise(path))
-
-
-def _from_piece(a: XY, b: XY, point: XY) -> float:
-    way, to = complex(*b) - complex(*a), complex(*point) - complex(*a)
-    share = (to * way.conjugate()).real / abs(way) ** 2 if way else 0.0
-    return abs(to - min(max(share, 0.0), 1.0) * way)
+        return dist(point, path[0])
+    return min(lines.distance(a, b, point) for a, b in pairwise(path))
 
 
 def _mapping(document: Mapping[str, Any], name: str) -> Mapping[str, Any]:
@@ -168,16 +164,15 @@ def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
 
 
 def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
-    """Return parameters and constants, each of which may use others, wherever they stand."""
-    values, pending = dict(parameters), dict(said)
-    while pending:
-        known = len(pending)
-        for name, formula in said.items():
-            with suppress(SandboxError, ArithmeticError, LookupError, TypeError):
-                values[name] = Expression(formula)(values)  # not while it lacks another
-                pending.pop(name, None)
-        if len(pending) == known:
-            break
+    """Return the values of parameters, and of those constants that have one."""
+    values, constants = dict(parameters), dict[str, Expression]()
+    for name, formula in said.items():
+        with suppress(SandboxError, TypeError):
+            constants[name] = Expression(formula)
+    let_use(constants.values(), constants)
+    for name, constant in constants.items():
+        with suppress(SandboxError, ArithmeticError, LookupError):
+            values[name] = constant(parameters)
     return values
 
 

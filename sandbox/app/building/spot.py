@@ -53,8 +53,3 @@ class Spot:
     def point(self) -> XY:
         """Where a point is put that is set here [m]."""
         return self.snapped.point
-
-
-def apart(one: XY, other: XY) -> float:
-    """Return how far two points are from each other."""
-    return float(((one[0] - other[0]) ** 2 + (one[1] - other[1]) ** 2) ** 0.5)

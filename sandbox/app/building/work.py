@@ -10,7 +10,6 @@ from sandbox.app.building.spot import Part, Snapped
 from sandbox.app.camera import Camera
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, transforms
-from sandbox.editing.edits.copying import Pasted
 from sandbox.editing.edits.made import Made
 from sandbox.editing.plain import plain
 from sandbox.model.errors import SandboxError
@@ -134,7 +133,7 @@ class Work:
 
         def made(text: str, level: Level) -> str:
             found = edit(text, level)
-            names.append(found.name)
+            names.extend(found.names)
             return found.text
 
         done = self.change(said, made)
@@ -178,28 +177,17 @@ class Work:
     def paste(self) -> None:
         """Put what was copied beside it, and select that."""
         copied, by = self._copied, self._aside
-        self._add("paste", lambda text, level: copying.paste(text, level, copied, by))
+        self.make("paste", lambda text, level: copying.paste(text, level, copied, by))
 
     def duplicate(self) -> None:
         """Put what is selected a second time beside it, and select that."""
         names, by = self.chosen, self._aside
-        self._add("duplicate", lambda text, level: copying.duplicate(text, level, names, by))
+        self.make("duplicate", lambda text, level: copying.duplicate(text, level, names, by))
 
     @property
     def _aside(self) -> XY:
         """How far copies are put aside [m]."""
         return ASIDE / self.camera.scale, ASIDE / self.camera.scale
-
-    def _add(self, said: str, edit: Callable[[str, Level], Pasted]) -> None:
-        names: list[str] = []
-
-        def pasted(text: str, level: Level) -> str:
-            found = edit(text, level)
-            names.extend(found.names)
-            return found.text
-
-        if self.change(said, pasted):
-            self.select([("bodies", name) for name in names])
 
     # what is selected
 

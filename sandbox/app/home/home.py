@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 from functools import cache, lru_cache
-from math import cos, pi, sin
 from pathlib import Path
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.listed import Entry
@@ -238,10 +237,7 @@ class Home:
 def _star(color: theme.Color) -> pygame.Surface:
     """Draw a star with five points, one of them up; large at first, so that its edges are soft."""
     large = 4 * RADIUS
-    radii = [large if i % 2 == 0 else 0.42 * large for i in range(10)]
-    turns = [pi * i / 5 for i in range(10)]
-    corners = [(large + r * sin(a), large - r * cos(a)) for r, a in zip(radii, turns, strict=True)]
     drawn = pygame.Surface((2 * large, 2 * large), pygame.SRCALPHA)
     drawn.fill((*color, 0))
-    pygame.draw.polygon(drawn, color, corners)
+    pygame.draw.polygon(drawn, color, lines.star((large, large), large))
     return pygame.transform.smoothscale_by(drawn, 0.25)

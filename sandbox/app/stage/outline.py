@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import cos, hypot, pi, sin
 
-from sandbox.app import theme
+from sandbox.app import lines, theme
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
@@ -90,13 +90,7 @@ class Outline:
         return crossings % 2 == 1
 
     def _distance(self, x: float, y: float) -> float:
-        distances = []
-        for (ax, ay), (bx, by) in self._edges():
-            dx, dy = bx - ax, by - ay
-            share = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
-            share = min(max(share, 0.0), 1.0)
-            distances.append(hypot(x - ax - share * dx, y - ay - share * dy))
-        return min(distances)
+        return min(lines.distance(a, b, (x, y)) for a, b in self._edges())
 
 
 def outlines(level: Level, values: Values) -> Mapping[str, Outline]:

@@ -130,7 +130,7 @@ def drawn_mass(area: float) -> float:
 def _add(text: str, level: Level, kind: str, body: Mapping[str, Json]) -> Made:
     name = new_name(kind, level)
     text = put(text, ("bodies", name), {**body, **_coefficients(level)})
-    return Made(first_that_loads(_declaring(text, level), text), name)
+    return Made(first_that_loads(_declaring(text, level), text), (name,))
 
 
 def _coefficients(level: Level) -> dict[str, Json]:

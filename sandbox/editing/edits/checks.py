@@ -1,11 +1,11 @@
 """Checks and ghosts added and taken away, and the quantities that they may name."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from sandbox.editing.layout import Json
 from sandbox.editing.mending import accepted, without_meaning
-from sandbox.editing.patches import put, remove
+from sandbox.editing.patches import Changes, put, put_all, remove
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 
@@ -13,15 +13,19 @@ MOST = 200
 """How many names are offered at the most."""
 
 
-def add_check(text: str, level: Level, check: Mapping[str, Any]) -> str:
-    """Return a level with a check more, as it stands in a file.
+def add_checks(
+    text: str, level: Level, checks: Sequence[Mapping[str, Any]], besides: Changes | None = None
+) -> str:
+    """Return a level with more checks, as they stand in a file, and with what else they need.
 
     Raises
     ------
     LevelError
         If the loader refuses it.
     """
-    return accepted(put(text, ("checks", len(level.checks)), check))
+    count = len(level.checks)
+    new: Changes = {("checks", count + i): check for i, check in enumerate(checks)}
+    return accepted(put_all(text, {**new, **(besides or {})}))
 
 
 def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:

@@ -3,12 +3,12 @@
 import json
 from collections.abc import Collection, Mapping
 from functools import reduce
-from typing import Any, NamedTuple, cast
+from typing import Any, cast
 
 from pydantic import ValidationError
 
 from sandbox.editing.attached import shifted_point
-from sandbox.editing.edits.made import new_name
+from sandbox.editing.edits.made import Made, new_name
 from sandbox.editing.mending import without_meaning
 from sandbox.editing.patches import Changes, put_all
 from sandbox.model.consistency.mentions import mentions
@@ -20,14 +20,6 @@ from sandbox.model.shapes import XY, Point
 
 Data = dict[str, Any]
 """A JSON object."""
-
-
-class Pasted(NamedTuple):
-    """A text with copies in it."""
-
-    text: str
-    names: tuple[str, ...]
-    """Of the bodies that are new."""
 
 
 def copy(text: str, level: Level, names: Collection[str]) -> str:
@@ -64,7 +56,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     )
 
 
-def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Pasted:
+def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     """Return a level with copies of bodies in it, so far away, under names of their own.
 
     What the level says nothing of, such as friction where none is declared, is left out of them. A
@@ -91,10 +83,10 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Pasted:
         for name in getattr(source, kind).keys() - getattr(level, kind).keys():
             changes[kind, name] = data[kind][name]
     pasted = without_meaning(put_all(text, changes))
-    return Pasted(pasted, tuple(names[name] for name in source.bodies))
+    return Made(pasted, tuple(names[name] for name in source.bodies))
 
 
-def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Pasted:
+def duplicate(text: str, level: Level, names: Collection[str], by: XY) -> Made:
     """Return a level with bodies of it a second time, so far away."""
     return paste(text, level, copy(text, level, names), by)
 

@@ -78,7 +78,7 @@ def add_joint(
     said = _MADE.get(kind, _line)(list(chosen), where)
     name = new_name(kind, level)
     added = put(text, ("joints", name), {"type": kind, **said})
-    return Made(accepted(added, put(added, ("effects", "rotation"), {})), name)
+    return Made(accepted(added, put(added, ("effects", "rotation"), {})), (name,))
 
 
 def end(pick: Pick, where: Bodies) -> Json:

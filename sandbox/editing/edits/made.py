@@ -11,8 +11,14 @@ class Made(NamedTuple):
     """A text with something new in it."""
 
     text: str
-    name: str
-    """Of the body, joint or parameter that was made."""
+    names: tuple[str, ...]
+    """Of the bodies or the joint that were made."""
+
+    @property
+    def name(self) -> str:
+        """The name, where there is but one."""
+        (name,) = self.names
+        return name
 
 
 def new_name(kind: str, level: Level, besides: Container[str] = ()) -> str:

@@ -7,8 +7,7 @@ from sandbox.editing.attached import attached
 from sandbox.editing.formulas import negative, shifted
 from sandbox.editing.layout import Json
 from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import around, placed
-from sandbox.model.errors import SandboxError
+from sandbox.editing.placed import around, chosen
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Held, Joint, Motor, Rail, Winding, Wire, bodies_of, ends_of
 from sandbox.model.level import Body, Level
@@ -41,10 +40,7 @@ def mirror(
     SandboxError
         If there are none.
     """
-    if not names:
-        raise SandboxError("choose the bodies first")
-    where = placed(level, values)
-    low, high = around([where[name] for name in names])
+    low, high = around(chosen(level, names, values).values())
     mirror = _Mirror(axis, (low + high).real if axis == "x" else (low + high).imag)
     changes = Changes()
     for name in names:
@@ -54,8 +50,7 @@ def mirror(
             changes |= mirror.joint(("joints", name), joint)
         elif held:
             changes |= mirror.held(("joints", name), joint, names)
-    chosen = level.defaults if values is None else values
-    return attached(put_all(text, changes), level, names, chosen)
+    return attached(put_all(text, changes), level, names, values)
 
 
 class _Mirror:

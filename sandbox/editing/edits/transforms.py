@@ -11,8 +11,7 @@ from typing import Literal
 from sandbox.editing.attached import attached, pinned, shifted_point
 from sandbox.editing.formulas import turned
 from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import Placed, around, placed
-from sandbox.model.errors import SandboxError
+from sandbox.editing.placed import around, chosen
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level
@@ -55,7 +54,7 @@ def shift(
     for name, joint in level.joints.items():
         if isinstance(joint, Wire) and (way := ways.get(body_of(joint.bead) or "")):
             changes["joints", name, "curve"] = shifted_point(joint.curve, way)
-    return attached(put_all(text, changes), level, ways, _chosen(level, values))
+    return attached(put_all(text, changes), level, ways, values)
 
 
 def turn(
@@ -79,7 +78,7 @@ def turn(
     values
         The parameters' values.
     """
-    where = _of(level, names, values)
+    where = chosen(level, names, values)
     low, high = around(where.values())
     middle = where[next(iter(names))].center if len(names) == 1 else (low + high) / 2
     center = middle if about is None else complex(*about)
@@ -89,14 +88,14 @@ def turn(
         changes["bodies", name, "angle"] = turned(body.body.angle, angle)
         if by:
             changes["bodies", name, "position"] = shifted_point(body.body.position, by)
-    return attached(put_all(text, changes), level, names, _chosen(level, values))
+    return attached(put_all(text, changes), level, names, values)
 
 
 def align(
     text: str, level: Level, names: Collection[str], side: Side, values: Values | None = None
 ) -> str:
     """Return a level in which bodies are in line, at the outermost of their sides."""
-    where, at = _of(level, names, values), _SIDES[side]
+    where, at = chosen(level, names, values), _SIDES[side]
     line = at(around(where.values()))
     return shift(text, level, {n: line - at(body.bounds) for n, body in where.items()}, values)
 
@@ -112,7 +111,7 @@ def distribute(
 
     The outermost stay where they are.
     """
-    where = _of(level, names, values)
+    where = chosen(level, names, values)
     unit = 1 + 0j if axis == "x" else 1j
     spans = {name: tuple(dot(end, unit) for end in body.bounds) for name, body in where.items()}
     ordered = sorted(spans, key=lambda name: sum(spans[name]))
@@ -124,14 +123,3 @@ def distribute(
         ways[name] = (low - a) * unit
         low += b - a + gap
     return shift(text, level, ways, values)
-
-
-def _of(level: Level, names: Collection[str], values: Values | None) -> dict[str, Placed]:
-    if not names:
-        raise SandboxError("choose the bodies first")
-    where = placed(level, values)
-    return {name: where[name] for name in names}
-
-
-def _chosen(level: Level, values: Values | None) -> Values:
-    return level.defaults if values is None else values

@@ -7,8 +7,8 @@ a time before it is met.
 
 from collections.abc import Callable, Iterator
 
-from sandbox.editing.mending import accepted
-from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.edits.checks import add_checks
+from sandbox.editing.patches import Changes
 from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
 from sandbox.editing.suggest.scene import Scene, Suggestion
 from sandbox.model.expressions import Values
@@ -40,8 +40,7 @@ def take(text: str, level: Level, suggestion: Suggestion) -> str:
     LevelError
         If the loader refuses it.
     """
-    count = len(level.checks)
-    changes: Changes = {("checks", count + i): c for i, c in enumerate(suggestion.checks)}
+    besides = Changes()
     if level.stepping.accuracy is None and level.stepping.rate < suggestion.rate:
-        changes["stepping", "rate"] = suggestion.rate
-    return accepted(put_all(text, changes))
+        besides["stepping", "rate"] = suggestion.rate
+    return add_checks(text, level, suggestion.checks, besides)

@@ -7,8 +7,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import film, runfile
-from sandbox.app.pages.share import saving
+from sandbox.app import film, own_files, runfile
 from sandbox.app.pages.share.panel import KINDS, SharePage
 from sandbox.app.session import Session
 from sandbox.model import catalog
@@ -20,7 +19,7 @@ from tests.app.person import Person
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The person's own folder."""
     place = tmp_path / "documents"
-    monkeypatch.setattr(saving, "folder", lambda: place)
+    monkeypatch.setattr(own_files, "folder", lambda: place)
     return place
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from sandbox.editing.edits.checks import add_check, complete, drop_told, set_ghost
+from sandbox.editing.edits.checks import add_checks, complete, drop_told, set_ghost
 from sandbox.model import catalog
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse, read
@@ -13,7 +13,7 @@ LEVEL = parse(TEXT)
 
 def test_a_check_is_added_and_taken_away() -> None:
     check = {"quantity": "right.velocity.x", "formula": 0, "tolerance": 1e-9}
-    added = add_check(TEXT, LEVEL, check)
+    added = add_checks(TEXT, LEVEL, [check])
     assert parse(added).checks[-1].quantity == "right.velocity.x"
     assert drop_told(added, "checks", len(LEVEL.checks)) == TEXT
 
@@ -21,7 +21,7 @@ def test_a_check_is_added_and_taken_away() -> None:
 def test_a_check_of_nothing_is_refused_with_what_was_meant() -> None:
     check = {"quantity": "right.velocty.x", "formula": 0, "tolerance": 1e-9}
     with pytest.raises(LevelError, match=r"did you mean 'right\.velocity\.x'"):
-        add_check(TEXT, LEVEL, check)
+        add_checks(TEXT, LEVEL, [check])
 
 
 def test_a_ghost_is_set_and_taken_away() -> None:

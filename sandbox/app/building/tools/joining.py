@@ -1,12 +1,13 @@
 """The tool that ties bodies together, with any joint that there is."""
 
 from collections.abc import Mapping
+from math import dist
 from typing import NamedTuple, get_args
 
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.spot import Spot, apart
+from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
 from sandbox.app.text import Pen
 from sandbox.editing.edits import joints
@@ -117,7 +118,7 @@ class JoinTool:
         if len(self._places) < len(self._clicks.hints):
             return False
         last = self._bench.camera.to_screen(self._places[-1].point)
-        return apart(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
+        return dist(last, self._bench.camera.to_screen(spot.point)) < TOGETHER
 
     def move(self, spot: Spot) -> None:
         """Show where the next piece would run."""
@@ -153,7 +154,7 @@ class JoinTool:
         points = [place.point for place in self._places]
         preview.outline(surface, camera, [*points, end])
         preview.dots(surface, camera, points)
-        preview.measure(surface, pen, self._spot.pixel, preview.metres(apart(points[-1], end)))
+        preview.measure(surface, pen, self._spot.pixel, preview.metres(dist(points[-1], end)))
 
 
 def kinds() -> Mapping[str, str]:

@@ -2,7 +2,7 @@
 
 from cmath import phase
 from enum import Enum, auto
-from math import degrees, pi, radians
+from math import degrees, dist, pi, radians
 
 import pygame
 
@@ -10,7 +10,7 @@ from sandbox.app import theme
 from sandbox.app.building import handles, preview
 from sandbox.app.building.handles import Handle
 from sandbox.app.building.sketch import Drawn
-from sandbox.app.building.spot import Part, Snapped, Spot, apart
+from sandbox.app.building.spot import Part, Snapped, Spot
 from sandbox.app.building.tools.tool import STILL, Bench
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
@@ -104,7 +104,7 @@ class SelectTool:
         if self._start is None or self._doing is Doing.NOTHING:
             return
         self._now = spot
-        if self._doing is Doing.MOVING and apart(spot.pixel, self._start.pixel) >= STILL:
+        if self._doing is Doing.MOVING and dist(spot.pixel, self._start.pixel) >= STILL:
             (x, y), (a, b) = spot.free, self._start.free
             self._way = self._snapped((x - a, y - b), spot)
 
@@ -119,7 +119,7 @@ class SelectTool:
         if start is None:
             return
         self.move(spot)
-        still = apart(spot.pixel, start.pixel) < STILL
+        still = dist(spot.pixel, start.pixel) < STILL
         by, turned, handle = self._way.point, self._turn, self._handle
         body, caught = self._single, self._caught()
         self.cancel()
@@ -182,7 +182,7 @@ class SelectTool:
         if self._doing is not Doing.CATCHING or self._start is None or self._now is None:
             return []
         (x, y), (a, b) = self._start.free, self._now.free
-        if apart(self._start.pixel, self._now.pixel) < STILL:
+        if dist(self._start.pixel, self._now.pixel) < STILL:
             return []
         sketch = self._bench.sketch
 
@@ -200,7 +200,7 @@ class SelectTool:
         start, now, body = self._start, self._now, self._single
         if body and self._doing in (Doing.NOTHING, Doing.CATCHING):
             handles.draw(surface, body, self._bench.camera)
-        if start is None or now is None or apart(start.pixel, now.pixel) < STILL:
+        if start is None or now is None or dist(start.pixel, now.pixel) < STILL:
             return
         match self._doing:
             case Doing.CATCHING:

@@ -1,12 +1,12 @@
 """What is drawn from one point to another: discs and boxes."""
 
 from abc import ABC, abstractmethod
-from math import cos, sin, tau
+from math import cos, dist, sin, tau
 
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.spot import Spot, apart
+from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import STILL, Bench
 from sandbox.app.text import Pen
 from sandbox.editing.edits import bodies
@@ -48,7 +48,7 @@ class Stretching(ABC):
 
     def release(self, spot: Spot) -> None:
         """Make it, unless the mouse has not moved: then a second click does."""
-        if self._start is None or apart(spot.pixel, self._start.pixel) < STILL:
+        if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
             return
         one, other = self._start.point, spot.point
         self.cancel()
@@ -99,13 +99,13 @@ class DiscTool(Stretching):
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return the circle."""
-        radius = apart(one, other)
+        radius = dist(one, other)
         turns = (tau * i / 48 for i in range(48))
         return [(one[0] + radius * cos(a), one[1] + radius * sin(a)) for a in turns]
 
     def measured(self, one: XY, other: XY) -> str:
         """Return the radius."""
-        return f"r {preview.metres(apart(one, other))}"
+        return f"r {preview.metres(dist(one, other))}"
 
 
 class BoxTool(Stretching):

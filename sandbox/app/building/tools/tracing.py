@@ -1,11 +1,11 @@
 """What is drawn through several points: polygons, surfaces, and what a hand draws freely."""
 
-from math import atan2, degrees
+from math import atan2, degrees, dist
 
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.spot import Spot, apart
+from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
@@ -53,8 +53,8 @@ class Tracing:
     def _ends(self, spot: Spot) -> bool:
         """Whether a click there ends it."""
         camera = self._bench.camera
-        last = apart(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
-        first = apart(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
+        last = dist(camera.to_screen(self._points[-1]), camera.to_screen(spot.point)) < 1
+        first = dist(camera.to_screen(self._points[0]), spot.pixel) < CLOSE
         return last or (self.closed and first and len(self._points) >= self.least)
 
     def move(self, spot: Spot) -> None:
@@ -84,7 +84,7 @@ class Tracing:
         preview.outline(surface, camera, [*self._points, end], closed=self.closed)
         preview.dots(surface, camera, self._points)
         x, y = end[0] - self._points[-1][0], end[1] - self._points[-1][1]
-        told = f"{preview.metres(apart(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
+        told = f"{preview.metres(dist(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
         preview.measure(surface, pen, self._spot.pixel, told)
 
     def make(self, points: tuple[XY, ...]) -> None:
@@ -141,7 +141,7 @@ class CurveTool:
 
     def move(self, spot: Spot) -> None:
         """Go on with it."""
-        if self._pixels and apart(spot.pixel, self._pixels[-1]) >= APART:
+        if self._pixels and dist(spot.pixel, self._pixels[-1]) >= APART:
             self._points.append(spot.free)
             self._pixels.append(spot.pixel)
 

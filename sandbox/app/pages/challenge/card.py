@@ -1,11 +1,10 @@
 """How a challenge stands: its task, its stars, its goals, and the hints that were asked for."""
 
 from collections.abc import Sequence
-from math import cos, pi, sin
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import lines, theme, wording
 from sandbox.app.cards.card import GAP, INDENT, Card
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
@@ -108,10 +107,7 @@ def _stars(card: Card, found: Attempt, best: int) -> None:
 def _star(*, earned: bool) -> pygame.Surface:
     """Draw a star, filled if it is earned."""
     sign = pygame.Surface((2 * _STAR + 2, 2 * _STAR + 2), pygame.SRCALPHA)
-    corners = []
-    for i in range(10):
-        radius, angle = _STAR if i % 2 == 0 else 0.45 * _STAR, pi / 2 + i * pi / 5
-        corners.append((_STAR + 1 + radius * cos(angle), _STAR + 1 - radius * sin(angle)))
+    corners = lines.star((_STAR + 1, _STAR + 1), _STAR)
     if earned:
         pygame.draw.polygon(sign, theme.NOTICE, corners)
     pygame.draw.aalines(sign, theme.NOTICE if earned else theme.WAITING, True, corners)

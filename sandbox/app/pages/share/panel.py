@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme
+from sandbox.app import own_files, theme
 from sandbox.app.cards.card import Card
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
@@ -91,5 +91,5 @@ class SharePage:
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     card = Card(pen, width)
     card.heading("Take away")
-    card.text(f"Files go to {saving.folder()}", 13, theme.DIM)
+    card.text(f"Files go to {own_files.folder()}", 13, theme.DIM)
     return card.drawn()

@@ -1,15 +1,13 @@
 """What of a run can be taken away, as files in a folder of the person's own."""
 
-import re
 from collections.abc import Sequence
 from datetime import datetime
 from io import BytesIO
 from pathlib import Path
 
-import platformdirs
 import pygame
 
-from sandbox.app import runfile
+from sandbox.app import own_files, runfile
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
@@ -17,11 +15,6 @@ from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace
-
-
-def folder() -> Path:
-    """Return where the files go; it need not be there."""
-    return platformdirs.user_documents_path() / "Mechanics sandbox"
 
 
 def path_for(session: Session, suffix: str) -> Path:
@@ -32,13 +25,13 @@ def path_for(session: Session, suffix: str) -> Path:
     SandboxError
         If the folder cannot be made or written to.
     """
-    make_folder(folder())
-    title = re.sub(r"[^a-z0-9]+", "-", session.original.title.casefold()).strip("-") or "level"
+    folder, title = own_files.folder(), own_files.stem(session.original.title)
+    make_folder(folder)
     now = datetime.now().strftime("%Y-%m-%d %H.%M.%S")
-    found = folder() / f"{title} {now}{suffix}"
+    found = folder / f"{title} {now}{suffix}"
     count = 2
     while found.exists():
-        found = folder() / f"{title} {now} ({count}){suffix}"
+        found = folder / f"{title} {now} ({count}){suffix}"
         count += 1
     return found
 

@@ -1,0 +1,32 @@
+"""Small files in the user's data folder, kept from one day to the next."""
+
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import read_ordinary, write_atomically
+
+LARGEST = 1_000_000
+"""Bytes of a file: what is larger was not written here."""
+
+Value = TypeVar("Value")
+
+
+def read(file: Path, kind: TypeAdapter[Value], otherwise: Value) -> Value:
+    """Return what a file holds; something else if it is missing, or not as it was written here."""
+    try:
+        return kind.validate_json(read_ordinary(file, LARGEST) or b"")
+    except (OSError, ValidationError):
+        return otherwise
+
+
+def keep(file: Path, kind: TypeAdapter[Value], value: Value) -> str:
+    """Write a file, whole or not at all; return why that cannot be, if so."""
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_atomically(file, kind.dump_json(value, indent=1), follow=False)
+    except (OSError, SandboxError, ValueError) as error:
+        return str(error)
+    return ""

@@ -1,0 +1,20 @@
+"""Files that a checkout holds and a program writes."""
+
+import sys
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from sandbox.model.errors import SandboxError
+
+FAILED = 2
+
+
+def generate(write: Callable[[], Iterable[Path]]) -> int:
+    """Write files, tell those that are to be told of, and return the exit status."""
+    try:
+        for path in write():
+            sys.stdout.write(f"{path}\n")
+    except SandboxError as error:
+        sys.stderr.write(f"{error}\n")
+        return FAILED
+    return 0
