@@ -98,12 +98,8 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     found = least_squares(
         residuals, start, bounds=(0, 1), diff_step=STEP, xtol=1e-12, ftol=1e-12, gtol=1e-12
     )
-    jacobian, left = found.jac, data.count - len(names)
-    square = jacobian.T @ jacobian
-    if not np.linalg.cond(square) < 1e14:
-        raise FitError(f"the data do not tell {' and '.join(names)} apart from anything else")
-    mean_square = float(found.fun @ found.fun) / left
-    covariance = np.linalg.inv(square) * (1.0 if known else mean_square)
+    mean_square = float(found.fun @ found.fun) / (data.count - len(names))
+    covariance = _inverse_square(found.jac, names) * (1.0 if known else mean_square)
     deviation = np.sqrt(covariance.diagonal())
     best = low + width * found.x
     chosen = {**values, **dict(zip(names, best.tolist(), strict=True))}
@@ -115,6 +111,20 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     correlation = covariance / np.outer(deviation, deviation)
     model = predicted(level, chosen, data, stepping)
     return Fit(parameters, correlation, data.count, scatter, model)
+
+
+def _inverse_square(jacobian: Array, names: Sequence[str]) -> Array:
+    """Return (Jᵀ J)⁻¹ of how the residuals change with the parameters.
+
+    Raises
+    ------
+    FitError
+        If they do not change with some of them, or with two of them alike.
+    """
+    square = jacobian.T @ jacobian
+    if not np.linalg.cond(square) < 1e14:
+        raise FitError(f"the data do not tell {' and '.join(names)} apart from anything else")
+    return np.asarray(np.linalg.inv(square))
 
 
 def predicted(level: Level, values: Values, data: Data, stepping: Stepping) -> dict[str, Array]:
@@ -141,8 +151,8 @@ def _check(level: Level, names: Sequence[str], data: Data) -> None:
             hint = suggestion(name, level.parameters, most=20)
             raise ValueRangeError(f"'{brief(name)}' is no parameter of the level{hint}")
     if data.count <= len(names):
-        told = f"{data.count} numbers were measured; for {len(names)} parameters more are needed"
-        raise FitError(told)
+        message = f"{data.count} numbers were measured; for {len(names)} parameters more are needed"
+        raise FitError(message)
     if data.uncertainties and set(data.uncertainties) != set(data.columns):
         name = next(name for name in data.columns if name not in data.uncertainties)
         raise FitError(f"'{name}' has no uncertainties, but others have: all, or none")

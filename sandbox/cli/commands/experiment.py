@@ -7,103 +7,116 @@ import typer
 
 from sandbox.cli.commands.options import DurationOption, RateOption, SchemeOption, SetOption
 
+SubjectArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="LEVEL|EXPERIMENT",
+        help="A level, to be varied and measured as the options say; or without them an"
+        " experiment: the path of its file, or a name such as flip-map.",
+        show_default=False,
+    ),
+]
+OutputOption = Annotated[
+    Path,
+    typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
+]
+VaryOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="NAME=VALUES",
+        help="A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
+        " 0:90:91 or 1:1000:31:log, a list 1,2,5, or drawn from 0..1 or 1.00±0.01. Can be"
+        " repeated.",
+        show_default=False,
+    ),
+]
+MeasureOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        metavar="MEASURE",
+        help="What is measured of each run, such as ball.position.x@end, t@landing,"
+        " ball.speed@apex, max(ball.speed) or error(range). Can be repeated.",
+        show_default=False,
+    ),
+]
+UntilOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="CONDITION",
+        help="A run ends where this holds, such as 'ball.position.y < 0'.",
+        show_default=False,
+    ),
+]
+DrawsOption = Annotated[
+    int | None,
+    typer.Option(metavar="N", help="How many times is drawn.", show_default=False),
+]
+MethodOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="NAME",
+        help="How is drawn: random, latin-hypercube, sobol or sobol-indices.",
+        show_default=False,
+    ),
+]
+SeedOption = Annotated[
+    int | None,
+    typer.Option(metavar="N", help="Another number, other draws.", show_default=False),
+]
+JobsOption = Annotated[
+    int | None,
+    typer.Option(
+        metavar="N",
+        help="Processes that share the runs; one a core if left out.",
+        show_default=False,
+    ),
+]
+ClusterOption = Annotated[
+    str | None,
+    typer.Option(
+        metavar="ADDRESS",
+        help="Run on the Dask cluster of this scheduler: tcp://127.0.0.1:8786.",
+        show_default=False,
+    ),
+]
+FitOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--fit",
+        metavar="NAME",
+        help="In place of an experiment, find this parameter of the level from --data, with"
+        " its uncertainty. Can be repeated.",
+        show_default=False,
+    ),
+]
+DataOption = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE.csv",
+        help="What was measured: a column t [s], and columns called as quantities, such as"
+        " bob.position.x; 'bob.position.x ±' has their standard uncertainties.",
+        show_default=False,
+    ),
+]
+
 
 def command(
-    subject: Annotated[
-        str,
-        typer.Argument(
-            metavar="LEVEL|EXPERIMENT",
-            help="A level, to be varied and measured as the options say; or without them an"
-            " experiment: the path of its file, or a name such as flip-map.",
-            show_default=False,
-        ),
-    ],
-    output: Annotated[
-        Path,
-        typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
-    ],
-    vary: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="NAME=VALUES",
-            help="A parameter, 'without' (effects), 'scheme' or 'rate', and its values: a grid"
-            " 0:90:91 or 1:1000:31:log, a list 1,2,5, or drawn from 0..1 or 1.00±0.01. Can be"
-            " repeated.",
-            show_default=False,
-        ),
-    ] = None,
-    measure: Annotated[
-        list[str] | None,
-        typer.Option(
-            metavar="MEASURE",
-            help="What is measured of each run, such as ball.position.x@end, t@landing,"
-            " ball.speed@apex, max(ball.speed) or error(range). Can be repeated.",
-            show_default=False,
-        ),
-    ] = None,
+    subject: SubjectArgument,
+    output: OutputOption,
+    vary: VaryOption = None,
+    measure: MeasureOption = None,
     set_: SetOption = None,
-    until: Annotated[
-        str | None,
-        typer.Option(
-            metavar="CONDITION",
-            help="A run ends where this holds, such as 'ball.position.y < 0'.",
-            show_default=False,
-        ),
-    ] = None,
-    draws: Annotated[
-        int | None,
-        typer.Option(metavar="N", help="How many times is drawn.", show_default=False),
-    ] = None,
-    method: Annotated[
-        str | None,
-        typer.Option(
-            metavar="NAME",
-            help="How is drawn: random, latin-hypercube, sobol or sobol-indices.",
-            show_default=False,
-        ),
-    ] = None,
-    seed: Annotated[
-        int | None,
-        typer.Option(metavar="N", help="Another number, other draws.", show_default=False),
-    ] = None,
+    until: UntilOption = None,
+    draws: DrawsOption = None,
+    method: MethodOption = None,
+    seed: SeedOption = None,
     duration: DurationOption = None,
     rate: RateOption = None,
     scheme: SchemeOption = None,
-    jobs: Annotated[
-        int | None,
-        typer.Option(
-            metavar="N",
-            help="Processes that share the runs; one a core if left out.",
-            show_default=False,
-        ),
-    ] = None,
-    cluster: Annotated[
-        str | None,
-        typer.Option(
-            metavar="ADDRESS",
-            help="Run on the Dask cluster of this scheduler: tcp://127.0.0.1:8786.",
-            show_default=False,
-        ),
-    ] = None,
-    fit_: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--fit",
-            metavar="NAME",
-            help="In place of an experiment, find this parameter of the level from --data, with"
-            " its uncertainty. Can be repeated.",
-            show_default=False,
-        ),
-    ] = None,
-    data: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE.csv",
-            help="What was measured: a column t [s], and columns called as quantities, such as"
-            " bob.position.x; 'bob.position.x ±' has their standard uncertainties.",
-            show_default=False,
-        ),
-    ] = None,
+    jobs: JobsOption = None,
+    cluster: ClusterOption = None,
+    fit_: FitOption = None,
+    data: DataOption = None,
 ) -> None:
     """Run a level many times, over a grid or over draws of its parameters, and measure each run.
 

@@ -74,10 +74,7 @@ def make_hollow(
         shape.filter = ORDINARY
     for shape, piece in _pieces(made, lines, values, pairs, skin):
         hollows.know(shape, piece)
-    for shape, piece in make_ends(made, lines, values, skin):
-        space.add(shape)
-        hollows.know(shape, piece)
-    for shape, piece in _feelers(made, pairs, skin):
+    for shape, piece in (*make_ends(made, lines, values, skin), *_feelers(made, pairs, skin)):
         space.add(shape)
         hollows.know(shape, piece)
     return hollows

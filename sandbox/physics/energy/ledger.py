@@ -17,29 +17,27 @@ What cannot give energy is not believed to: surfaces that press on each other, i
 joint that keeps its length. What they do all the same is left unexplained.
 """
 
-from collections.abc import Iterable, Mapping
-from dataclasses import replace
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from sandbox.model import accounts
 from sandbox.model.expressions import Array
-from sandbox.model.joints import Spring, bodies_of, is_exact
 from sandbox.physics.contacts.direct.solver import Stage
-from sandbox.physics.contacts.impulse_work import Kick, completed, pressed, rubbing
+from sandbox.physics.contacts.impulse_work import Kick
+from sandbox.physics.energy.attribution import Attribution
 from sandbox.physics.energy.balance import Balance
-from sandbox.physics.energy.jerks import reached
+from sandbox.physics.energy.entries import Entries
 from sandbox.physics.energy.step_record import Recorded
-from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip import Stop
-from sandbox.physics.forces.law import Law, Turn
-from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.forces.turning import given
 from sandbox.physics.forces.variable_mass import MassFlows
-from sandbox.physics.geometry.distance import surfaces
-from sandbox.physics.joints.pulls import Pulls, pulls_of
+from sandbox.physics.joints.pulls import pulls_of
 from sandbox.physics.state.motion import Instant, momentum
+
+if TYPE_CHECKING:
+    from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12
 """The share of a place, or of a metre, by which a body must have been moved to be seen to be."""
@@ -70,16 +68,8 @@ class Ledger:
         self._run, self._scene, self._step = run, scene, run.last
         self._laws: tuple[Law, ...] = (*([scene.gravity] if scene.gravity else []), *scene.laws)
         self._mass = scene.inertia
-        self._surfaces = surfaces(scene.bodies.values())
-        # solved directly, friction takes from a rebound what it would give otherwise
-        self._elastic = _elastic(run) and not (scene.direct and level.effects.friction)
-        self._potential = dict.fromkeys(accounts.potentials(level), 0.0)
-        self._works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
-        self._losses = dict.fromkeys(accounts.losses(level), 0.0)
-        self._impulses = {name: np.zeros(3) for name in accounts.outside(level)}
-        own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
-        self._driven = any(accounts.drives(joint, level) for joint in own)
-        self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
+        self._entries = Entries(level)
+        self._causes = Attribution(run, self._laws, self._entries)
         self._composed = self._step.composed
         if self._composed:
             begun = None
@@ -127,7 +117,8 @@ class Ledger:
         begun, slack = before, self._slack[0] | self._slack[1]
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
-            self._book(kick, ended - begun, pulls._replace(tension=tension), contacts, slack)
+            held = pulls._replace(tension=tension)
+            self._causes.book(step, kick, ended - begun, held, contacts, slack)
             begun = ended
             if len(slack) == len(tension):
                 slack = slack | (tension <= 0)
@@ -142,32 +133,6 @@ class Ledger:
         if direct and direct.stages:
             return direct.stages
         return (Stage(dt, after, tension * dt, self._kicked()),)
-
-    def _book(
-        self, kick: Kick, change: Array, pulls: Pulls, contacts: Contacts, slack: Booleans
-    ) -> None:
-        """Book a kick that changes velocities so, (n, 3), and which ropes were slack before it.
-
-        A rope that is caught stops all that it reaches at once. What keeps its length and what
-        touches there work on each other within the kick; what they take together is the loss.
-        """
-        rest = kick.inertia * change
-        rest -= sum((self._force(law, kick) for law in self._laws), np.zeros_like(rest))
-        rest -= sum((self._turn(turn, kick) for turn in self._scene.turns), np.zeros_like(rest))
-        impulses, works = self._joints(kick, pulls)
-        rest -= impulses
-        jump = self._jump(kick)
-        rest -= jump
-        rest -= self._own(kick, rest, contacts)
-        rest -= self._hand(kick, rest, contacts)
-        lost = self._touch(kick, rest, kick.work(jump), contacts)
-        if len(slack) < len(works):
-            self._lose("sticking", float(works.sum()))
-        else:
-            moves = kick.inertia[:, 0] > 0
-            lost += float(works[reached(pulls, contacts, slack, moves)].sum())
-        if lost:
-            self._lose("impacts", lost)
 
     def _follow(self) -> None:
         """Book the kicks of a step, in which nothing acts but smooth forces and joints.
@@ -200,23 +165,22 @@ class Ledger:
         """Book a kick in which only laws and joints act, from velocities to others: (n, 3)."""
         before, inertia = _velocity(seen), self._inertia(t)
         kick = Kick(t, length, seen, seen.position, (before + after) / 2, inertia)
-        laws = sum((self._force(law, kick) for law in self._laws), np.zeros_like(after))
+        laws = sum((self._causes.force(law, kick) for law in self._laws), np.zeros_like(after))
         if self._scene.joints.together:
-            self._give("supports", inertia * (after - before) - laws, kick.place)
+            self._entries.give("supports", inertia * (after - before) - laws, kick.place)
 
     @property
     def balance(self) -> Balance:
         """How the books stand."""
-        kinetic = self._kinetic(self._end)
-        (begun, begun_with), given = self._start, sum(self._impulses.values(), np.zeros(3))
-        explained = sum(self._works.values()) + sum(self._losses.values())
+        kinetic, entries = self._kinetic(self._end), self._entries
+        (begun, begun_with), given = self._start, sum(entries.impulses.values(), np.zeros(3))
         return Balance(
             kinetic,
-            dict(self._potential),
-            dict(self._works),
-            {name: -work for name, work in self._losses.items()},
-            kinetic + sum(self._potential.values()) - begun - explained,
-            {name: impulse.copy() for name, impulse in self._impulses.items()},
+            dict(entries.potential),
+            dict(entries.works),
+            {name: -work for name, work in entries.losses.items()},
+            kinetic + sum(entries.potential.values()) - begun - entries.explained,
+            {name: impulse.copy() for name, impulse in entries.impulses.items()},
             self._momentum(self._end) - begun_with - given,
             self._overlaps,
         )
@@ -248,19 +212,15 @@ class Ledger:
 
     def _store(self, motion: Instant) -> float:
         """Note what is stored, and return the whole energy [J]."""
-        self._potential = dict.fromkeys(self._potential, 0.0)
+        stored = dict.fromkeys(self._entries.potential, 0.0)
         for law in self._laws:
             if law.effect.book == "potential":
-                self._potential[law.effect.booked] += float(law.potential_energy(motion).sum())
-        return self._kinetic(motion) + sum(self._potential.values())
+                stored[law.effect.booked] += float(law.potential_energy(motion).sum())
+        self._entries.potential = stored
+        return self._kinetic(motion) + sum(stored.values())
 
     def _momentum(self, motion: Instant) -> Array:
         return momentum(self._inertia(motion.t) * _velocity(motion), motion.position)
-
-    def _give(self, name: str, impulse: Array, place: Array) -> None:
-        """Book what gave momentum, unless bodies give it to each other."""
-        if name in self._impulses:
-            self._impulses[name] = self._impulses[name] + momentum(impulse, place)
 
     def _drifted(self) -> Array:
         """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
@@ -273,15 +233,14 @@ class Ledger:
         """Book the impacts that cut the last drift; return the velocities that it ended with."""
         impacts = collided.impacts
         self._go_on(collided.begun, collided.lifted)
-        self._put_in(
+        self._entries.put_in(
             {"bodies": sum(i.kinematic for i in impacts), "belt": sum(i.driven for i in impacts)}
         )
-        self._rub(sum(impact.rubbed for impact in impacts))
-        if not self._elastic:
+        self._entries.rub(sum(impact.rubbed for impact in impacts))
+        if not self._causes.elastic:
             for impact in impacts:
-                self._lose("impacts", impact.pressed)
-        if "supports" in self._impulses:
-            self._impulses["supports"] += sum((impact.given for impact in impacts), collided.pulled)
+                self._entries.lose("impacts", impact.pressed)
+        self._entries.support(sum((impact.given for impact in impacts), collided.pulled))
         return collided.begun
 
     def _stop(self, stop: Stop) -> Array:
@@ -291,11 +250,10 @@ class Ledger:
         for law in self._laws:
             wrench = np.zeros_like(self._mass)
             law.add(before, wrench)
-            self._do(law, float(np.sum(wrench * stop.way)))
-        self._put_in(stop.works)
-        self._rub(stop.rubbed)
-        if "supports" in self._impulses:
-            self._impulses["supports"] += stop.given
+            self._entries.do(law, float(np.sum(wrench * stop.way)))
+        self._entries.put_in(stop.works)
+        self._entries.rub(stop.rubbed)
+        self._entries.support(stop.given)
         return stop.begun
 
     def _go_on(self, begun: Array, lifted: float) -> None:
@@ -322,23 +280,6 @@ class Ledger:
             there = ended._replace(position=now.position, angle=now.angle)
             self._overlaps += self._stored(there) - self._stored(ended)
 
-    def _rub(self, work: float) -> None:
-        """Book the work of friction."""
-        if "friction" in self._losses:
-            self._losses["friction"] += work
-
-    def _do(self, law: Law, work: float) -> None:
-        """Book the work of a law that is not booked by what it stores."""
-        if law.effect.book == "work":
-            self._works[law.effect.booked] += work
-        elif law.effect.book == "loss":
-            self._losses[law.effect.booked] += work
-
-    def _put_in(self, works: Mapping[str, float]) -> None:
-        """Book works by what did them, where there is an account for it."""
-        for name in works.keys() & self._works.keys():
-            self._works[name] += works[name]
-
     def _carry(self, t: float, before: Array, after: Array) -> None:
         """Book what matter brings, or takes along, that is not a force."""
         flows = self._scene.share
@@ -355,8 +296,8 @@ class Ledger:
         for name, bodies in _carriers(flows).items():
             share = np.zeros_like(brought)
             share[bodies] = brought[bodies]
-            self._give(name, share, self._step.snapshot.position)
-            self._works[name] += float(energy[bodies].sum())
+            self._entries.give(name, share, self._step.snapshot.position)
+            self._entries.works[name] += float(energy[bodies].sum())
 
     def _stored_with(self, motion: Instant, t: float) -> Array:
         """Return by how much each body stores more with its mass at another time: (n,) [J]."""
@@ -365,124 +306,10 @@ class Ledger:
         more = [law.potential_energy(other) - law.potential_energy(motion) for law in stores]
         return sum(more, np.zeros(len(self._mass)))
 
-    def _force(self, law: Law, kick: Kick) -> Array:
-        """Book the impulse of a law, and return it: (n, 3).
-
-        What moves as told holds its own against it, and does work by that.
-        """
-        every = self._impulse(law, kick)
-        impulse = np.where(kick.inertia > 0, every, 0.0)
-        self._give(law.effect.name, impulse, kick.place)
-        self._do(law, kick.work(every))
-        if "bodies" in self._works:
-            self._works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
-        if isinstance(law, SpringForce) and law.damping:
-            elastic = self._impulse(replace(law, damping=0.0), kick)
-            self._losses["damping"] += kick.work(every - elastic)
-        return impulse
-
-    def _turn(self, turn: Turn, kick: Kick) -> Array:
-        """Book the impulse of what turns velocities, which does no work; return it: (n, 3)."""
-        impulse = np.zeros_like(self._mass)
-        change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
-        impulse[:, :2] = kick.inertia[:, :2] * change
-        self._give(turn.effect.name, impulse, kick.place)
-        return impulse
-
-    def _impulse(self, law: Law, kick: Kick) -> Array:
-        wrench = np.zeros_like(self._mass)
-        law.add(kick.seen, wrench)
-        return wrench * kick.length
-
-    def _joints(self, kick: Kick, pulls: Pulls) -> tuple[Array, Array]:
-        """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
-
-        Those of what is driven are booked, and 0.
-        """
-        kinematic = kick.inertia[:, 0] == 0
-        drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
-        impulses = -pulls.tension[:, None, None] * pulls.jacobian
-        impulses = np.where(kick.inertia > 0, impulses, 0.0)
-        works = np.sum(impulses * kick.mean, axis=(1, 2))
-        if "joints" in self._works:
-            self._works["joints"] += float(works[drives].sum())
-        together: Array = impulses.sum(axis=0)
-        self._give("supports", together, kick.place)
-        return together, np.where(drives, 0.0, works)
-
-    def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
-        """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
-        impulse = np.zeros_like(rest)
-        if not self._hung:
-            return impulse
-        for row in self._hung:
-            impulse[row] = rest[row]
-            impulse[row, :2] -= pressed(contacts, row)
-        impulse[kick.inertia == 0] = 0.0
-        self._give("supports", impulse, kick.place)
-        if self._driven:
-            self._works["joints"] += kick.work(impulse)
-        return impulse
-
     def _kicked(self) -> Contacts:
         """Return the contacts of the kick, without the impacts that cut the drift before it."""
         collided = self._step.impacts
         return self._step.contacts.after(len(collided.impacts) if collided else 0)
-
-    def _jump(self, kick: Kick) -> Array:
-        """Return the impulses of impacts that come one after the other: (n, 3)."""
-        if self._step.jump is None:
-            return np.zeros_like(self._mass)
-        impulse = kick.inertia * self._step.jump
-        self._give("supports", impulse, kick.place)
-        return impulse
-
-    def _lose(self, name: str, work: float) -> None:
-        """Book a loss; what would be a gain stays unexplained."""
-        self._losses[name] += min(work, 0.0)
-
-    def _hand(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
-        """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
-        impulse = np.zeros_like(rest)
-        hold = self._step.hold
-        if hold is None:
-            return impulse
-        row, (x, y) = hold
-        pull = rest[row, :2] - pressed(contacts, row)
-        impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
-        self._works["hand"] += kick.work(impulse)
-        self._impulses.setdefault("hand", np.zeros(3))
-        self._give("hand", impulse, kick.place)
-        return impulse
-
-    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> float:
-        """Book what contacts did: all that is left to the bodies that touch, and in sequence.
-
-        Return the work that impacts may account for.
-        """
-        if not len(contacts.bodies):
-            return 0.0
-        touching = np.zeros(len(rest), dtype=bool)
-        touching[contacts.bodies] = True
-        impulse = np.where(touching[:, None], rest, 0.0)
-        self._give("supports", impulse, kick.place)
-        pressing = kick.work(impulse)
-        across, drives = rubbing(
-            completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
-        )
-        drives = {name: work for name, work in drives.items() if name in self._works}
-        given = jumped + pressing - sum(drives.values())
-        if (
-            not kick.length
-        ):  # in an impact friction and rebound act at once, and one feeds the other
-            across = min(max(across, given), 0.0)
-        self._put_in(drives)
-        self._rub(across)
-        lost = given - across
-        if lost > 0 and not kick.length and "sticking" in self._losses:
-            self._losses["sticking"] += lost  # who sticks presses on each other in the same impact
-            return 0.0
-        return 0.0 if self._elastic else lost
 
 
 def _velocity(motion: Instant) -> Array:
@@ -497,12 +324,3 @@ def _carriers(flows: MassFlows) -> dict[str, list[int]]:
         if flow.body not in bodies:
             bodies.append(flow.body)
     return found
-
-
-def _elastic(run: Recorded) -> bool:
-    """Whether all impacts have e = 1, so that none may take energy."""
-    effect, values = run.level.effects.restitution, run.values
-    if effect is None:
-        return False
-    own = [body.restitution for body in run.level.bodies.values() if body.restitution]
-    return all(e(values) == 1 for e in (*own, *(pair.coefficient for pair in effect.pairs)))

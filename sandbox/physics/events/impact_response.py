@@ -207,15 +207,18 @@ class Collision:
             rows = np.flatnonzero(np.append(of, of[: len(rates) - count]) == index)
             push, held = impulse[rows], holds[rows] * lasts
             given = np.einsum("k,knc->nc", push + held, jacobian[rows])
-            moves = self._inertia * np.einsum("k,knc->nc", push, response[rows])
             kinematic = -float(np.sum((given * velocity)[self._mass == 0]))
-            driven = -float(push @ runs[rows])
+            moved = self._momentum(push, response[rows], place)
             impacts.append(
-                _impact(hit, push, works[rows], kinematic, driven, momentum(moves, place))
+                _impact(hit, push, works[rows], kinematic, -float(push @ runs[rows]), moved)
             )
         struck: Booleans = np.asarray(response.any(axis=(0, 2)))
         jump, onwards = (np.tensordot(sizes, response, 1) for sizes in (impulse, holds))
         return Bounce(struck, jump, onwards, tuple(impacts))
+
+    def _momentum(self, push: Array, response: Array, place: Array) -> Array:
+        """Return what impulses (k,) give to all bodies together: (3,)."""
+        return momentum(self._inertia * np.einsum("k,knc->nc", push, response), place)
 
     def _points(self, hits: Sequence[Hit], place: Array, *, rubs: bool) -> _Points:
         jacobian = _jacobian(hits, place, rubs=rubs)

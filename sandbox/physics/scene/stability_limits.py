@@ -9,7 +9,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.locating import Path
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.joints.exact.shake import SINGULAR
+from sandbox.physics.joints.exact.refusals import SINGULAR
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion
@@ -160,8 +160,8 @@ def check_springs(
 
 
 def _refused(subject: str, cause: str, needed: float, rate: float, path: Path) -> SimulationError:
-    told = f"{np.ceil(needed):,.0f}" if needed < READABLE else f"{needed:.3g}"
-    reason = f"{cause} needs a 'rate' of at least {told}, not {rate:g}"
+    least = f"{np.ceil(needed):,.0f}" if needed < READABLE else f"{needed:.3g}"
+    reason = f"{cause} needs a 'rate' of at least {least}, not {rate:g}"
     return SimulationError(subject, 0.0, reason, MARGIN * needed, path)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.joints.exact import banded, shake
+from sandbox.physics.joints.exact import banded, system
 from sandbox.physics.stepping.making import make_world
 from tests.physics.scenes import GRAVITY, Spec, disc, level
 
@@ -47,11 +47,11 @@ def test_a_band_moves_as_the_whole_does(monkeypatch: pytest.MonkeyPatch, scene: 
     found = make_world(scene, scene.defaults, stepping)
     together = found.scene.joints.together
     assert together is not None
-    assert together._band is not None
-    monkeypatch.setattr(shake, "FEWEST", 10_000)
+    assert together.band is not None
+    monkeypatch.setattr(system, "FEWEST", 10_000)
     whole = make_world(scene, scene.defaults, stepping)
     assert whole.scene.joints.together is not None
-    assert whole.scene.joints.together._band is None
+    assert whole.scene.joints.together.band is None
 
     here, there = found.advance(40), whole.advance(40)
 
@@ -71,5 +71,5 @@ def test_what_meets_everything_is_no_band() -> None:
     joints = make_world(scene, scene.defaults, Stepping()).scene.joints.together
 
     assert joints is not None
-    assert joints._band is None
+    assert joints.band is None
     assert banded.FEWEST <= LINKS

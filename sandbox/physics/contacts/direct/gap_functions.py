@@ -16,6 +16,7 @@ A, B are centres of what is round, and s = −1 where one is inside the other. T
 radii that roll. Of curves see `curved`; a side touches one as the circle that is closest there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -229,13 +230,7 @@ def features(
     owns[0] &= ~(owns[1] & touching.yields)
     owns[1] &= ~owns[0]
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
-    if curved:
-        is_round, center = is_round.copy(), center.copy()
-    for one in curved:
-        own = int(one.sign < 0)
-        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
-        is_round[own, one.point] = True
-        owns[1 - own, one.point] &= one.arched
+    is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
@@ -258,6 +253,28 @@ def features(
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
         corners=corners,
     )
+
+
+def _with_curves(
+    curved: Sequence[Curved],
+    place: Coordinates,
+    is_round: Booleans,
+    center: Plane,
+    owns: Booleans,
+) -> tuple[Booleans, Plane]:
+    """Return what is round, and about which centers, with the points on curves: (2, k) each.
+
+    A curve that bends there owns the normal; no face of the other body does.
+    """
+    if not curved:
+        return is_round, center
+    is_round, center = is_round.copy(), center.copy()
+    for one in curved:
+        own = int(one.sign < 0)
+        center[own, one.point] = place.plane[one.curve] + place.turned[one.curve] * one.center
+        is_round[own, one.point] = True
+        owns[1 - own, one.point] &= one.arched
+    return is_round, center
 
 
 def _corners(

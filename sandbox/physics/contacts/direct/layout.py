@@ -126,10 +126,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
     touching = Touching.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
     pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
-    two = pair[count:]
-    partner = np.full(count, -1)
-    partner[two] = count + np.arange(len(two))
-    contact = np.stack((rubs, partner[rubs]), axis=1)
+    contact = _points_of(rubs, pair[count:], count)
     contact = np.where(contact >= 0, contact + first, -1)
     gaps = slice(first, first + len(pair))
     whole = gaps.stop + len(rubs)
@@ -154,6 +151,23 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     )
 
 
+def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
+    """Return the gaps of each side that rubs: (r, 2), its points, and −1 where it has but one.
+
+    Parameters
+    ----------
+    rubs
+        (r,), the sides that rub.
+    seconds
+        The sides that have a second point, in the order in which these follow all first ones.
+    count
+        How many sides there are.
+    """
+    partner = np.full(count, -1)
+    partner[seconds] = count + np.arange(len(seconds))
+    return np.stack((rubs, partner[rubs]), axis=1)
+
+
 def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
     """Refuse rows that hang together and are more than a step can solve, before they are solved.
 
@@ -166,9 +180,9 @@ def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
         return
     body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
     most = max(len(part.rows) for part in parts)
-    told = f"{most:,} conditions of contacts and joints hang together"
+    message = f"{most:,} conditions of contacts and joints hang together"
     way = "let fewer touch each other, or leave out the 'solver' \"direct\""
-    raise TooMuch(body, f"{told}, and {MOST_ROWS:,} can be solved directly: {way}")
+    raise TooMuch(body, f"{message}, and {MOST_ROWS:,} can be solved directly: {way}")
 
 
 def _alike(joints: Integers, whole: int) -> Integers | None:

@@ -42,6 +42,6 @@ def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
         return
     if count * bodies > MOST_TERMS or not are_apart(equations, np.append(inverse, 0.0)):
         most = min(MOST_TERMS // bodies, int((MOST_PRODUCTS / bodies) ** 0.5))
-        told = f"the exact joints make {count:,} equations among {bodies:,} bodies, and"
+        message = f"the exact joints make {count:,} equations among {bodies:,} bodies, and"
         hint = "let most of them be springs, or split the level"
-        raise JointFailure(equations[-1].joint, f"{told} {most:,} are the most; {hint}")
+        raise JointFailure(equations[-1].joint, f"{message} {most:,} are the most; {hint}")

@@ -1,0 +1,75 @@
+"""Velocities and accelerations that keep exact joints at a step itself."""
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.banded import Banded
+from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.solvability import solved
+from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
+
+MOMENT = 1e-3
+"""The share of a drift over which directions are followed, before and after a step: its square is
+nothing, and what it is divided by not yet rounding."""
+
+
+def motion(
+    joints: JointSystem, mean: Array, smooth: Array, drift: float
+) -> tuple[Array, Array, Array]:
+    """Return velocities, accelerations and forces where the bodies are.
+
+    The mean of the velocities before and after a kick has a part of second order across the
+    joints; without it J v = 0, as in RATTLE (Andersen 1983). A force of SHAKE is a mean over a
+    kick, and of second order as well; that which acts at the step itself keeps J v = 0 on:
+
+        J (a − M⁻¹ Jᵀ λ) + (dJ/dt) v = 0.
+
+    Not for joints that change with time.
+
+    Parameters
+    ----------
+    joints
+        The joints of n bodies: m equations.
+    mean
+        (n, 3), of the velocities [m/s, rad/s].
+    smooth
+        (n, 3), the accelerations by all else [m/s², rad/s²].
+    drift
+        How long a drift lasts [s].
+
+    Returns
+    -------
+    tuple
+        (n, 3) [m/s, rad/s], (n, 3) [m/s², rad/s²], (m,) [N].
+    """
+    place, free, driven = joints.place(), coordinates_of(mean).values, coordinates_of(smooth).values
+    if joints.band:
+        moves, accelerations, tension = _by_band(joints.band, place, free, driven, drift)
+    else:
+        moves, accelerations, tension = _by_matrix(joints, place, free, driven, drift)
+    return moves[joints.order], accelerations[joints.order], tension
+
+
+def _by_matrix(
+    joints: JointSystem, place: Coordinates, free: Array, driven: Array, drift: float
+) -> tuple[Array, Array, Array]:
+    jacobian = joints.equations.glance(place).jacobian
+    response = jacobian * joints.inverse
+    delassus = jacobian @ response.T
+    moves = free - solved(delassus, jacobian @ free) @ response
+    way = MOMENT * abs(drift) * moves
+    ahead, behind = (joints.equations.glance(Coordinates(place.values + w)) for w in (way, -way))
+    turning = (ahead.jacobian - behind.jacobian) @ moves / (2 * MOMENT * abs(drift))
+    tension = solved(delassus, jacobian @ driven + turning)
+    return moves, driven - tension @ response, tension
+
+
+def _by_band(
+    band: Banded, place: Coordinates, free: Array, driven: Array, drift: float
+) -> tuple[Array, Array, Array]:
+    here = band.look(place)
+    moves = free - band.response(here, band.solved(here, here, band.along(here, free)))
+    way = MOMENT * abs(drift) * moves
+    ahead, behind = (band.look(Coordinates(place.values + w)) for w in (way, -way))
+    turning = band.along(ahead, moves) - band.along(behind, moves)
+    needed = band.along(here, driven) + turning / (2 * MOMENT * abs(drift))
+    tension = band.solved(here, here, needed)
+    return moves, driven - band.response(here, tension), tension
