@@ -70,9 +70,9 @@ def animation(trace: Trace) -> Animation:
     whole = run_of(session).model_copy(update={"steps": len(trace.t) - 1})
     with TemporaryDirectory() as folder:
         path = Path(folder) / "run.gif"
-        *_, told = film(whole, path, "gif")
+        *_, outcome = film(whole, path, "gif")
         if not path.exists():
-            raise SandboxError(str(told))
+            raise SandboxError(str(outcome))
         return Animation(path.read_bytes())
 
 

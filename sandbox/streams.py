@@ -62,8 +62,8 @@ def standard() -> Iterator[None]:
             sys.stdout.flush()
 
 
-def complain(told: str) -> None:
+def complain(message: str) -> None:
     """Say a sentence on the standard error, if anybody listens there."""
     with suppress(OSError, ValueError, AttributeError):
-        sys.stderr.write(f"{told}\n")
+        sys.stderr.write(f"{message}\n")
         sys.stderr.flush()

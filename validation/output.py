@@ -19,11 +19,11 @@ WIDE = 160
 T = TypeVar("T")
 
 
-def progress(things: Iterable[T], told: str, total: int) -> list[T]:
+def progress(things: Iterable[T], label: str, total: int) -> list[T]:
     """Take in things one by one, and show on a terminal how far that is."""
     console = Console(stderr=True)
     hidden = not console.is_terminal
-    return list(track(things, told, total, console=console, transient=True, disable=hidden))
+    return list(track(things, label, total, console=console, transient=True, disable=hidden))
 
 
 def show(*tables: Table) -> None:

@@ -124,8 +124,8 @@ def _expanded(path: Path, table: Mapping[str, Any]) -> Iterator[Case]:
     for parameters in choices:
         for item in table.get("each", [{}]):
             for row in table.get("case", ()):
-                told = {**defaults, **row}
-                said = {name: _filled(value, item) for name, value in told.items()}
+                given = {**defaults, **row}
+                said = {name: _filled(value, item) for name, value in given.items()}
                 yield _case(path, table["level"], parameters, said)
 
 

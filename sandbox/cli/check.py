@@ -33,8 +33,8 @@ def keep_checking(arguments: Sequence[str]) -> NoReturn:
         time.sleep(PAUSE)
         changed = watch.changed()  # what changes while it is checked is checked once more
         if changed:
-            told = (a for a, path in zip(arguments, paths, strict=True) if path in changed)
-            typer.echo(f"\n{', '.join(told)} at {time.strftime('%H:%M:%S')}:")
+            names = (a for a, path in zip(arguments, paths, strict=True) if path in changed)
+            typer.echo(f"\n{', '.join(names)} at {time.strftime('%H:%M:%S')}:")
             check(arguments)
 
 

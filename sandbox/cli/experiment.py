@@ -67,7 +67,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
     seconds = perf_counter() - began
     typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
     page = report.write(plan, store.results, output)
-    for line in page.told:
+    for line in page.remarks:
         typer.echo(line)
     typer.echo(f"{page.path}: the page of it")
 

@@ -39,7 +39,7 @@ def _article(visit: Visit) -> str:
         parts.append(f'<img src="{escape(visit.picture)}" alt="{escape(title)}" loading="lazy">')
     found = list(verdicts.lines(visit.results, complete=True))
     if visit.closing:
-        found.append(f"energy: {visit.closing.told}")
+        found.append(f"energy: {visit.closing.text}")
     said = visit.error or "\n".join(found)
     parts.append(f"<pre>{escape(said)}</pre>")
     return f'<article id="{escape(visit.name)}">\n' + "\n".join(parts) + "\n</article>"

@@ -77,8 +77,8 @@ def level_format() -> str:
     """Return the page about every key of a level, from the schema that editors use."""
     whole = schema()
     parts = ((name, part) for name, part in whole["$defs"].items() if name not in SHORTHAND)
-    told = (["", f"## {name}", "", _meaning(part), "", *_keys(part)] for name, part in parts)
-    return _page(LEVEL_FORMAT, "", "## Level", "", *_keys(whole), *chain.from_iterable(told))
+    sections = (["", f"## {name}", "", _meaning(part), "", *_keys(part)] for name, part in parts)
+    return _page(LEVEL_FORMAT, "", "## Level", "", *_keys(whole), *chain.from_iterable(sections))
 
 
 def _page(*lines: str) -> str:
@@ -94,7 +94,7 @@ def _table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> Iterator[str]
 def _keys(part: Schema) -> Iterator[str]:
     """Yield the table of an object's keys."""
     required = part.get("required", ())
-    told = {key: value for key, value in part.get("properties", {}).items() if key != "repeat"}
+    keys = {key: value for key, value in part.get("properties", {}).items() if key != "repeat"}
     yield from _table(
         ("key", "type", "if left out", "meaning"),
         (
@@ -104,7 +104,7 @@ def _keys(part: Schema) -> Iterator[str]:
                 "**needed**" if key in required else _literal(value.get("default")),
                 _meaning(value),
             )
-            for key, value in told.items()
+            for key, value in keys.items()
         ),
     )
 

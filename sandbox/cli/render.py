@@ -51,8 +51,8 @@ def render(
     from sandbox.app.picture import Beside, save_picture
 
     if varied:
-        beside = Beside(level, varied.change.told)
+        beside = Beside(level, varied.change.description)
         save_picture(varied.level, values, output, at=at, beside=beside)
     else:
         save_picture(level, values, output, at=at, racing=racing)
-    typer.echo(f"{output}: {source}" + (f" {varied.change.told}" if varied else ""))
+    typer.echo(f"{output}: {source}" + (f" {varied.change.description}" if varied else ""))

@@ -65,7 +65,7 @@ def simulate(
         _close(trace)
         return status
     write_csv(output, changed, source, names, change=varied.change)
-    _say(output, f"{source} {varied.change.told}", changed, names)
+    _say(output, f"{source} {varied.change.description}", changed, names)
     _compare(varied, differences(trace, changed), cost[1] - cost[0])
     _close(changed)
     return 0
@@ -93,7 +93,7 @@ def _say(output: Path, source: str, trace: Trace, names: Sequence[str]) -> None:
 def _close(trace: Trace) -> None:
     """Say how the books of the run's energy closed."""
     if trace.closing:
-        typer.echo(f"energy: {trace.closing.told}")
+        typer.echo(f"energy: {trace.closing.text}")
 
 
 def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
@@ -102,7 +102,7 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
         for line in varying.differences(found):
             typer.echo(line)
     said = [*telling.summary(found), telling.step_cost(cost)]
-    typer.echo(f"{varied.change.told}: {'; '.join(said)}")
+    typer.echo(f"{varied.change.description}: {'; '.join(said)}")
 
 
 def chosen(level: Level, record: Sequence[str]) -> list[str]:

@@ -81,7 +81,7 @@ def _energy(visited: "Visit") -> Text:
 def _explain(visited: "Visit") -> None:
     """Say in what way a level failed, and whether its books do not close."""
     if visited.closing and not visited.closing.closes:
-        typer.echo(f"{visited.name}: energy: {visited.closing.told}")
+        typer.echo(f"{visited.name}: energy: {visited.closing.text}")
     if visited.error:
         typer.echo(f"{visited.name}: {visited.error}", err=True)
     if visited.failures:

@@ -44,10 +44,10 @@ def vary(
     if both is not None:
         raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
     run = level if stepping is None else level.model_copy(update={"stepping": stepping})
-    changed, told = variants.vary(run, off, settings)
+    changed, description = variants.vary(run, off, settings)
     options = [*(word for name in off for word in ("--without", name))]
     options += [word for text in on for word in ("--with", text)]
-    return Varied(changed, Change(level, told, tuple(options)))
+    return Varied(changed, Change(level, description, tuple(options)))
 
 
 def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:

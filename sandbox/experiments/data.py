@@ -62,8 +62,8 @@ def read(path: Path, level: Level) -> Data:
     except OSError as error:
         raise DataError(f"{path}: cannot be read: {error.strerror or error}") from error
     if content is None:
-        told = f"is no ordinary file, or larger than {MAX_BYTES // 10**6} MB"
-        raise DataError(f"{path}: {told}")
+        message = f"is no ordinary file, or larger than {MAX_BYTES // 10**6} MB"
+        raise DataError(f"{path}: {message}")
     try:
         lines = content.decode("utf-8-sig").splitlines()
     except UnicodeDecodeError as error:
@@ -107,8 +107,8 @@ def _rows(lines: list[tuple[int, str]], names: list[str], source: str) -> Iterat
     for number, line in lines:
         cells = next(csv.reader([line]))
         if len(cells) != len(names):
-            told = f"has {len(cells)} cells, but the header {len(names)}"
-            raise DataError(f"{source}:{number}: {told}")
+            message = f"has {len(cells)} cells, but the header {len(names)}"
+            raise DataError(f"{source}:{number}: {message}")
         yield [_number(c, n, f"{source}:{number}") for c, n in zip(cells, names, strict=True)]
 
 

@@ -39,7 +39,7 @@ class Picture:
 
     name: str
     figure: Figure
-    told: str
+    caption: str
 
 
 def pictures(plan: Plan, found: Results) -> Iterator[Picture]:
@@ -48,8 +48,8 @@ def pictures(plan: Plan, found: Results) -> Iterator[Picture]:
     for i, measure in enumerate(plan.measures, 1):
         drawn = _drawn(plan, found, measure, grids)
         if drawn:
-            told, figure = drawn
-            yield Picture(f"measure-{i}", figure, told)
+            caption, figure = drawn
+            yield Picture(f"measure-{i}", figure, caption)
 
 
 def _drawn(
@@ -64,10 +64,10 @@ def _drawn(
     if not others:
         return f"{measure.text} against {along}.", _curves(plan, found, measure, along, None, here)
     if plan.grids[others[0]].count <= FAMILY:
-        told = f"{measure.text} against {along}, a curve for each {others[0]}."
-        return told, _curves(plan, found, measure, along, others[0], here)
-    told = f"{measure.text} over {along} and {others[0]}."
-    return told, _heat_map(plan, found, measure, (along, others[0]), here)
+        caption = f"{measure.text} against {along}, a curve for each {others[0]}."
+        return caption, _curves(plan, found, measure, along, others[0], here)
+    caption = f"{measure.text} over {along} and {others[0]}."
+    return caption, _heat_map(plan, found, measure, (along, others[0]), here)
 
 
 def _roles(plan: Plan, grids: Sequence[str]) -> tuple[str, list[str]]:
@@ -205,8 +205,8 @@ def shares(found: Sensitivity) -> Picture:
         axes.set_ylabel("share of the variance")
         axes.grid(visible=True, axis="y")
         axes.legend()
-    told = f"How much of the variance of {found.measure} comes from what is drawn."
-    return Picture("sensitivity", figure, told)
+    caption = f"How much of the variance of {found.measure} comes from what is drawn."
+    return Picture("sensitivity", figure, caption)
 
 
 def _named(plan: Plan, name: str, value: float | str) -> str:

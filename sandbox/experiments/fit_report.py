@@ -29,9 +29,9 @@ def write(level: Level, source: str, data: Data, found: Fit, folder: Path) -> Pa
         If they cannot be written.
     """
     pictures = [
-        (inline(_picture(level, data, found, name), told), told)
+        (inline(_picture(level, data, found, name), caption), caption)
         for name in data.columns
-        for told in (f"{name}: the data, the run that comes closest, and what is left over.",)
+        for caption in (f"{name}: the data, the run that comes closest, and what is left over.",)
     ]
     html = environment("sandbox.experiments").get_template("fit.html")
     numbers = {

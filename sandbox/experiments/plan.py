@@ -278,11 +278,11 @@ def _faulty_settings(plan: Plan) -> Iterator[Fault]:
     else:
         duration = experiment.duration or 0.0
         if duration * stepping.rate > MAX_STEPS:
-            told = f"that takes {duration * stepping.rate:.1g} steps; {MAX_STEPS:,} are allowed"
-            yield Fault(("duration",), told)
+            message = f"that takes {duration * stepping.rate:.1g} steps; {MAX_STEPS:,} are allowed"
+            yield Fault(("duration",), message)
         if level.stepping.accuracy is not None and stepping.accuracy is not None:
-            told = "the level asks for an accuracy; say at which 'rate' the experiment runs it"
-            yield Fault(("rate",), told)
+            message = "the level asks for an accuracy; say at which 'rate' the experiment runs it"
+            yield Fault(("rate",), message)
 
 
 def _faulty_measures(plan: Plan) -> Iterator[Fault]:
@@ -312,8 +312,8 @@ def _faulty_runs(plan: Plan) -> Iterator[Fault]:
         yield Fault(("draws",), "nothing is drawn: no axis is LOW..HIGH or MEAN±SD")
     if plan.runs > MOST_RUNS:
         parts = [f"{axis.count:,}" for axis in plan.grids.values()]
-        told = " × ".join([*parts, *([f"{plan.draws:,} draws"] if plan.drawn else [])])
-        yield Fault(("vary",), f"makes {told} = {plan.runs:,} runs; {MOST_RUNS:,} are the most")
+        product = " × ".join([*parts, *([f"{plan.draws:,} draws"] if plan.drawn else [])])
+        yield Fault(("vary",), f"makes {product} = {plan.runs:,} runs; {MOST_RUNS:,} are the most")
     yield from _faulty_draws(plan)
 
 
@@ -321,8 +321,8 @@ def _faulty_draws(plan: Plan) -> Iterator[Fault]:
     """Yield what the way of drawing does not allow."""
     method, base = plan.experiment.method, plan.experiment.draws or 1
     if method == "latin-hypercube" and base > MOST_IN_A_HYPERCUBE:
-        told = f"{base:,} draws; a Latin hypercube has at most {MOST_IN_A_HYPERCUBE:,}"
-        yield Fault(("draws",), f"{told}; 'sobol' has no such bound")
+        message = f"{base:,} draws; a Latin hypercube has at most {MOST_IN_A_HYPERCUBE:,}"
+        yield Fault(("draws",), f"{message}; 'sobol' has no such bound")
     if method == "sobol-indices":
         if plan.grids:
             yield Fault(("method",), "Sobol's indices need everything that is varied to be drawn")

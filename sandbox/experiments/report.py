@@ -18,14 +18,14 @@ from sandbox.reporting.svg import inline
 PAGE = "report.html"
 
 SHOWN = 5
-"""How many reasons of failures are told."""
+"""The most reasons of failures that the report names."""
 
 
 class Page(NamedTuple):
     """A page that was written."""
 
     path: Path
-    told: list[str]
+    remarks: list[str]
     """what is to be said of it at once"""
 
 
@@ -42,7 +42,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
     ]
     found = results.read(path, [*plan.axes, *(m.text for m in plan.measures), *forms])
     summaries = analysis.summaries(plan, found)
-    sensitivities, told = _sensitivities(plan, path)
+    sensitivities, remarks = _sensitivities(plan, path)
     drawn = [*figures.pictures(plan, found), *map(figures.shares, sensitivities)]
     failed = sum(count for _, count in found.failures)
     templates = environment("sandbox.experiments")
@@ -55,8 +55,8 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
         failures=found.failures[:SHOWN],
         summaries=summaries,
         sensitivities=sensitivities,
-        remarks=told,
-        pictures=[(inline(p.figure, p.told), p) for p in drawn],
+        remarks=remarks,
+        pictures=[(inline(p.figure, p.caption), p) for p in drawn],
         axes=[(name, plan.experiment.vary[name], axis_unit(plan, name)) for name in plan.axes],
         description=json.dumps(description(plan)["experiment"], indent=2, ensure_ascii=False),
         made=description(plan)["made with"],
@@ -65,8 +65,8 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
     write_atomically(folder / PAGE, html)
     if failed:
         reason = found.failures[0][0]
-        told = [f"{failed:,} runs have failed, most of them so: {reason}", *told]
-    return Page(folder / PAGE, told)
+        remarks = [f"{failed:,} runs have failed, most of them so: {reason}", *remarks]
+    return Page(folder / PAGE, remarks)
 
 
 def _sensitivities(plan: Plan, path: Path) -> tuple[list[analysis.Sensitivity], list[str]]:

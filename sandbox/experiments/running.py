@@ -211,8 +211,8 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
             until=stop.now if stop else None,
         )
     except SandboxError as error:
-        told = error.told("") if isinstance(error, SimulationError) else str(error)
-        return _Run(setting.row, None, stopped=False, failure=told)
+        message = error.told("") if isinstance(error, SimulationError) else str(error)
+        return _Run(setting.row, None, stopped=False, failure=message)
     return _Run(setting.row, trace, bool(stop and stop.held), None)
 
 

@@ -95,8 +95,8 @@ def differentiated(source: str, variable: str) -> tuple[CodeType, frozenset[str]
     try:
         return _made(derivative(source, variable))
     except (RecursionError, ExpressionError):
-        told = f"'{brief(source)}' is nested too deeply to be differentiated"
-        raise ExpressionError(told) from None
+        message = f"'{brief(source)}' is nested too deeply to be differentiated"
+        raise ExpressionError(message) from None
 
 
 def _made(source: str) -> tuple[CodeType, frozenset[str]]:

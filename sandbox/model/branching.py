@@ -33,8 +33,8 @@ def obstacle(level: Level, changed: Collection[str]) -> str | None:
             if name in names:
                 return f"'{name}' {reason}"
     if not _acting(level).intersection(changed):
-        told = " and ".join(f"'{name}'" for name in changed)
-        return f"nothing that goes on depends on {told}, only how the run starts or what is told"
+        listed = " and ".join(f"'{name}'" for name in changed)
+        return f"nothing that goes on depends on {listed}, only how the run starts or what is told"
     return None
 
 

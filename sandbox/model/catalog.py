@@ -56,8 +56,8 @@ def sources() -> Path:
 def names() -> list[str]:
     """Return the names of all levels, such as `newton/atwood`, chapter by chapter."""
     order = root() / ORDER
-    told = order.read_text("utf-8").split() if order.is_file() else []
-    place = {name: i for i, name in enumerate(told)}
+    listed = order.read_text("utf-8").split() if order.is_file() else []
+    place = {name: i for i, name in enumerate(listed)}
 
     def by_chapter(found: tuple[str, str]) -> tuple[int, str, int, str]:
         chapter, level = found

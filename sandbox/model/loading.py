@@ -88,11 +88,11 @@ def decoded(held: bytes, source: str) -> str:
     LevelError
         If it holds no text.
     """
-    told = held.removeprefix(codecs.BOM_UTF8)
+    content = held.removeprefix(codecs.BOM_UTF8)
     try:
-        return told.decode()
+        return content.decode()
     except UnicodeDecodeError as error:
-        before = told[: error.start].decode()
+        before = content[: error.start].decode()
         rule = "is not UTF-8 text: here is a byte that makes no character"
         refuse(source, rule, position(before, len(before)))
 

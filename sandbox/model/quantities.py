@@ -235,13 +235,14 @@ def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
     name = f"{subject}.relative.{other}"
     for attribute, unit in _OF_POINTS.items():
         for component in ("x", "y", None):
-            told = f"{name}.{attribute}" + (f".{component}" if component else "")
-            yield Quantity(told, "body", subject, f"relative.{attribute}", component, unit, other)
+            full_name = f"{name}.{attribute}" + (f".{component}" if component else "")
+            relative = f"relative.{attribute}"
+            yield Quantity(full_name, "body", subject, relative, component, unit, other)
     yield Quantity(f"{name}.distance", "body", subject, "relative.distance", None, "m", other)
     if level.effects.contact:
         for attribute, unit in _OF_CONTACT.items():
-            told = f"{subject}.contact.{other}.{attribute.partition('.')[2]}"
-            yield Quantity(told, "body", subject, attribute, None, unit, other)
+            full_name = f"{subject}.contact.{other}.{attribute.partition('.')[2]}"
+            yield Quantity(full_name, "body", subject, attribute, None, unit, other)
 
 
 def _of_points(subject: str, level: Level) -> Iterator[Quantity]:

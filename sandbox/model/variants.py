@@ -135,18 +135,18 @@ def vary(level: Level, off: Sequence[str], on: Mapping[str, Settings]) -> tuple[
         If that makes no sense.
     """
     changed = level
-    told: list[str] = []
+    parts: list[str] = []
     for name in dict.fromkeys(off):
         if name in level.effects.declared and name not in changed.effects.declared:
             continue  # it has gone with another
         changed, gone = without(changed, name)
         also = f" (and so without {', without '.join(gone)})" if gone else ""
-        told.append(f"without {name}{also}")
+        parts.append(f"without {name}{also}")
     for name, fields in on.items():
         changed = including(changed, name, fields)
         said = ", ".join(f"{field} {_shown(value)}" for field, value in fields.items())
-        told.append(f"with {name}" + (f" ({said})" if said else ""))
-    return changed, ", ".join(told)
+        parts.append(f"with {name}" + (f" ({said})" if said else ""))
+    return changed, ", ".join(parts)
 
 
 def _shown(value: object) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from sandbox.extras import needed_for
-from validation.cli.options import FAILED, Jobs, JsonFile, told
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -31,7 +31,7 @@ def command(
 
     Exit status 1 if a judgement fails. A scene that is refused with a reason is none.
     """
-    with told():
+    with reported_errors():
         measure = _composer()
         passed = measure(scenes or _seeds(seed, count), json_file, output, jobs)
     if not passed:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, told
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -24,7 +24,7 @@ def command(
     """
     from validation.cost.command import measure  # what one command needs need not slow all
 
-    with told():
+    with reported_errors():
         failed = measure(levels or [], json_file, output, quick=quick)
     if failed:
         raise typer.Exit(FAILED)

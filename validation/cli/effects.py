@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import JsonFile, told
+from validation.cli.options import JsonFile, reported_errors
 
 
 def command(
@@ -16,5 +16,5 @@ def command(
     """Measure what each level pays beside the bare engine, and each effect over many bodies."""
     from validation.effects.command import measure  # what one command needs need not slow all
 
-    with told():
+    with reported_errors():
         measure(json_file, quick=quick)

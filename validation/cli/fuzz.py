@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, told
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -31,7 +31,7 @@ def command(
     from validation.fuzz import command  # what one command needs need not slow all
 
     number = count or (None if minutes is not None else 1000)
-    with told():
+    with reported_errors():
         passed = command.fuzz(number, seed, minutes, json_file, samples or command.SAMPLES)
     if not passed:
         raise typer.Exit(FAILED)

@@ -26,7 +26,7 @@ FAILED, MISUSED = 1, 2
 
 
 @contextmanager
-def told() -> Iterator[None]:
+def reported_errors() -> Iterator[None]:
     """Tell an error, and leave: with 1 if a level failed, with 2 for wrong usage."""
     try:
         yield

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, told
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -19,7 +19,7 @@ def command(
     """
     from validation.pace.command import measure  # what one command needs need not slow all
 
-    with told():
+    with reported_errors():
         slow = measure(levels or [], json_file)
     if slow:
         raise typer.Exit(FAILED)

@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from sandbox.extras import needed_for
-from validation.cli.options import FAILED, told
+from validation.cli.options import FAILED, reported_errors
 
 
 def command(
@@ -27,7 +27,7 @@ def command(
 
     Exit status 1 if a part could not be measured or a case does not hold.
     """
-    with told():
+    with reported_errors():
         passed = _writer()(output, source, quick=quick, figures=figures)
     if not passed:
         raise typer.Exit(FAILED)

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, Jobs, JsonFile, told
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -23,7 +23,7 @@ def command(
     """
     from validation.requests.command import measure  # what one command needs need not slow all
 
-    with told():
+    with reported_errors():
         passed = measure(count, seed, json_file, jobs)
     if not passed:
         raise typer.Exit(FAILED)

@@ -5,7 +5,7 @@ import typer
 from sandbox.model.files import check_writable
 from validation import output, suite
 from validation.cases import all_cases
-from validation.cli.options import FAILED, Jobs, JsonFile, told
+from validation.cli.options import FAILED, Jobs, JsonFile, reported_errors
 
 
 def command(
@@ -16,7 +16,7 @@ def command(
 
     Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
     """
-    with told():
+    with reported_errors():
         if json_file:
             check_writable(json_file)
         cases = list(all_cases())

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from validation.cli.options import FAILED, JsonFile, told
+from validation.cli.options import FAILED, JsonFile, reported_errors
 
 
 def command(
@@ -22,7 +22,7 @@ def command(
     """
     from validation.stability.command import measure  # what one command needs need not slow all
 
-    with told():
+    with reported_errors():
         failed = measure(json_file, quick=quick, update=update and not quick)
     if failed:
         raise typer.Exit(FAILED)

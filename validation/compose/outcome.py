@@ -90,6 +90,6 @@ def judge_scene(found: Scene) -> Outcome:
 def playable(found: Outcome) -> Document:
     """Return the level of a scene as it was run, what is wrong with it in its summary."""
     document = scene(found.seed).document
-    told = ", ".join(f"{j.name} {j.figure:.2g} (bound {j.bound:.2g})" for j in found.failed)
-    summary = f"{told}; {found.reason}" if found.reason else told
+    judgements = ", ".join(f"{j.name} {j.figure:.2g} (bound {j.bound:.2g})" for j in found.failed)
+    summary = f"{judgements}; {found.reason}" if found.reason else judgements
     return {**document, "summary": summary, "stepping": {"rate": found.rate}}

@@ -231,16 +231,16 @@ class Statics:
         known = np.linalg.lstsq(self._matrix, -self._load, rcond=None)[0]
         free = _open(self._matrix)
         for index, (name, joint) in enumerate(self._document.get("joints", {}).items()):
-            told = float(measured.tension[index])
+            tension = float(measured.tension[index])
             columns = [2 * contacts + i for i, held in enumerate(self._joints) if held[0] == name]
             if joint["type"] in ("rod", "rope", "pulley", "winding") and columns:
                 rows.append(np.eye(unknowns)[columns[0]])
-                values.append(told)
+                values.append(tension)
             elif columns and joint["type"] != "spring":
                 columns = columns[:2]
                 if np.abs(free[columns]).max(initial=0.0) < UNIQUE:
                     force = float(np.hypot.reduce(known[columns]))
-                    unique = max(unique, abs(force - abs(told) / self.scale))
+                    unique = max(unique, abs(force - abs(tension) / self.scale))
         return np.array(rows).reshape(len(rows), unknowns), np.array(values), unique
 
 

@@ -124,8 +124,10 @@ def summed(sweeps: Sequence[Sweep]) -> str:
     requests = [request for sweep in sweeps for request in sweep.requests]
     met = sum(request.honoured for request in requests)
     beyond = sum(request.beyond for request in requests)
-    told = f"{met} of {len(requests)} accuracies that were asked for were delivered"
-    return f"{told}; of {beyond} it was said that they cannot be had, and the sweep has none either"
+    message = f"{met} of {len(requests)} accuracies that were asked for were delivered"
+    return (
+        f"{message}; of {beyond} it was said that they cannot be had, and the sweep has none either"
+    )
 
 
 def milliseconds(seconds: float) -> str:

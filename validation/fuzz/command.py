@@ -82,8 +82,8 @@ def fuzz(
     finally:
         trial.close()
     seconds = monotonic() - start
-    told = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
-    typer.echo(f"{found.answers.total():,} levels in {seconds:.0f} s: {told or 'none'}.")
+    answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
+    typer.echo(f"{found.answers.total():,} levels in {seconds:.0f} s: {answers or 'none'}.")
     output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
     if json_file:
         content = {
@@ -114,5 +114,5 @@ def _try(trial: Trial, seed: int, number: int, found: Findings, samples: Path) -
         samples / f"{outcome.kind.replace(' ', '-')}-{sha256(text.encode()).hexdigest()[:8]}.json"
     )
     write_atomically(sample, text)
-    told = f"{outcome.kind}: {outcome.what}"
-    found.failures.append({"number": number, "what": told, "sample": str(sample)})
+    message = f"{outcome.kind}: {outcome.what}"
+    found.failures.append({"number": number, "what": message, "sample": str(sample)})

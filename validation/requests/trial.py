@@ -101,9 +101,9 @@ def trial(seed: int) -> Trial:
     delivered, cheaper = nan, ""
     with suppress(SimulationError):
         delivered, cheaper = _looked_at(level, values, setting)
-    told = str(setting)
+    text = str(setting)
     return Trial(
-        seed, name, values, target, told,
+        seed, name, values, target, text,
         estimated=setting.chosen.error, delivered=delivered, cheaper=cheaper,
     )  # fmt: skip
 

@@ -41,11 +41,11 @@ def motions_fit(level: Level) -> Iterator[Fault]:
             continue
         for field in ("velocity", "angular_velocity"):
             if given(body, field):
-                told = "the 'motion' says how fast the body is at every time; leave it out"
-                yield Fault(("bodies", name, field), told)
+                message = "the 'motion' says how fast the body is at every time; leave it out"
+                yield Fault(("bodies", name, field), message)
         if not dynamic:
-            told = "a body follows a 'motion' among dynamic bodies only; add one"
-            yield Fault(("bodies", name, "motion"), told)
+            message = "a body follows a 'motion' among dynamic bodies only; add one"
+            yield Fault(("bodies", name, "motion"), message)
 
 
 def rise_and_fall(level: Level) -> Iterator[Fault]:

@@ -53,13 +53,13 @@ def _is_taken(name: str) -> bool:
 
 def _used(level: Level, *, scene: bool) -> set[str]:
     """Return the names that the scene uses, or that only tell what it should do."""
-    told = ("checks", "ghosts", "view", "challenge")
+    beside = ("checks", "ghosts", "view", "challenge")
     known = not circle(level.constants)
     used = (
         e.names
         for path, e in expressions(level)
         if not (known and path[0] == "constants")
-        if (path[0] == "challenge" or (isinstance(e, Formula) and path[0] in told)) is not scene
+        if (path[0] == "challenge" or (isinstance(e, Formula) and path[0] in beside)) is not scene
     )
     return set().union(*used)
 
@@ -99,10 +99,10 @@ def variables_apart(level: Level) -> Iterator[Fault]:
         for path, formula in expressions(getattr(level, part), (part,)):
             own = () if isinstance(formula, Curve) else formula.variables
             over = ", ".join(formula.variables)
-            told = f"'{'.'.join(map(str, path))}' is a formula over {over}; choose another name"
+            message = f"'{'.'.join(map(str, path))}' is a formula over {over}; choose another name"
             for kind in ("parameters", "constants"):
                 for name in sorted(getattr(level, kind).keys() & set(own)):
-                    yield Fault((kind, name), told)
+                    yield Fault((kind, name), message)
 
 
 def timeless_conditions(level: Level) -> Iterator[Fault]:

@@ -22,13 +22,13 @@ def not_too_many_pulls(level: Level) -> Iterator[Fault]:
         count = dynamic if mutual.bodies is None else len(mutual.bodies)
         if count**2 > MOST_PULLS:
             most = int(MOST_PULLS**0.5)
-            told = f"{count:,} bodies attract each other; {most:,} are the most in a step"
-            yield Fault(("effects", "gravitation"), told)
+            message = f"{count:,} bodies attract each other; {most:,} are the most in a step"
+            yield Fault(("effects", "gravitation"), message)
     centres = len(effects.attraction or ())
     if centres * dynamic > MOST_PULLS:
         pulls = f"{centres:,} centres attract {dynamic:,} bodies"
-        told = f"{pulls}: {centres * dynamic:,} pulls, and a step can take {MOST_PULLS:,}"
-        yield Fault(("effects", "attraction"), told)
+        message = f"{pulls}: {centres * dynamic:,} pulls, and a step can take {MOST_PULLS:,}"
+        yield Fault(("effects", "attraction"), message)
 
 
 def not_too_many_sticking(level: Level) -> Iterator[Fault]:
@@ -39,8 +39,8 @@ def not_too_many_sticking(level: Level) -> Iterator[Fault]:
     stick = sum(body.static_friction is not None for body in rub)
     pairs = stick * (stick - 1) // 2 + stick * (len(rub) - stick)
     if pairs > MOST_STICKING:
-        told = (
+        message = (
             f"{stick:,} bodies have a 'static_friction', which makes {pairs:,} pairs of bodies to"
             f" be watched, and {MOST_STICKING:,} are the most; leave it out where it is not needed"
         )
-        yield Fault(("bodies",), told)
+        yield Fault(("bodies",), message)

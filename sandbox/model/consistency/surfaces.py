@@ -147,12 +147,13 @@ def impacts_of_constant_masses(level: Level) -> Iterator[Fault]:
     changing = sorted({name for _, name in bodies_of_flows(level)})
     if not changing:
         return
-    contact, told = level.effects.contact, brief(changing[0])
+    contact, effect = level.effects.contact, brief(changing[0])
     if level.effects.in_sequence:
-        rule = f"'{told}' changes its mass; those that collide in 'sequence' must keep theirs"
+        rule = f"'{effect}' changes its mass; those that collide in 'sequence' must keep theirs"
         yield Fault(("effects", "restitution", "impacts"), rule)
     if contact and contact.located:
-        rule = f"'{told}' changes its mass; where impacts are located, all bodies must keep theirs"
+        keep = "where impacts are located, all bodies must keep theirs"
+        rule = f"'{effect}' changes its mass; {keep}"
         yield Fault(("effects", "contact", "located"), rule)
 
 
@@ -232,11 +233,11 @@ def undeclared(path: Path, used: str, effect: str) -> Fault:
     return Fault(path, f"'{used}' is used but the effect '{effect}' is not declared")
 
 
-def _repeated_pairs(pairs: Sequence[Pair], kind: str, told: str) -> Iterator[Fault]:
+def _repeated_pairs(pairs: Sequence[Pair], kind: str, message: str) -> Iterator[Fault]:
     seen: set[frozenset[str]] = set()
     for index, pair in enumerate(pairs):
         bodies = frozenset(pair.bodies)
         if bodies in seen:
             path = ("effects", kind, "pairs", index)
-            yield Fault(path, f"the pair {' and '.join(map(brief, pair.bodies))} {told}")
+            yield Fault(path, f"the pair {' and '.join(map(brief, pair.bodies))} {message}")
         seen.add(bodies)

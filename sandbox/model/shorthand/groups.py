@@ -130,9 +130,9 @@ class _Placing:
         group = self._group_of(copy, path)
         if group is None:
             return
-        told = len(name) + INTO_EACH * len(json.dumps([copy.get("position"), copy.get("angle")]))
+        added = len(name) + INTO_EACH * len(json.dumps([copy.get("position"), copy.get("angle")]))
         parts = len(group["bodies"]) + len(group.get("joints", {}))
-        size = len(json.dumps(group)) + parts * told
+        size = len(json.dumps(group)) + parts * added
         self._notes.charge(size, followed(path, self._notes.typed))
         frame, inside = _Frame(copy), group["bodies"].keys()
         of = (GROUPS, copy[COPY])

@@ -167,8 +167,8 @@ def _hash(key: str, setting: Setting) -> str:
 
 
 def _key(level: Level, values: Values, target: float, also: Sequence[str]) -> str:
-    told = (digest(level), sorted(values.items()), target, sorted(set(also)), _code())
-    return sha256(dumps(told).encode()).hexdigest()[:32]
+    key = (digest(level), sorted(values.items()), target, sorted(set(also)), _code())
+    return sha256(dumps(key).encode()).hexdigest()[:32]
 
 
 @cache

@@ -56,18 +56,18 @@ class Setting:
         return self.in_real_time or self.chosen
 
     def __str__(self) -> str:
-        told = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
+        text = f"accuracy {self.target:g}: {self.chosen}, judged by {self.judged_by}"
         if self.decided_by:
-            told += f", of which {self.decided_by} decided"
+            text += f", of which {self.decided_by} decided"
         if not self.verified:
-            told += "; expected of its order, for a run that shows it takes too long"
+            text += "; expected of its order, for a run that shows it takes too long"
         if self.onset:
-            told += (
+            text += (
                 f"; velocities are off by {self.onset:.1g} at a step where a force sets in or ends"
             )
         if self.in_real_time is None:
-            return told
-        return f"{told}; not in real time, in which there is {self.in_real_time}"
+            return text
+        return f"{text}; not in real time, in which there is {self.in_real_time}"
 
 
 def calibrate(

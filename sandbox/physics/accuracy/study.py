@@ -238,8 +238,8 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
         level, values, *(refinement.traces[-1].stepping for refinement in refinements)
     )
     for refinement, step in zip(refinements, steps, strict=True):
-        told = refinement if refinement is best else held_against(refinement, best, wanted)
-        yield from _points(told, step)
+        shown = refinement if refinement is best else held_against(refinement, best, wanted)
+        yield from _points(shown, step)
 
 
 def _doubt(refinement: Refinement) -> tuple[bool, float]:

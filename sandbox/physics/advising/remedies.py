@@ -52,7 +52,7 @@ class Advice(NamedTuple):
 class _Trial:
     """How a remedy did."""
 
-    told: str
+    description: str
     rate: float | None
     t: float
     whole: bool
@@ -61,9 +61,9 @@ class _Trial:
     @property
     def outcome(self) -> str:
         if self.stopped:
-            return f"{self.told} it stops at t = {self.t:.4g} s"
+            return f"{self.description} it stops at t = {self.t:.4g} s"
         end = "to its end, " if self.whole else "until "
-        return f"{self.told} it holds {end}t = {self.t:.4g} s"
+        return f"{self.description} it holds {end}t = {self.t:.4g} s"
 
 
 def tried(
@@ -108,11 +108,11 @@ def advise(
     deadline, failed = perf_counter() + seconds, list[_Trial]()
     rates = list(_finer(error, stepping))
     others = list(_others(level, stepping))
-    for i, (told, changed, with_, rate) in enumerate((*rates, *others)):
+    for i, (description, changed, with_, rate) in enumerate((*rates, *others)):
         left = len(rates) + len(others) - i
         share = (deadline - perf_counter()) / left * 2  # what stops early leaves more to the others
         until = min(deadline, perf_counter() + share)
-        trial = attempt(told, changed or level, with_, rate, until=until)
+        trial = attempt(description, changed or level, with_, rate, until=until)
         if trial is None:
             continue
         if not trial.stopped:
@@ -171,7 +171,7 @@ def _others(level: Level, stepping: Stepping) -> Iterator[Remedy]:
 
 
 def _attempt(
-    told: str,
+    description: str,
     level: Level,
     stepping: Stepping,
     rate: float | None,
@@ -185,15 +185,15 @@ def _attempt(
     try:
         world = build(level, values, stepping)
     except SandboxError:
-        return _Trial(told, rate, 0.0, whole=False, stopped=True)
+        return _Trial(description, rate, 0.0, whole=False, stopped=True)
     steps = count_steps(world, end)
     try:
         whole = _run(world, min(steps, STEPS), until) and steps <= STEPS
     except SandboxError:
-        return _Trial(told, rate, world.t, whole=False, stopped=True)
+        return _Trial(description, rate, world.t, whole=False, stopped=True)
     if not whole and world.t < PAST * before:
         return None
-    return _Trial(told, rate, world.t, whole=whole, stopped=False)
+    return _Trial(description, rate, world.t, whole=whole, stopped=False)
 
 
 def _run(world: World, steps: int, until: float) -> bool:

@@ -49,8 +49,8 @@ class Sticking:
     kinetic: float
     slipping: set[frozenset[pymunk.Shape]]
     loads: dict[frozenset[pymunk.Shape], Load]
-    told: bool = False
-    """whether it is known to slip, whatever a solve says"""
+    must_slip: bool = False
+    """whether it slips, whatever a solve says"""
 
     @classmethod
     def between(cls, static: float, kinetic: float) -> "Sticking":
@@ -60,7 +60,7 @@ class Sticking:
     def choose(self, arbiter: pymunk.Arbiter) -> None:
         """Give a contact its coefficient, before it is solved."""
         contact = frozenset(arbiter.shapes)
-        if self.told:
+        if self.must_slip:
             arbiter.friction = self.kinetic
             return
         if arbiter.is_first_contact:
@@ -70,7 +70,7 @@ class Sticking:
 
     def judge(self, arbiter: pymunk.Arbiter) -> None:
         """See whether a contact that was solved sticks or slips."""
-        if self.told:
+        if self.must_slip:
             return
         contact = frozenset(arbiter.shapes)
         impulse, direction = arbiter.total_impulse, arbiter.normal
@@ -90,7 +90,7 @@ class Sticking:
 
     def tell(self, *, slips: bool) -> None:
         """Let it slip whatever comes; or stick, if that can hold."""
-        self.told = slips
+        self.must_slip = slips
         if not slips:
             self.slipping.clear()
 

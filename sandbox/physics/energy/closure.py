@@ -72,17 +72,17 @@ class Closing(NamedTuple):
         return self.unexplained / self.turned if self._turns else 0.0
 
     @property
-    def told(self) -> str:
+    def text(self) -> str:
         """How they closed, in words."""
         if not self._turns:
             return "nothing turned over"
         share = self.share
         if self.closes:
             return f"closes to {share:.1g} of {self.turned:.3g} J turned over"
-        told = f"{self.unexplained:.2g} J of {self.turned:.3g} J unexplained ({_percent(share)})"
+        text = f"{self.unexplained:.2g} J of {self.turned:.3g} J unexplained ({_percent(share)})"
         if self.overlaps > self.unexplained / 2:
-            return f"{told}, {self.overlaps:.2g} J of it by taking back overlaps"
-        return told
+            return f"{text}, {self.overlaps:.2g} J of it by taking back overlaps"
+        return text
 
 
 class Closer:

@@ -110,7 +110,7 @@ class Onwards:
         self._batch.set_state(np.concatenate((place, velocity), axis=1))
         length = longest
         for _ in range(TRIES):
-            with self._told(slips.bodies[sense != 0], slips.bodies[sense == 0]):
+            with self._forced(slips.bodies[sense != 0], slips.bodies[sense == 0]):
                 after = self.settled(ahead, velocity, length, 2 * length)
             contacts = self._batch.contacts()
             there, adds = Slips.of(contacts, place, self.running), after - velocity
@@ -153,7 +153,7 @@ class Onwards:
             self._sticking[pair].recall(known)
 
     @contextmanager
-    def _told(self, slipping: Integers, others: Integers) -> Iterator[None]:
+    def _forced(self, slipping: Integers, others: Integers) -> Iterator[None]:
         """Let pairs with static friction slip, or find out whether they do: (k, 2) each."""
         for pairs, slips in ((others, False), (slipping, True)):
             for pair in map(frozenset, pairs.tolist()):
@@ -161,7 +161,7 @@ class Onwards:
                     self._sticking[pair].tell(slips=slips)
         yield
         for sticks in self._sticking.values():
-            sticks.told = False
+            sticks.must_slip = False
 
 
 def _matched(before: Slips, sense: Array, now: Slips) -> Array | None:

@@ -210,8 +210,8 @@ class Watchdog:
         depth = self._depth(contacts)
         worst = int(depth.argmax())
         if depth[worst] > self._deepest:
-            told = f"{contacts.depth[worst]:.3g} m deep in '{{}}', more than half its thickness"
-            self._refuse_sunk(now, contacts.bodies[worst].tolist(), told)
+            how = f"{contacts.depth[worst]:.3g} m deep in '{{}}', more than half its thickness"
+            self._refuse_sunk(now, contacts.bodies[worst].tolist(), how)
         was_deep, self._deep = self._deep, {}
         if self._deepest > 1 or not (was_deep or depth[worst] > HALFWAY):
             return
@@ -224,11 +224,11 @@ class Watchdog:
             if deep:
                 self._deep[pair[0], pair[1]] = direction
 
-    def _refuse_sunk(self, now: Snapshot, pair: list[int], told: str) -> NoReturn:
+    def _refuse_sunk(self, now: Snapshot, pair: list[int], how: str) -> NoReturn:
         """Stop, for of two bodies the thinner is too deep in the other, or beyond it."""
         self.doubts = True
         a, b = sorted(pair, key=lambda row: float(self._thick[row]))
-        reason = f"'{self._names[a]}' is {told.format(self._names[b])}"
+        reason = f"'{self._names[a]}' is {how.format(self._names[b])}"
         speed = np.hypot(*(self._recent[-1].velocity[a] - self._recent[-1].velocity[b]))
         way = DEEP * self._thick[a]
         if speed > way * self._rate:

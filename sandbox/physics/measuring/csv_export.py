@@ -21,7 +21,7 @@ class Change(NamedTuple):
     """How the level of a run differs from the one that its source holds."""
 
     original: Level
-    told: str
+    description: str
     """such as `without drag`"""
     options: tuple[str, ...]
     """those of the command line that make the change"""
@@ -103,14 +103,14 @@ def _provenance(trace: Trace, source: str, change: Change | None) -> Iterator[tu
     yield "title", level.title
     yield "hash", digest(change.original if change else level)
     if change:
-        yield "change", change.told
+        yield "change", change.description
     yield "parameters", ", ".join(_parameters(trace)) or "none"
     yield "rate", f"{stepping.rate!r} Hz"
     yield "iterations", str(stepping.iterations)
     yield "scheme", stepping.scheme
     yield "effects", ", ".join(level.effects.declared) or "none"
     if trace.closing:
-        yield "energy", trace.closing.told
+        yield "energy", trace.closing.text
     yield "versions", ", ".join(f"{name} {version}" for name, version in _versions())
     yield "platform", f"{platform.system()} {platform.machine()}"
 

@@ -206,9 +206,9 @@ class Recorder:
             If they are.
         """
         if count > self._most:
-            told = f"{count:,} instants are to be recorded, and with so many quantities"
+            message = f"{count:,} instants are to be recorded, and with so many quantities"
             hint = "record fewer, or for a shorter time"
-            reason = f"{told} {self._most:,} are the most that {LARGEST / 1e9:g} GB hold"
+            reason = f"{message} {self._most:,} are the most that {LARGEST / 1e9:g} GB hold"
             raise SimulationError("", self._world.t, reason, hint=hint)
 
     def _touch(self, bodies: Integers, struck: Collection[Pair]) -> None:

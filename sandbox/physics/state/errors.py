@@ -53,8 +53,8 @@ class SimulationError(SandboxError):
 
     def __reduce__(self) -> tuple[object, ...]:
         """Let it be told in another process, too."""
-        told = self.subject, self.time, self.reason, self.rate, self._path, self.hint
-        return type(self), told, {"place": self.place}
+        arguments = self.subject, self.time, self.reason, self.rate, self._path, self.hint
+        return type(self), arguments, {"place": self.place}
 
     def __str__(self) -> str:
         return self.told(self.hint)
@@ -93,8 +93,8 @@ class BreakdownError(SimulationError):
 
     def __init__(self, error: Exception, time: float) -> None:
         what = " ".join(f"{error}".split()) or "no more is known"
-        told = f"the numbers of this scene lead where nothing can be computed ({what})"
-        super().__init__("", time, told)
+        message = f"the numbers of this scene lead where nothing can be computed ({what})"
+        super().__init__("", time, message)
         self._error = error
 
     def __reduce__(self) -> tuple[object, ...]:

@@ -34,8 +34,8 @@ def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) ->
             return error
         case NoForces(bodies=(a, b)):
             needed = MARGIN * rate
-            told = f"no forces were found between '{bodies[a]}' and '{bodies[b]}'"
-            return SimulationError(bodies[a], t, told, needed, hint=way_out(needed, rate))
+            message = f"no forces were found between '{bodies[a]}' and '{bodies[b]}'"
+            return SimulationError(bodies[a], t, message, needed, hint=way_out(needed, rate))
         case JointFailure():
             finer = error.finer and error.finer * rate
             hint = way_out(finer, rate) if finer else ""

@@ -42,9 +42,9 @@ def make_world(level: Level, values: Values, stepping: Stepping, begin: Begin = 
     except Exception as error:  # whatever it is, whoever builds gets an answer
         from sandbox.physics.stepping.failures import explained
 
-        told = explained(error, list(level.bodies), 0.0, stepping.rate)
-        if isinstance(told, SimulationError):
-            told.refuse(level)
-        if told is error:
+        explanation = explained(error, list(level.bodies), 0.0, stepping.rate)
+        if isinstance(explanation, SimulationError):
+            explanation.refuse(level)
+        if explanation is error:
             raise
-        raise told from error
+        raise explanation from error

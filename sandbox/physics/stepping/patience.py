@@ -35,5 +35,5 @@ class Patience:
         self._world.advance()
         self._took = perf_counter() - started
         if min(before, self._took) > LONGEST:
-            told = f"a step takes {self._took:.0f} s, and {LONGEST:g} s are the most"
-            raise SimulationError("", self._world.t, told, hint=HINT)
+            message = f"a step takes {self._took:.0f} s, and {LONGEST:g} s are the most"
+            raise SimulationError("", self._world.t, message, hint=HINT)

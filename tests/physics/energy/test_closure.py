@@ -24,7 +24,7 @@ def test_where_forces_are_constant_the_books_close_to_rounding() -> None:
 
     assert found.closes
     assert found.unexplained < 1e-13 * found.turned
-    assert found.told.startswith("closes to ")
+    assert found.text.startswith("closes to ")
 
 
 @pytest.mark.parametrize("rate", [30, 60, 240])
@@ -48,7 +48,7 @@ def test_eulers_scheme_does_not_close() -> None:
     found = closing(orbit(scheme="explicit-euler"))
 
     assert not found.closes
-    assert "J unexplained (" in found.told
+    assert "J unexplained (" in found.text
 
 
 def test_what_overlaps_gave_is_told() -> None:
@@ -59,13 +59,13 @@ def test_what_overlaps_gave_is_told() -> None:
     found = closing(scene)
 
     assert not found.closes
-    assert "J of it by taking back overlaps" in found.told
+    assert "J of it by taking back overlaps" in found.text
 
 
 def test_what_rests_turns_nothing_over() -> None:
     scene = level({"box": box((0, 0.25)), "floor": floor()}, {**GRAVITY, "contact": {}})
 
-    assert closing(scene).told == "nothing turned over"
+    assert closing(scene).text == "nothing turned over"
 
 
 def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
