@@ -15,6 +15,7 @@ from sandbox.model.errors import LevelError
 from sandbox.model.loading import read
 from sandbox.model.locating import TOKEN
 from sandbox.model.writing import formatted
+from tests.sample import sampled
 
 OURS = [*sorted(catalog.root().glob("*/*.json")), *map(templates.path, templates.names())]
 SMALL = [path for path in OURS if path.stat().st_size < 4000]
@@ -106,7 +107,7 @@ def test_line_breaks_are_those_of_the_text() -> None:
     assert added.count("\n") == added.count("\r\n") == typed.count("\n") + 1
 
 
-@pytest.mark.parametrize("path", OURS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sampled(OURS, "patch"))
 def test_what_is_put_and_taken_away_again_leaves_a_level_as_it_was(path: Path) -> None:
     text = read(path)
     added = put(text, ("bodies", "fresh1"), {"mass": 1, "shape": {"type": "disc", "radius": 1}})

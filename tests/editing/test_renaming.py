@@ -8,9 +8,12 @@ from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import digest, parse, read
 from sandbox.model.locating import TOKEN
+from tests.sample import sampled
+
+LEVELS = [*catalog.textbook()[::2], *catalog.challenges()[::3]]
 
 
-@pytest.mark.parametrize("name", [*catalog.textbook()[::2], *catalog.challenges()[::3]])
+@pytest.mark.parametrize("name", sampled(LEVELS, "rename"))
 @pytest.mark.parametrize("part", ["bodies", "joints", "parameters"])
 def test_everything_can_be_renamed_and_back(name: str, part: str) -> None:
     text = plain(read(catalog.find(name)))

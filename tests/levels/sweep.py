@@ -24,6 +24,7 @@ def steps(level: Level, values: Iterable[Values]) -> float:
     return sum(level.duration(chosen) for chosen in values) * level.stepping.rate
 
 
-def marked(name: str, count: Callable[[Level], float]) -> object:
-    """Return a level's name as a parameter of tests that take so many steps."""
-    return pytest.param(name, marks=pytest.mark.steps(count(textbook(name))))
+def marked(name: str, count: Callable[[Level], float], *, quick: bool = True) -> object:
+    """Return a level's name as a parameter of tests that take so many steps, swept if not quick."""
+    marks = [pytest.mark.steps(count(textbook(name)))]
+    return pytest.param(name, marks=marks if quick else [*marks, pytest.mark.sweep])

@@ -20,6 +20,7 @@ from sandbox.physics.run import build, simulate
 from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play
 from tests.levels.sweep import marked, steps, swept
+from tests.sample import is_quick
 from validation.case import textbook
 
 NAMES = [*catalog.textbook(), *catalog.challenges()]
@@ -32,15 +33,26 @@ FEW = 60
 
 
 @pytest.fixture(
-    scope="module", params=[marked(n, lambda level: steps(level, swept(level))) for n in NAMES]
+    scope="module",
+    params=[
+        marked(name, lambda level: steps(level, swept(level)), quick=quick)
+        for name, quick in zip(NAMES, is_quick(NAMES, "run"), strict=True)
+    ],
 )
 def name(request: pytest.FixtureRequest) -> str:
+    """A level that is run to its end."""
     return str(request.param)
 
 
 @pytest.fixture(scope="module")
 def level(name: str) -> Level:
     return textbook(name)
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def any_level(request: pytest.FixtureRequest) -> Level:
+    """A level of which no step is taken, or a few: the quick tests take them all."""
+    return textbook(str(request.param))
 
 
 @pytest.fixture(scope="module")
@@ -69,12 +81,12 @@ def test_there_are_levels() -> None:
     assert len(NAMES) >= 17
 
 
-def test_says_what_it_is(level: Level) -> None:
-    assert level.summary.endswith(".")
-    assert level.reference[0].isdigit(), "the reference names a section of the chapter"
-    assert level.checks, "a level carries its own checks"
-    assert all(check.label for check in level.checks)
-    assert all(parameter.label for parameter in level.parameters.values())
+def test_says_what_it_is(any_level: Level) -> None:
+    assert any_level.summary.endswith(".")
+    assert any_level.reference[0].isdigit(), "the reference names a section of the chapter"
+    assert any_level.checks, "a level carries its own checks"
+    assert all(check.label for check in any_level.checks)
+    assert all(parameter.label for parameter in any_level.parameters.values())
 
 
 def test_stays_finite_and_keeps_its_time(level: Level, played: Played) -> None:
@@ -165,23 +177,23 @@ def test_runs_the_same_in_another_process(name: str, played: Played, elsewhere: 
     assert elsewhere.stdout.readline().strip() == fingerprint(played.states)
 
 
-def test_pays_only_for_what_it_declares(level: Level) -> None:
+def test_pays_only_for_what_it_declares(any_level: Level) -> None:
     """No shape without contact, no Python without a law, a string, a sequence, a cut or a bend.
 
     Springs that neither damp nor let go are pulled by pymunk, where nothing touches.
     """
-    world = build(level)
-    effects = level.effects
+    world = build(any_level)
+    effects = any_level.effects
     laws = any(effect.is_law for effect in effects.told)
     pairs = (effects.friction.pairs if effects.friction else ()) or effects.sticking
-    sticky = any(body.static_friction for body in level.bodies.values())
+    sticky = any(body.static_friction for body in any_level.bodies.values())
     sequence = effects.in_sequence
 
     assert bool(world.scene.space.shapes) == (effects.contact is not None)
-    jointed = any(effects.contact or not _is_plain(joint) for joint in level.joints.values())
+    jointed = any(effects.contact or not _is_plain(joint) for joint in any_level.joints.values())
     located = any(e and e.located for e in (effects.contact, effects.friction))
     direct = effects.contact is not None and effects.contact.solver == "direct"
-    bends = any(body.shape.type in ("arc", "curve") for body in level.bodies.values())
+    bends = any(body.shape.type in ("arc", "curve") for body in any_level.bodies.values())
     hooked = jointed or laws or pairs or sticky or sequence or located or direct or bends
     assert bool(world.hooks) == bool(hooked)
 
@@ -190,25 +202,25 @@ def _is_plain(joint: Joint) -> bool:
     return isinstance(joint, Spring) and not (damps(joint) or joint.pushes_only or joint.law)
 
 
-def test_every_quantity_can_be_measured(level: Level) -> None:
+def test_every_quantity_can_be_measured(any_level: Level) -> None:
     """At the start, where Euler's schemes know no acceleration yet, or after the first step."""
     from sandbox.model.quantities import quantities
 
-    world = build(level)
-    meter = Meter(world, [found.name for found in quantities(level) if not found.booked])
+    world = build(any_level)
+    meter = Meter(world, [found.name for found in quantities(any_level) if not found.booked])
 
-    start = world.snapshot if level.stepping.scheme == "leapfrog" else world.advance()
+    start = world.snapshot if any_level.stepping.scheme == "leapfrog" else world.advance()
     for name, value in meter(start).items():
         assert np.ndim(value) == 0, name
         assert np.isfinite(value), name
 
 
-def test_every_account_can_be_kept(level: Level) -> None:
+def test_every_account_can_be_kept(any_level: Level) -> None:
     from sandbox.model.quantities import quantities
 
-    names = [found.name for found in quantities(level) if found.booked]
+    names = [found.name for found in quantities(any_level) if found.booked]
 
-    trace = simulate(level, duration=3 / level.stepping.rate, record=names)
+    trace = simulate(any_level, duration=3 / any_level.stepping.rate, record=names)
 
     assert list(trace.columns) == names
     assert all(np.isfinite(column).all() for column in trace.columns.values())

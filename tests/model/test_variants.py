@@ -8,10 +8,11 @@ from sandbox.model import catalog
 from sandbox.model.consistency import inconsistencies
 from sandbox.model.effects import Effects
 from sandbox.model.variants import DEFAULTS, TOLD, EffectError, including, without
+from tests.sample import sampled
 from validation.case import textbook
 
 
-@pytest.mark.parametrize("name", catalog.names())
+@pytest.mark.parametrize("name", sampled(catalog.names(), "switch off"))
 def test_every_effect_of_every_level_can_be_switched_off(name: str) -> None:
     level = textbook(name)
     for effect in level.effects.declared:

@@ -12,6 +12,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.joints import bodies_of
 from sandbox.model.loading import parse, read
 from sandbox.physics.run import build
+from tests.sample import sampled
 
 LEVELS = [
     *catalog.textbook()[::3],
@@ -19,7 +20,7 @@ LEVELS = [
 ]
 
 
-@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("name", sampled(LEVELS, "beside"))
 def test_a_whole_level_can_be_put_beside_itself(name: str) -> None:
     text = plain(read(catalog.find(name)))
     level = parse(text)
@@ -45,7 +46,7 @@ def test_copies_are_joined_to_each_other_and_not_to_the_first() -> None:
     assert list(alone.joints) == ["string"]
 
 
-@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("name", sampled(LEVELS, "paste"))
 def test_what_is_copied_can_be_pasted_into_an_empty_scene(name: str) -> None:
     text = plain(read(catalog.find(name)))
     level = parse(text)
@@ -62,7 +63,7 @@ def test_what_is_no_level_is_not_pasted(copied: str) -> None:
         paste(empty, parse(empty), copied)
 
 
-@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("name", sampled(LEVELS, "mirror"))
 @pytest.mark.parametrize("axis", ["x", "y"])
 def test_a_mirror_image_of_all_is_as_wide_and_mirrored_again_the_same(name: str, axis: str) -> None:
     text = plain(read(catalog.find(name)))
