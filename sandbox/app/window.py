@@ -19,6 +19,7 @@ from sandbox.app.pages.page import Desk, OnStage, PageCommand
 from sandbox.app.pages.register import PAGES, opening, page, runs_beside
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
+from sandbox.app.panels.foot import NEXT
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
 from sandbox.app.recent import Recent
@@ -109,7 +110,8 @@ class Window:
             "zoom out": lambda: stage.camera.zoom(0.8),
             "levels": lambda: self._toggle_column("levels"),
             "panel": lambda: self._toggle_column("side"),
-            "energy": self._toggle_graph,
+            "checks": self._show_checks,
+            "energy": self._next_view,
             "next field": self._next_field,
             "find": self._find,
             "help": self._toggle_help,
@@ -501,8 +503,8 @@ class Window:
             self._banner.tell(f"Make the window wider for that: {ROOM[column]} px are enough.")
         return enough
 
-    def _toggle_graph(self) -> None:
-        self.panels.graph = not self.panels.graph
+    def _next_view(self) -> None:
+        self.panels.energy = NEXT[self.panels.energy][0]
         self._lay_out()
 
     def _turn_to(self, page: str) -> None:
@@ -510,6 +512,12 @@ class Window:
         if self._has_room("side"):
             self.panels.show(page)
             self._lay_out()
+
+    def _show_checks(self) -> None:
+        """Show the level's own page, and on it the checks."""
+        self._turn_to(PAGES[0].command)
+        if self.panels.side is not None:
+            self.panels.side.show_checks()
 
     def _act_on(self, page: str, asked: PageCommand) -> None:
         """Do what a page is asked for, and show it."""
