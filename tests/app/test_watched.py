@@ -90,7 +90,7 @@ def test_the_window_offers_a_rate_for_a_run_that_stopped(person: Person, tmp_pat
         if person.session.failure:
             break
     person.wait()
-    assert person.session.trying
+    assert person.session.run.trying
     assert person.session.advised is None  # what has not been tried is not offered
     person.window.advising.cancel()
     person.session.take(Advice("tried: at 2,611 Hz it holds", 2611.0))
