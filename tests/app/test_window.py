@@ -219,6 +219,7 @@ def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
     player.wait(0.1)
 
     side = player.window.panels.side
+    assert side is not None
     assert isinstance(side.page, LevelPage)
     checks, seen = side._sheet.checks, side._sheet.container.rect
     assert checks is not None

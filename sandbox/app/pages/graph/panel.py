@@ -92,7 +92,7 @@ class GraphPage:
         found = [name for name in self._names if letters in name.casefold()]
         chosen = [name for name in self._choice.up(self._session) if name in found]
         place = self.up.relative_rect
-        self.up.kill()  # type: ignore[no-untyped-call]
+        self.up.kill()
         self.up = self._list(LISTS[0], found, several=True, chosen=chosen)
         self.up.set_relative_position(place.topleft)
 
