@@ -56,7 +56,7 @@ def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
         _show(window, 0.0)
         opened = perf_counter() - begun
         if window.session is None:
-            raise window.refused or SandboxError(f"{name} cannot be opened")
+            raise SandboxError(f"{name} does not open: 'sandbox check {name}' says why")
         for command in SHOWN:
             window.do(command)
         _show(window, 0.0)  # what is opened is laid out once, and not a part of any later frame
