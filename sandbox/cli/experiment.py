@@ -11,6 +11,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
+from sandbox import processes
 from sandbox.cli import usage
 from sandbox.cli.accuracy import Choice, settled
 from sandbox.cli.usage import UsageError
@@ -41,6 +42,8 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
         raise UsageError(f"--jobs {jobs}: must be from 1 to 1024")
     if jobs is not None and address is not None:
         raise UsageError("--jobs and --cluster: the cluster's workers say how many there are")
+    if address is None and (jobs or os.cpu_count() or 1) > 1:
+        processes.prepare("sandbox.experiments.running")
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
         from sandbox.experiments.conduct import conduct
