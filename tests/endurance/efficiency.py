@@ -6,16 +6,14 @@ something on an idle machine of two cores only.
 """
 
 import re
-import socket
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
-from pathlib import Path
 from typing import NamedTuple
 
 import typer
+
+from tests.experiments.machines import Machines
 
 WORKERS = 2
 
@@ -59,28 +57,15 @@ def seconds(case: Case, where: list[str]) -> float:
     return float(found[1])
 
 
-@contextmanager
-def machines() -> Iterator[str]:
-    """Start a scheduler with two workers, and yield its address."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    address = f"tcp://127.0.0.1:{port}"
-    scheduler = ["scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    worker = ["worker", address, "--nworkers", str(WORKERS), "--nthreads", "1", "--no-dashboard"]
-    both = [
-        subprocess.Popen(
-            [sys.executable, "-m", "distributed.cli.dask_" + name, *options],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        )
-        for name, *options in (scheduler, worker)
-    ]  # fmt: skip
+def clustered(case: Case) -> float:
+    """Run an experiment on a cluster that has loaded what it needs; return how long it took [s]."""
+    machines = Machines()
     try:
-        yield address
+        where = ["--cluster", machines.address]
+        seconds(Case("few", (*case.command[:2], "angle=5:85:50", *case.command[3:])), where)
+        return seconds(case, where)
     finally:
-        for process in reversed(both):
-            process.terminate()
-            process.wait(30)
+        machines.end()
 
 
 def main() -> None:
@@ -89,10 +74,7 @@ def main() -> None:
         alone = seconds(case, ["--jobs", "1"])
         told = {f"{WORKERS} processes": seconds(case, ["--jobs", str(WORKERS)])}
         if case.clustered:
-            with machines() as address:
-                warm = Case("warm", (*case.command[:2], "angle=5:85:50", *case.command[3:]))
-                seconds(warm, ["--cluster", address])  # lets the workers load what they need
-                told["Dask"] = seconds(case, ["--cluster", address])
+            told["Dask"] = clustered(case)
         for where, took in told.items():
             share = alone / (WORKERS * took)
             typer.echo(f"{case.name}: {alone:.1f} s alone, {took:.1f} s on {where}: {share:.2f}")

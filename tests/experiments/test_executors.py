@@ -2,9 +2,6 @@
 
 import os
 import signal
-import socket
-import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,35 +13,10 @@ from sandbox.experiments.executors import Here, cluster
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.storage import RESULTS, Store
 from sandbox.model.errors import SandboxError
-from tests.elsewhere import ROOT
+from tests.experiments.machines import Machines
 from tests.experiments.making import RANGE, plan, table
 
 THROW, END = "kinematics/projectile", "ball.position.x@end"
-
-
-class Machines:
-    """A scheduler with two workers, started as the documents say."""
-
-    def __init__(self) -> None:
-        with socket.socket() as free:
-            free.bind(("127.0.0.1", 0))
-            port = free.getsockname()[1]
-        self.address = f"tcp://127.0.0.1:{port}"
-        scheduler = ["scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-        worker = ["worker", self.address, "--nworkers", "2", "--nthreads", "1", "--no-dashboard",
-                  "--memory-limit", "0"]  # fmt: skip
-        self.scheduler, self.workers = (
-            subprocess.Popen(
-                [sys.executable, "-m", "distributed.cli.dask_" + command[0], *command[1:]],
-                cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-            )
-            for command in (scheduler, worker)
-        )  # fmt: skip
-
-    def end(self) -> None:
-        for process in (self.workers, self.scheduler):
-            process.terminate()
-            process.wait(30)
 
 
 @pytest.fixture
@@ -111,7 +83,7 @@ def test_a_scheduler_that_goes_away_is_a_sentence_and_what_was_done_is_kept(
     found = drag()
     store = Store(tmp_path / "there", found)
     with (
-        pytest.raises(SandboxError, match="the cluster at tcp.* has (failed|gone)"),
+        pytest.raises(SandboxError, match=r"the cluster at tcp.* has (failed|gone)"),
         cluster(machines.address, workers=2) as there,
     ):
         conduct(found, store, there, lambda _: machines.scheduler.kill())
