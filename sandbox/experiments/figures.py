@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from sandbox.experiments.analysis import Sensitivity
 from sandbox.experiments.axes import Grid, Listed, Uniform
@@ -155,7 +156,7 @@ def _heat_map(
     return figure
 
 
-def _cells(value: Array, at: tuple[Array, ...], shape: tuple[int, ...]) -> Array:
+def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...]) -> Array:
     """Return the mean of what fell into each cell: (Y, X); not a number where nothing did."""
     known = np.isfinite(value)
     where = at[0][known], at[1][known]
@@ -165,10 +166,14 @@ def _cells(value: Array, at: tuple[Array, ...], shape: tuple[int, ...]) -> Array
     return np.divide(sums, counts, out=np.full(shape, np.nan), where=counts > 0)
 
 
-def _contours(axes: Axes, places: Sequence[Array], form: Array, levels: Array) -> None:
+def _contours(
+    axes: Axes, places: Sequence[Array | NDArray[np.intp]], form: Array, levels: Array
+) -> None:
     """Draw where the closed form has the values that are marked at the scale."""
-    if len(lines := levels[(levels > np.nanmin(form)) & (levels < np.nanmax(form))]):
-        axes.contour(*places, form, lines, colors=FRAME, linewidths=1)
+    known = form[np.isfinite(form)]
+    inside = [level for level in levels if (known > level).any() and (known < level).any()]
+    if inside:
+        axes.contour(*places, form, inside, colors=FRAME, linewidths=1)
         axes.set_title("lines: the closed form, at the marks of the scale", loc="left")
 
 
