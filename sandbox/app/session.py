@@ -17,6 +17,7 @@ from sandbox.app.companions import NONE, Changes, Companion, Variant
 from sandbox.app.earlier import Earlier, Observed, kept
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
+from sandbox.app.limits import Limits
 from sandbox.app.looking import Looking
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace, faster, slower
@@ -65,6 +66,8 @@ class Session:
         Why the run had to stop, or could not be built; None if all is well.
     trying, advice
         Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
+    limits
+        Whether it takes more time or memory than it should, and pauses for that.
     trail
         Where the bodies have been.
     history
@@ -94,8 +97,8 @@ class Session:
     level, values, rate
         What is played, and how; as the level says what is left out.
     patient
-        Whether an accuracy that the level asks for is waited for; else somebody has to `settle` it,
-        and no time passes before.
+        Whether an accuracy that the level asks for is waited for, and steps that take long; else
+        somebody has to `settle` it, and no time passes before.
 
     Raises
     ------
@@ -142,6 +145,7 @@ class Session:
         self.books = Books(world, self.end)
         self._recorder = Recorder(world, [*needed(self.original), *milestones.needed(self.level)])
         self._grading = Grading(self._recorder)
+        self.limits = Limits(self._recorder)
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
         self._owed = 0.0  # steps
         self._held: tuple[str, XY] | None = None
@@ -374,6 +378,7 @@ class Session:
             self.world.go_on()
             self.failure, self.advice, self.trying = None, None, False
             self.books.restart()
+        self.limits.bear()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
@@ -400,6 +405,7 @@ class Session:
         if self._stands or (self.failure is not None and step >= self.world.steps):
             return
         self.release()
+        self.limits.bear()
         self.sought = min(max(step, 0), self.end)
         if self.sought < self.world.steps:
             self._begin_again(self.sought)
@@ -423,7 +429,9 @@ class Session:
         """Take steps towards the one that is sought, as far as the budget goes [s]."""
         deadline, playing = perf_counter() + budget, self.playing
         while self.sought is not None and self.failure is None:
-            if self.world.steps >= self.sought:
+            if self.limits.told:
+                self.sought = None
+            elif self.world.steps >= self.sought:
                 self.sought = None
                 self._let_go_of_what_was_held()
                 self.playing = playing and not self.at_end
@@ -477,6 +485,7 @@ class Session:
     def _advance(self) -> None:
         if self.failure is not None or self._stands:
             return
+        begun = perf_counter()
         self._do_again()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
@@ -490,9 +499,11 @@ class Session:
         self._follow(self.t)
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
-        if self.world.steps <= self.end and not self.world.disturbed:
+        wanted = self.world.steps <= self.end and not self.world.disturbed
+        if wanted and not self._recorder.full:
             self._recorder.note()
-        if self.at_end:
+        watched = not self._patient
+        if self.at_end or (watched and self.limits.stepped(perf_counter() - begun)):
             self.playing = False
 
     def _do_again(self) -> None:

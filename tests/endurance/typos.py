@@ -122,8 +122,9 @@ def attempt(batch: Batch) -> Report:
 
 
 def _batches(part: int, seed: int) -> Iterator[Batch]:
-    for level in catalog.names():
-        text = catalog.find(level).read_text(encoding="utf-8")
+    """Yield everything to be tried, the largest levels last: each of their typos takes long."""
+    texts = {name: catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()}
+    for level, text in sorted(texts.items(), key=lambda item: len(item[1])):
         for first in range(0, sum(1 for _ in _chosen(level, text, part, seed)), BATCH):
             yield Batch(level, first, part, seed)
 
