@@ -32,8 +32,8 @@ class Limits:
         self._patience: Patience | None = Patience(SLOW)
         self._room = True  # as far as anybody has been told
 
-    def stepped(self, seconds: float) -> bool:
-        """Take note of a step and how long it took [s]; return whether the run is to pause."""
+    def stepped(self, seconds: float) -> None:
+        """Take note of a step and how long it took [s]."""
         if self._patience and self._patience.lost(seconds):
             self.told = f"A step takes {wording.seconds(seconds)}; the window waits for each"
             self._patience = None  # somebody knows
@@ -43,7 +43,6 @@ class Limits:
             self._room = False
         else:
             self.told = ""
-        return bool(self.told)
 
     def bear(self) -> None:
         """Go on all the same."""
