@@ -18,7 +18,6 @@ from sandbox.model.naming import NAME
 from sandbox.model.parts import expressions
 from sandbox.model.quantities import quantity
 
-
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
 """In which part of a level that is found which a mention names; all others name bodies."""
 

@@ -8,10 +8,10 @@ from collections.abc import Iterator
 
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Book
-from sandbox.model.happenings import switched
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
+from sandbox.model.switches import switched
 
 
 def potentials(level: Level) -> tuple[str, ...]:

@@ -4,8 +4,8 @@ A joint is there until it is cut. A force that some event switches on is off unt
 is on from the start.
 """
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
+from collections.abc import Mapping
+from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Discriminator, Tag
 
@@ -13,9 +13,6 @@ from sandbox.model.base import Model
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
 from sandbox.model.mention import ForceNames, JointNames
-
-if TYPE_CHECKING:
-    from sandbox.model.level import Level
 
 Direction = Literal["up", "down", "either"]
 
@@ -65,31 +62,6 @@ def crossing(at: Trigger, values: Values) -> Crossing:
     return Crossing("t", at(values), "up")
 
 
-def cut(level: "Level") -> frozenset[str]:
-    """Return the joints of a level that some event cuts."""
-    return frozenset(name for event in level.events.values() for name in event.cut)
-
-
-def switched(level: "Level") -> Mapping[str, bool]:
-    """Return the forces of a level that events switch, and whether they are on at the start.
-
-    Springs that are cut are among them.
-    """
-    found = dict.fromkeys(cut(level) & _springs(level), True)
-    for event in level.events.values():
-        found.update((name, True) for name in event.off if name not in found)
-    found.update((name, False) for event in level.events.values() for name in event.on)
-    return found
-
-
-def _springs(level: "Level") -> frozenset[str]:
-    return frozenset(name for name, joint in level.joints.items() if joint.kind.force)
-
-
-def switchable(level: "Level") -> Iterator[str]:
-    """Yield what can be switched: effects that are laws, and forces that have a name."""
-    for effect, _, one in level.effects.said:
-        if effect.is_law and not effect.changes_mass:
-            yield effect.name
-            if name := getattr(one, "name", None):
-                yield name
+def cut(events: Mapping[str, Event]) -> frozenset[str]:
+    """Return the joints that some event cuts."""
+    return frozenset(name for event in events.values() for name in event.cut)

@@ -363,7 +363,7 @@ def is_alone(name: str, level: Level) -> bool:
 
     Where contacts are solved directly none is alone, nor is one that some event cuts.
     """
-    if not isinstance(level.joints[name], Pulley) or is_direct(level) or name in cut(level):
+    if not isinstance(level.joints[name], Pulley) or is_direct(level) or name in cut(level.events):
         return False
     joint = level.joints[name]
     first, *pegs, last = points(joint)

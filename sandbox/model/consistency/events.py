@@ -4,13 +4,13 @@ from collections.abc import Iterator
 
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import brief
-from sandbox.model.happenings import switchable
 from sandbox.model.instants import CrossingEvent
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
 from sandbox.model.parts import Fault
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.suggest import suggestion
+from sandbox.model.switches import switchable
 
 
 def known_parts(level: Level) -> Iterator[Fault]:

@@ -13,7 +13,7 @@ from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
 
 if TYPE_CHECKING:
-    from sandbox.physics.forces.switching import Switch
+    from sandbox.physics.forces.switch import Switch
 
 NODES = 40
 """At how many places a law is looked at to know what it stores."""

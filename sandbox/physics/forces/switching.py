@@ -1,10 +1,7 @@
-"""Forces that events switch: a law that acts while its switch is on.
+"""Forces that events switch: a law that acts while its switch is on."""
 
-A switch knows when it was thrown, so that a recorded run, too, tells what acted at each instant.
-"""
-
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -12,42 +9,8 @@ import numpy as np
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
 from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.switch import Switch, Switches
 from sandbox.physics.state.motion import Motion
-
-
-@dataclass(slots=True)
-class Switch:
-    """Whether something acts, and when that has changed.
-
-    Attributes
-    ----------
-    first
-        Whether it acts at the start.
-    thrown
-        The times at which it was thrown, in order [s].
-    """
-
-    first: bool
-    thrown: list[float] = field(default_factory=list)
-
-    def turn(self, t: float, *, on: bool) -> None:
-        """Let it be on, or off, from a time on [s]."""
-        if self.now is not on:
-            self.thrown.append(t)
-
-    @property
-    def now(self) -> bool:
-        """Whether it acts by now."""
-        return self.first is not bool(len(self.thrown) % 2)
-
-    def at(self, t: Array) -> Array:
-        """Return 1 at the times at which it acts, 0 at others: (...)."""
-        count = np.searchsorted(np.array(self.thrown), t, side="right")
-        return np.asarray((count % 2 == 1) != self.first, dtype=float)
-
-
-Switches = Mapping[str, Switch]
-"""By the names of the effects, forces and springs that they switch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,4 +83,4 @@ def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Swit
 def _switched(law: Law | Turn, switch: Switch) -> Law | Turn:
     if hasattr(law, "rate"):
         return SwitchedTurn(cast("Turn", law), switch)
-    return SwitchedLaw(cast("Law", law), switch)
+    return SwitchedLaw(law, switch)

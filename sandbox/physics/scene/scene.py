@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from sandbox.physics.contacts.hollow_contacts import Hollows
     from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.static_friction import Sticking
-    from sandbox.physics.forces.switching import Switches
+    from sandbox.physics.forces.switch import Switches
 
 
 @dataclass(frozen=True, slots=True)

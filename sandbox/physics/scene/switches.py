@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from sandbox.model.happenings import switched
 from sandbox.model.level import Level
-from sandbox.physics.forces.switching import Switch, Switches
+from sandbox.model.switches import switched
+from sandbox.physics.forces.switch import Switch, Switches
 from sandbox.physics.joints.joints import Joints
 
 
