@@ -4,6 +4,7 @@ The time step belongs to the level. A frame only decides how many whole steps ar
 be paid for within its budget is dropped and shown as a lower pace, never stretched.
 """
 
+import json
 from collections.abc import Mapping, Sequence
 from math import inf
 from time import perf_counter
@@ -47,8 +48,6 @@ class Session:
     ----------
     original
         The level as its file declares it.
-    level
-        What is played: the original, or with other effects, or with another stepping.
     changes
         Which effects were switched off and on.
     companions
@@ -113,14 +112,15 @@ class Session:
     ) -> None:
         self.original = level
         self._patient = patient
-        self.level = _at(level, rate)
+        self._begun_as = _at(level, rate)
         self.changes = NONE
         self.playing = False
         self.speed = 1.0
         self.locked = self.branches = False
         self.looking = Looking(level)
         self.earlier: tuple[Earlier, ...] = ()
-        self._begin(*self._built(self.level, (), level.defaults if values is None else values))
+        values = level.defaults if values is None else values
+        self._begin(*self._built(self._begun_as, (), values))
         self._opened = self.level, self.values
 
     def _begin(
@@ -153,7 +153,17 @@ class Session:
     def _begin_with(self, values: Values) -> None:
         """Start anew with these parameters, and with the same runs beside it."""
         variants = [companion.variant for companion in self.companions]
-        self._begin(*self._built(self.level, variants, values))
+        self._begin(*self._built(self._begun_as, variants, values))
+
+    @property
+    def level(self) -> Level:
+        """What is played: the original, with other effects or stepping, or altered on the way."""
+        return self.world.level
+
+    @property
+    def begun_as(self) -> Level:
+        """The level with which the run began; it may have been altered since."""
+        return self._begun_as
 
     @property
     def values(self) -> Values:
@@ -195,7 +205,9 @@ class Session:
         ValueRangeError
             If a parameter cannot have that value.
         """
-        values = choose(self.level, {**self.values, **(settings or {})})
+        level = self._begun_as
+        now = {name: value for name, value in self.values.items() if name in level.parameters}
+        values = choose(level, {**self._begun_with, **now, **(settings or {})})
         if values != self.values and self.world.steps:
             self.earlier = kept(self.earlier, self._observed, values)
         try:
@@ -243,9 +255,7 @@ class Session:
         if not self.world.steps:
             self.restart(settings)
             return
-        if self.companions or self.failure is not None:
-            why = "other runs go beside it" if self.companions else "it had to stop"
-            raise SandboxError(f"this run cannot go on with other parameters: {why}")
+        self._require_one_that_goes_on("with other parameters")
         self.release()
         last = self.actions[-1] if self.actions else None
         again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
@@ -258,17 +268,60 @@ class Session:
             self.actions.pop()
         self._go_on_in(world, before, action)
 
+    def alter(self, text: str) -> None:
+        """Go on from here as another level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        self._require_one_that_goes_on("with other parts")
+        self.release()
+        action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
+        self._go_on_in(perform(action, self.world), self.world, action)
+
+    def _require_one_that_goes_on(self, how: str) -> None:
+        if self.companions or self.changes or self.failure is not None:
+            why = "it had to stop" if self.failure else "effects are compared"
+            raise SandboxError(f"this run cannot go on {how}: {why}")
+
+    def resume(
+        self, actions: Sequence[Action], steps: int, values: Values | None = None
+    ) -> None:
+        """Take a run again from its start, and stand there; a long way takes some frames.
+
+        Parameters
+        ----------
+        actions
+            What was done to it.
+        steps
+            How far.
+        values
+            With which it began; those with which the present one did if left out.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be built again.
+        """
+        self._begin_with(self._begun_with if values is None else values)
+        self._script, self.sought, self.playing = actions, steps, False
+        self._seek(AT_ONCE)
+
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
         """Go on in a world that has branched off from another one, of which something stays."""
-        if before is self.world:
+        if before is self.world and action.kind == "branch":
             longest = max((o for o in (self._ahead, self._observed) if o), key=Observed.steps)
             self.earlier = kept(self.earlier, longest, world.values, self.t)
         self._fork, self.world, self._ahead = before, world, None
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         self.books = Books(world, self.end)
-        self.trail.restart(world.snapshot.position)
+        self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
+        if self.looking.body not in world.level.bodies:
+            self.looking = Looking(world.level)
 
     @property
     def advised(self) -> float | None:
@@ -290,7 +343,7 @@ class Session:
 
     def rerun(self, rate: float) -> None:
         """Play anew at another rate, from now on [Hz]."""
-        self.level = _at(self.level, rate)
+        self._begun_as = _at(self._begun_as, rate)
         self.restart()
         self.playing = self.failure is None
 
@@ -303,7 +356,7 @@ class Session:
             If it cannot be run; then all stays as it was.
         """
         begun = self._built(level, (), level.defaults)
-        self.original = self.level = level
+        self.original = self._begun_as = level
         self.changes, self.earlier, self.playing = NONE, (), False
         self._begin(*begun)
 
@@ -328,7 +381,7 @@ class Session:
         """
         begun = self._built(level, beside, self.values)
         self.earlier = ()
-        self.level, self.changes = level, changes
+        self._begun_as, self.changes = level, changes
         self._begin(*begun)
 
     def _built(
@@ -361,7 +414,7 @@ class Session:
 
     def settle(self, setting: Setting) -> None:
         """Begin with the setting that its level asks for, now that it is known."""
-        keep(self.level, self.values, setting)
+        keep(self._begun_as, self.values, setting)
         self.restart()
 
     def give_up(self, why: str) -> None:
@@ -424,6 +477,7 @@ class Session:
         deadline, playing = perf_counter() + budget, self.playing
         while self.sought is not None and self.failure is None:
             if self.world.steps >= self.sought:
+                self._do_again()
                 self.sought = None
                 self._let_go_of_what_was_held()
                 self.playing = playing and not self.at_end

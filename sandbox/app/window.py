@@ -564,6 +564,8 @@ class Window:
             session, maker = self.session, self._maker
             if maker is None or not maker.draw(view, self.stage, self._pen, session):
                 self._draw_run(view, session)
+                if maker is not None:
+                    maker.draw_over(view, self.stage, self._pen, session)
             if self.hand.tape is not None:
                 self.hand.tape.draw(view, self.stage.camera, self._pen)
             told = self._banner.draw(surface, self._pen, layout.stage, session)
