@@ -89,10 +89,10 @@ def _without_unused(text: str, level: Level) -> str:
     """
     found = without_meaning(text)
     data = json.loads(found)
-    if any(getattr(level, part).keys() - data.get(part, {}).keys() for part in ("bodies", "joints")):
-        parse(text)
-    if set(level.effects.declared).difference(data.get("effects", {})):
-        parse(text)
+    there = level.bodies, level.joints, level.effects.declared
+    for before, part in zip(there, ("bodies", "joints", "effects"), strict=True):
+        if not set(before) <= data.get(part, {}).keys():
+            parse(text)
     return found
 
 
@@ -113,10 +113,10 @@ def _refuse(world: World) -> None:
 
 
 def _refuse_to_begin_late(level: Level) -> None:
-    """Refuse what is as long as a formula of the time says: it has its first length at the start."""
+    """Refuse what is as long as a formula of the time says: that begins with its first length."""
     for name, joint in level.joints.items():
         if isinstance(joint, Rod) and "t" in names_in(joint):
-            rule = "is as long as a formula of the time says; keep the run as a level, and go on there"
+            rule = "is as long as a formula of the time says; keep the run as a level, and go on it"
             raise SandboxError(f"'{name}' {rule}")
 
 

@@ -258,7 +258,8 @@ class Editor:
         if self.trying(session):
             self.trial.leave(session, self.work.draft.text)
             session.restart()
-            session.playing, session.earlier = False, ()
+            session.pause()
+            session.forget_earlier()
         self._look_at(session)
 
     def come_back(self, session: Session) -> None:
@@ -293,10 +294,11 @@ class Editor:
             self.trial.live.look()
 
     def undo(self, session: Session) -> None:
-        """Take back the last change of the run; if there is none, the run; else one of the level."""
+        """Take back the last change of the run; if there is none, the run, or one of the level."""
         if not self.trying(session):
             self.work.undo()
-        elif self.trial.take_back(session):
+        elif self.trial.changed(session):
+            self.trial.take_back(session)
             self.bench.tell("Undone: what was changed in the run")
         else:
             self.back(session)
@@ -315,6 +317,20 @@ class Editor:
             self.come_back(session)
         else:
             self.work.redo()
+
+    def undoes(self, session: Session) -> str | None:
+        """What would be undone next, in words."""
+        if not self.trying(session):
+            return self.work.draft.undoes
+        return "the last change of the run" if self.trial.changed(session) else "the run"
+
+    def redoes(self, session: Session) -> str | None:
+        """What would be done again next, in words."""
+        if self.trying(session):
+            return "change the run" if self.trial.is_taken_back(session) else None
+        if self.trial.is_undone(self.work.draft.text):
+            return "the run"
+        return self.work.draft.redoes
 
     def keep_run(self, session: Session) -> None:
         """Go on building with the present state of the run as a level of its own."""
@@ -418,7 +434,7 @@ class Editor:
         painting.draw_hint(surface, pen, self.hand.hint)
         return True
 
-    def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> None:
+    def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
         """Draw over the run what is selected in it, and what is being drawn into it."""
         if self.bench is not self.trial.live:
             return

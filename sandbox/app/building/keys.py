@@ -132,7 +132,7 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
 
 def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
     """Change the run, or go back to building."""
-    first = editor.tool == TOOLS[0].name
+    first = TOOLS[0].name
     if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and editor.hand.busy:
         editor.hand.finish()
     elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
@@ -140,10 +140,12 @@ def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) ->
     elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
         editor.look(session)
         editor.bench.delete()
-    elif event.key == pygame.K_ESCAPE and first and not editor.bench.selected:
+    elif event.key == pygame.K_ESCAPE and editor.tool == first:
         editor.back(session)
+    elif event.key == pygame.K_ESCAPE and editor.hand.busy:
+        editor.hand.cancel()
     elif event.key == pygame.K_ESCAPE:
-        editor.give_up()
+        editor.choose(first)
     else:
         return False
     editor.go_on(session)

@@ -63,21 +63,33 @@ class Trial:
         """Whether to do again what was undone last is to come back to the run."""
         return self._latest == text and text in self._left
 
-    def take_back(self, session: Session) -> bool:
-        """Take back the last change of the run that is shown; return whether there was one."""
-        found = [i for i, action in enumerate(session.actions) if action.kind == "alter"]
-        if not found:
-            return False
-        action = session.actions[found[-1]]
+    @staticmethod
+    def changed(session: Session) -> bool:
+        """Whether the run that is shown was changed on the way."""
+        return any(action.kind == "alter" for action in session.actions)
+
+    def take_back(self, session: Session) -> None:
+        """Take back the last change of a run that was changed: it stands where that was done."""
+        *_, last = (i for i, action in enumerate(session.actions) if action.kind == "alter")
+        action = session.actions[last]
         self._undone.append(action)
-        session.resume(session.actions[: found[-1]], action.step)
-        return True
+        session.resume(session.actions[:last], action.step)
+
+    def is_taken_back(self, session: Session) -> bool:
+        """Whether the run stands where a change of it was taken back."""
+        here = session.world.steps, session.sought
+        return bool(self._undone) and here == (self._undone[-1].step, None)
 
     def do_again(self, session: Session) -> bool:
-        """Change the run again where that was taken back; return whether that was so."""
-        if self._undone and self._undone[-1].step != session.world.steps:
+        """Change the run again where that was taken back; return whether that was so.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        if not self.is_taken_back(session):
             self._undone.clear()
-        if not self._undone or session.sought is not None:
             return False
         session.alter(json.dumps(self._undone.pop().level))
         return True

@@ -107,7 +107,8 @@ class Palette:
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
             press(self._buttons[kind.name], kind.name == editor.tool)
-        for name, key, said in (("Undo", "Ctrl Z", draft.undoes), ("Redo", "Ctrl Y", draft.redoes)):
+        undoes, redoes = editor.undoes(self._session), editor.redoes(self._session)
+        for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
             allow(self._buttons[name], said is not None)
             self._buttons[name].set_tooltip(f"{said} ({key})" if said else None, delay=0.6)
         allow(self._buttons["Save"], draft.changed or draft.path is None)
