@@ -7,11 +7,6 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Array
 
-SERIES: tuple[tuple[Color, int], ...] = (
-    (theme.KINETIC, 1), (theme.POTENTIAL, 1), (theme.TOTAL, 2),
-)  # fmt: skip
-"""The colour and the thickness [px] of the kinetic, the potential and the total energy."""
-
 ROOM = 0.06
 """What is left free above and below the lines, of the height."""
 
@@ -45,7 +40,7 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
     pygame.draw.line(graph, theme.GRID_STRONG, (0, round(first)), (width, round(first)))
     every = max(len(points) // max(width, 1), 1)
     shown = np.unique(np.append(np.arange(0, len(points), every), len(points) - 1))
-    for series, (color, thickness) in enumerate(SERIES):
+    for series, (color, thickness) in enumerate(_series()):
         line = np.column_stack((x[shown], y[shown, series])).tolist()
         for offset in range(thickness):
             moved = [(px, py + offset) for px, py in line]
@@ -53,3 +48,8 @@ def energies(size: tuple[int, int], points: Array, duration: float) -> pygame.Su
                 pygame.draw.aalines(graph, color, False, moved)
         pygame.draw.circle(graph, color, line[-1], 2 + thickness // 2)
     return graph
+
+
+def _series() -> tuple[tuple[Color, int], ...]:
+    """Return colour and thickness [px] of the kinetic, the potential and the total energy."""
+    return (theme.KINETIC, 1), (theme.POTENTIAL, 1), (theme.TOTAL, 2)

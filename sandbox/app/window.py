@@ -21,6 +21,7 @@ from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import levels, messages
 from sandbox.app.panels.layout import ROOM
 from sandbox.app.panels.panels import Panels
+from sandbox.app.preferences import Comfort
 from sandbox.app.recent import Recent
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
@@ -69,12 +70,15 @@ class Window:
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
         self.open = True
         self.session: Session | None = None
-        self._pen = Pen()
+        self._comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
+        self._followed = self._comfort.chosen
+        theme.use(self._followed.theme)
+        self._pen = Pen(self._comfort.scale)
         self.stage = Stage(self._pen, size)
         self.hand = Hand(self.stage)
         self.workers, self._load = Workers(PAGES), Load()
         self.advising = Advising()
-        self.panels = Panels(self._pen, size, self.workers, self._load)
+        self.panels = Panels(self._pen, size, self.workers, self._load, self._comfort)
         self._recent = Recent()
         opened = (levels.entry(path, "opened") for path in self._recent.paths)
         self._entries = [*opened, *levels.entries()]
@@ -112,6 +116,10 @@ class Window:
             "energy": self._toggle_graph,
             "next field": self._next_field,
             "find": self._find,
+            "larger": lambda: self._banner.tell(self._comfort.resize(1)),
+            "smaller": lambda: self._banner.tell(self._comfort.resize(-1)),
+            "usual size": lambda: self._banner.tell(self._comfort.choose(size=None)),
+            "next theme": lambda: self._banner.tell(self._comfort.next_theme()),
             "help": self._toggle_help,
             "leave": self._leave,
             **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
@@ -267,6 +275,19 @@ class Window:
             self._remember(path)
         self._lay_out()
 
+    def _follow_comfort(self) -> None:
+        """Look as a person has chosen since the last frame."""
+        chosen = self._comfort.chosen
+        if chosen is self._followed:
+            return
+        self._followed = chosen
+        theme.use(chosen.theme)
+        self._pen.renew(self._comfort.scale)
+        self.panels.renew(self.surface.size)
+        if self.session is not None:
+            self.stage.use(self.session.world)
+        self._lay_out()
+
     def _lay_out(self) -> None:
         """Build everything around the stage for the window as large as it is now."""
         size = self.surface.size
@@ -296,6 +317,7 @@ class Window:
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._handle(event)
+        self._follow_comfort()
         if self._watch.changed(self._path, seconds) and self._path is not None:
             self._read_again(self._path)
         if self.session is not None:
@@ -517,7 +539,7 @@ class Window:
             return
         self._turn_to(page)
         try:
-            told = asked.act(Desk(self.session, self.workers.all, self._load))
+            told = asked.act(Desk(self.session, self.workers.all, self._load, self._comfort))
         except SandboxError as error:
             told = str(error)
         if told is not None:

@@ -26,7 +26,7 @@ class Card:
         self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
 
     def text(
-        self, text: str, size: int = 14, color: Color = theme.TEXT, bold: bool = False,
+        self, text: str, size: int = 14, color: Color | None = None, bold: bool = False,
         indent: int = 0,
     ) -> None:  # fmt: skip
         """Add a wrapped paragraph."""
@@ -58,10 +58,10 @@ class Card:
             x += room
         self.y += self.pen.height(size)
 
-    def drawn(self, background: Color = theme.PANEL) -> pygame.Surface:
+    def drawn(self, background: Color | None = None) -> pygame.Surface:
         """Return the card as it stands."""
         surface = pygame.Surface((self.width, max(self.y, 1)))
-        surface.fill(background)
+        surface.fill(background or theme.PANEL)
         surface.blits(self._parts)
         return surface
 

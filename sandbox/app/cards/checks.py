@@ -14,12 +14,6 @@ from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
 TOUCHED = "A hand has touched this run, or changed it on the way: no formula describes it."
-_COLORS: dict[str, Color] = {
-    "passed": theme.PASSED,
-    "failed": theme.FAILED,
-    "waiting": theme.WAITING,
-    "not applicable": theme.WAITING,
-}
 
 
 def checks(
@@ -63,7 +57,7 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
 def _check(card: Card, reading: Reading, split: Split | None) -> None:
     result = reading.result
     check = result.check
-    color = _COLORS[result.verdict]
+    color = _color(result.verdict)
     card.put(_badge(result.verdict, color), 0, 2)
     _check_title(card, check)
     if result.verdict == "not applicable":
@@ -92,6 +86,10 @@ def _check(card: Card, reading: Reading, split: Split | None) -> None:
     if result.verdict == "failed" and result.t is not None:
         worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
         card.text(worst, 12, color, indent=INDENT)
+
+
+def _color(verdict: str) -> Color:
+    return {"passed": theme.PASSED, "failed": theme.FAILED}.get(verdict, theme.WAITING)
 
 
 def _check_title(card: Card, check: Check) -> None:

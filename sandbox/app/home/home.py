@@ -60,6 +60,13 @@ class Home:
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
 
+    def renew(self) -> None:
+        """Lay out and draw all anew, in the present theme and scale."""
+        self._short.cache_clear()
+        self.thumbnails.cancel()
+        self.thumbnails.forget()
+        self._laid_out = None
+
     def leave(self) -> None:
         """Show them no more."""
         self.open = False

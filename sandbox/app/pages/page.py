@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app.keys import Binding
 from sandbox.app.load import Load
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -79,6 +80,7 @@ class Desk(NamedTuple):
     session: Session
     workers: Sequence[Worker]
     load: Load
+    comfort: Comfort
 
     def worker(self, kind: type[W]) -> W:
         """Return the worker of a kind."""
@@ -119,7 +121,8 @@ class PageCommand(NamedTuple):
         shown = f"Shift {letter}" if letter.isupper() else letter.upper()
         if self.control is not None:
             shown += f" or Ctrl {pygame.key.name(self.control).upper()}"
-        return Binding(self.name, shown, self.text, (), letter, self.control)
+        controls = () if self.control is None else (self.control,)
+        return Binding(self.name, shown, self.text, (), letter, controls)
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
@@ -55,19 +56,31 @@ class Panels:
         The button that runs a level that had to stop at another rate; None if there is none.
     """
 
-    def __init__(self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load) -> None:
-        self._pen, self._workers, self._load = pen, workers, load
+    def __init__(
+        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load, comfort: Comfort
+    ) -> None:
+        self._pen, self._workers, self._load, self._comfort = pen, workers, load, comfort
         self._hidden: set[str] = set()
         self.graph = True
         self._advised: float | None = None
-        self.list: LevelList | None = None
         self.side: SidePanel | None = None
         self._listed: object = None  # what the list was built for
         self._sought = ""
+        self.list: LevelList | None = None
         self.page = register.PAGES[0].command
         self.home = Home(pen)
+        self.renew(size)
+
+    def renew(self, size: tuple[int, int]) -> None:
+        """Make all in the present theme and scale, from the next building on."""
         self._dialog: OpenDialog | None = None
-        self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
+        self._sought = self.sought
+        self.list = None
+        self.offer: UIButton | None = None
+        self.manager = UIManager(
+            size, theme.widgets(self._pen.scale), enable_live_theme_updates=False
+        )
+        self.home.renew()
 
     def hide_or_show(self, column: str) -> None:
         """Hide a column, `levels` or `side`, or show it again, from the next building on."""
@@ -106,12 +119,13 @@ class Panels:
                 as_graph=self.graph,
                 workers=self._workers,
                 load=self._load,
+                comfort=self._comfort,
             )
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = None
         if refused is not None and not self.home.open:
             self.refusal = Refusal(manager, pen, layout.stage, refused)
-        self.offer: UIButton | None = None
+        self.offer = None
 
     def _clear(self, listed: object) -> None:
         """Remove all but a list that is built for the same: making it takes a tenth of a second."""

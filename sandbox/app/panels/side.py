@@ -12,6 +12,7 @@ from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import scroll, scrolled
@@ -38,11 +39,11 @@ class SidePanel:
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: str, as_graph: bool, workers: Workers, load: Load,
+        page: str, as_graph: bool, workers: Workers, load: Load, comfort: Comfort,
     ) -> None:  # fmt: skip
         self._manager, self._pen, self._session = manager, pen, session
         self._graph, self._workers = as_graph, workers
-        self.desk = Desk(session, workers.all, load)
+        self.desk = Desk(session, workers.all, load, comfort)
         self._energy: UIImage | None = None
         self._switch: UIButton | None = None
         upper = self._put_energy(rect) if register.page(page).energy else rect

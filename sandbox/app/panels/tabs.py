@@ -16,7 +16,7 @@ from sandbox.app.widgets.gui import press
 HEIGHT = 26  # px, of a tab
 GAP = 4  # px, between two
 PADDING = 10  # px, beside a caption, left and right together
-SIZE = 12  # of the captions, as theme.json says for @tab
+SIZE = 12  # of the captions, as widgets.json says for @tab
 TOP = 10  # px, above the first row
 
 

@@ -17,10 +17,13 @@ LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
 LEAST = 1e-16
 """Of an error: what is less is drawn there."""
 
-COLORS: Mapping[str, Color] = {
-    "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
-    "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
-}  # fmt: skip
+
+def colors() -> Mapping[str, Color]:
+    """Return the colours of the schemes, by their names."""
+    return {
+        "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
+        "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
+    }  # fmt: skip
 
 
 class Axis(NamedTuple):
@@ -66,9 +69,9 @@ def draw(
     across = axis([1e3 * p.price for p in everything], LEFT, size[0] - RIGHT)
     up = axis([p.error for p in everything], size[1] - BELOW, ABOVE)
     _draw_axes(surface, pen, across, up)
-    for scheme, color in COLORS.items():
+    for scheme, color in colors().items():
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
-        lines.path(surface, theme.mix(theme.STAGE, color, 0.6), line, 1)
+        lines.path(surface, theme.faded(color, 0.6), line, 1)
         for pixel in line:
             _mark(surface, scheme, color, pixel)
     if here:
@@ -119,6 +122,6 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
-        _mark(surface, scheme, COLORS[scheme], (x + 6, y + height // 2))
+        _mark(surface, scheme, colors()[scheme], (x + 6, y + height // 2))
         surface.blit(pen.write(race.title(scheme), 12, theme.DIM), (x + 16, y))
     return surface

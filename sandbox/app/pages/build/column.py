@@ -18,7 +18,7 @@ HEIGHT = 24  # px, of a button and of a field
 GAP = 4  # px, between two
 SMALL = "@small"
 """The look of these buttons, and of their fields."""
-SIZE = 12  # of their captions, as theme.json says
+SIZE = 12  # of their captions, as widgets.json says
 PADDING = 14  # px, beside a caption, left and right together
 
 
@@ -60,10 +60,10 @@ class Column:
         """Put a heading under a line."""
         self._put_picture(heading(self._sheet.pen, self._sheet.width, text))
 
-    def text(self, text: str, color: Color = theme.DIM, x: int = 0) -> None:
+    def text(self, text: str, color: Color | None = None, x: int = 0) -> None:
         """Put a wrapped paragraph."""
         card = Card(self._sheet.pen, self._sheet.width - x)
-        card.text(text, SIZE, color)
+        card.text(text, SIZE, color or theme.DIM)
         self._put_picture(card.drawn(), x)
 
     def _put_picture(self, picture: pygame.Surface, x: int = 0) -> None:

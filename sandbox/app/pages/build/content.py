@@ -24,15 +24,16 @@ class Block(NamedTuple):
     """A heading or a text, and buttons below it, some of which are pressed."""
 
     text: str
-    color: Color | None = theme.DIM
-    """None for a heading"""
+    color: Color | None = None
+    """None for that of what is less important"""
     acts: tuple[Act, ...] = ()
     pressed: frozenset[str] = frozenset()
+    heading: bool = False
 
     @property
     def shape(self) -> tuple[object, ...]:
         """What must be built anew if it changes."""
-        return self.text, self.color, tuple(act.caption for act in self.acts)
+        return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
 
 
 def above(editor: Editor, session: Session) -> list[Block]:
@@ -51,7 +52,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
 def subject(editor: Editor) -> list[Block]:
     """Return what is inspected, and what can be done with it as a whole."""
     work = editor.work
-    title = Block(inspection.subject(work), None)
+    title = Block(inspection.subject(work), heading=True)
     if not work.selected:
         drawn = any(body.outline.moves for body in work.sketch.bodies.values())
         return [

@@ -187,7 +187,7 @@ class BuildPage:
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
             self._column.y += GAP
-            if block.color is None:
+            if block.heading:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)

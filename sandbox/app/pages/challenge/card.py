@@ -14,11 +14,6 @@ from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 
 NONE = "This level sets no challenge. Those of the chapter Challenges do."
 TOUCHED = "A hand has touched this run, or effects are changed: it earns no stars."
-_COLORS: dict[Standing, Color] = {
-    "met": theme.PASSED,
-    "missed": theme.FAILED,
-    "open": theme.WAITING,
-}
 _STAR = 11  # px, its radius
 
 
@@ -115,7 +110,7 @@ def _star(*, earned: bool) -> pygame.Surface:
 
 
 def _goal(card: Card, outcome: Outcome) -> None:
-    color = _COLORS[outcome.standing]
+    color = _color(outcome.standing)
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
     card.text(outcome.goal.label, 14, bold=True, indent=INDENT)
     value = outcome.measured
@@ -128,3 +123,7 @@ def _goal(card: Card, outcome: Outcome) -> None:
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
 """A standing must not be told by its colour alone."""
+
+
+def _color(standing: Standing) -> Color:
+    return {"met": theme.PASSED, "missed": theme.FAILED, "open": theme.WAITING}[standing]

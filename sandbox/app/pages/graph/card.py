@@ -113,7 +113,7 @@ def _faint(
 ) -> Iterator[Series]:
     """Yield the lines of earlier runs."""
     for index, columns in enumerate(earlier):
-        color = theme.mix(theme.STAGE, theme.LANES[index % len(theme.LANES)], 0.6)
+        color = theme.faded(theme.LANES[index % len(theme.LANES)], 0.6)
         yield from (Series(color, columns[across], columns[name]) for name in these)
 
 
