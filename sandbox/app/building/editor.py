@@ -244,7 +244,8 @@ class Editor:
         """Go back to the start, and to building."""
         if self.trying(session):
             session.restart()
-            session.playing, session.earlier = False, ()
+            session.pause()
+            session.forget_earlier()
             self.show()
 
     def command(self, command: str, session: Session) -> bool:

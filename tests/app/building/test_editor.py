@@ -134,7 +134,7 @@ def test_a_new_level_is_saved_under_the_name_that_is_typed(mine: Builder, tmp_pa
     mine.person.wait(0.1)
 
     assert "disc1" in json.loads((tmp_path / "mine.json").read_text(encoding="utf-8"))["bodies"]
-    assert mine.person.window._path == tmp_path / "mine.json"
+    assert mine.person.window.path == tmp_path / "mine.json"
     mine.control("z")
     assert list(mine.document["bodies"]) == ["ground"]
 
