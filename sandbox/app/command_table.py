@@ -10,7 +10,7 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels.foot import NEXT
-from sandbox.app.panels.layout import ROOM
+from sandbox.app.panels.layout import room
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.opening import SMALLEST
@@ -56,6 +56,8 @@ class CommandTable:
             "slower": partial(self._with_session, Session.slower),
             "restart": self._restart,
             "reload": self._space.reload,
+            "undo": partial(self._take_back, again=False),
+            "redo": partial(self._take_back, again=True),
             "next level": partial(self._go_to_neighbour, 1),
             "previous level": partial(self._go_to_neighbour, -1),
         }
@@ -113,6 +115,18 @@ class CommandTable:
         else:
             self._space.session.restart()
 
+    def _take_back(self, *, again: bool) -> None:
+        """Undo the last change of the run, or do it again; what is built has an undo of its own."""
+        space = self._space
+        if space.session is None or space.maker is not None:
+            return
+        again = again or bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        try:
+            act = space.undoing.redo if again else space.undoing.undo
+            self._tell(act(space.session))
+        except SandboxError as error:
+            self._tell(str(error))
+
     def _go_to_neighbour(self, direction: int) -> None:
         path = self._space.files.neighbour(self._space.path, direction)
         if path is not None:
@@ -130,9 +144,11 @@ class CommandTable:
 
     def _has_room(self, column: str) -> bool:
         """Whether the window is wide enough for a column; if it is not, say so."""
-        enough = self._space.surface.width >= ROOM[column]
+        space = self._space
+        least = room(column, space.pen.scale, beside=space.panels.side is not None)
+        enough = space.surface.width >= least
         if not enough:
-            self._tell(f"Make the window wider for that: {ROOM[column]} px are enough.")
+            self._tell(f"Make the window wider for that: {least} px are enough.")
         return enough
 
     def _show_checks(self) -> None:

@@ -52,6 +52,8 @@ WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("open file", "Ctrl O", "open a level of your own", controls=(pygame.K_o,)),
+    Binding("undo", "Ctrl Z", "undo a change of the run", controls=(pygame.K_z,)),
+    Binding("redo", "Ctrl Y", "do it again (also Ctrl Shift Z)", controls=(pygame.K_y,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
     Binding("larger", "Ctrl +", "larger text", controls=LARGER),
     Binding("smaller", "Ctrl −", "smaller text", controls=SMALLER),
@@ -79,5 +81,5 @@ COMFORT = frozenset({"larger", "smaller", "usual size", "next theme"})
 AT_HOME = COMFORT | {"home", "find", "levels", "open file", "help", "leave"}
 """The commands that are carried out beside the cards; any other goes back to the stage first."""
 
-WHILE_TYPING = COMFORT | {"next field", "leave"}
+WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}
 """The commands whose keys still act while a number is being typed."""

@@ -19,6 +19,7 @@ from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
+from sandbox.app.undoing import Undoing
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
@@ -52,6 +53,8 @@ class Workspace:
         Whether the help is shown.
     open
         Whether the window is still wanted.
+    undoing
+        What can be taken back of what was changed of the run.
     files
         The levels that can be chosen.
     workers, advising
@@ -83,6 +86,7 @@ class Workspace:
         self.banner = Banner()
         self.help, self.open = False, True
         self.files = LevelFiles()
+        self.undoing = Undoing()
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # that was asked for when it was opened
         self._refused: SandboxError | None = None

@@ -52,7 +52,7 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
     card = Card(pen, width)
     card.heading("Energy")
     note = pen.write("half a step ahead" if ahead else "", 12, theme.DIM)
-    card.put(note, LABEL, -note.height - 4)
+    card.put(note, card.pen.px(LABEL), -note.height - 4)
     rows = [
         ("kinetic", books.kinetic, theme.KINETIC),
         *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),
@@ -66,8 +66,9 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         card.put(pen.write(name, 13, theme.DIM), 0)
         text = pen.write(wording.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
-        length = max(width - LABEL - NUMBER, 20)
-        card.put(bar(length, value / scale if scale else 0.0, color), LABEL, 5)
+        length = max(width - pen.px(LABEL) - pen.px(NUMBER), 20)
+        drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
+        card.put(drawn, pen.px(LABEL), pen.px(5))
         card.y += pen.height(13) + 1
     return card.drawn()
 

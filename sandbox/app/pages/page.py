@@ -13,7 +13,7 @@ from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet, below
+from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
@@ -210,7 +210,7 @@ class CardPanel:
         self, sheet: Sheet, session: Session, card: Callable[[Pen, int, Session], pygame.Surface]
     ) -> None:
         self._sheet, self._session, self._card = sheet, session, card
-        self._image = sheet.image(self._drawn(), MARGIN // 2)
+        self._image = sheet.image(self._drawn(), self._sheet.margin // 2)
         self.update()
 
     def process(self, _event: pygame.event.Event) -> str | None:

@@ -102,7 +102,7 @@ class Panels:
         manager.set_window_resolution(size)
         shown = session is not None and not self.home.open
         with_side = shown and "side" not in self._hidden
-        layout = divide(size, levels="levels" not in self._hidden, side=with_side)
+        layout = divide(size, levels="levels" not in self._hidden, side=with_side, scale=pen.scale)
         self.layout: Layout = layout
         self._entries = entries
         self._clear((size, layout.levels.width, tuple(entries)))
@@ -207,7 +207,7 @@ class Panels:
             self.offer.kill()  # type: ignore[no-untyped-call]
             self.offer = None
         if self.offer is None and rate is not None:
-            self.offer = messages.offer(self.manager, self.layout.stage, rate)
+            self.offer = messages.offer(self.manager, self._pen, self.layout.stage, rate)
         self._advised = rate
 
     def accepts(self, event: pygame.event.Event) -> bool:

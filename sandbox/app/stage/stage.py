@@ -87,7 +87,8 @@ class Stage:
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         view.trail, view.labels = trail, Labels(surface.get_rect())
-        view.labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
+        wide, high = self._pen.px(130), self._pen.px(90)
+        view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         self._draw_base()
         traced = view.few and any(each.draw_trail for each in self._overlays)
         others = [(each.trail, each.variant.color) for each in beside] or [

@@ -75,19 +75,19 @@ def draw(
     """Draw lines, the last on top; and a cursor at a value of x, if there is one."""
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
-    up = scale([each.y for each in series], size[1] - BELOW, ABOVE, 0.06)
+    up = scale([each.y for each in series], size[1] - pen.px(BELOW), pen.px(ABOVE), 0.06)
     _draw_axes(surface, pen, span, up)
     for each in series:
         _draw_line(surface, each, span, up)
     if cursor is not None:
         x = round(float(span.pixels(np.array(cursor))))
-        pygame.draw.line(surface, theme.NOTICE, (x, ABOVE), (x, size[1] - BELOW))
+        pygame.draw.line(surface, theme.NOTICE, (x, up.end), (x, up.start))
     return surface
 
 
-def across(width: int, values: Sequence[Array]) -> Scale:
+def across(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
     """Return the scale of x for graphs of a width [px]."""
-    return scale(values, LEFT, width - RIGHT, 0.0)
+    return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
 def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:
@@ -116,10 +116,12 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> Non
         text = pen.write(_brief(value), 11, theme.DIM)
         surface.blit(text, text.get_rect(midright=(left - 4, y)))
     if offset:
-        surface.blit(pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, ABOVE))
+        surface.blit(
+            pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, round(up.end))
+        )
     for value in span.ticks(4):
         x = round(float(span.pixels(np.array(value))))
-        pygame.draw.line(surface, theme.GRID_STRONG, (x, ABOVE), (x, bottom))
+        pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(_brief(value), 11, theme.DIM)
         place = text.get_rect(midtop=(x, bottom + 3)).clamp(surface.get_rect())
         surface.blit(text, place)

@@ -61,11 +61,11 @@ def status(
     surface.fill(theme.PANEL)
     if failure:
         for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
-            surface.blit(line, (0, i * 13 - 1))
+            surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
         surface.blit(pen.write(pen.shorten(progress.told, size[0], 12), 12, theme.DIM), (0, 0))
-        surface.fill(theme.RAISED, (0, 19, size[0], 5))
-        surface.fill(theme.ACCENT, (0, 19, round(size[0] * progress.share), 5))
+        surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
+        surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
     return surface
 
 

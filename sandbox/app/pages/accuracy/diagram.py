@@ -66,8 +66,8 @@ def draw(
         text = pen.write("not measured yet", 12, theme.DIM)
         surface.blit(text, text.get_rect(center=surface.get_rect().center))
         return surface
-    across = axis([1e3 * p.price for p in everything], LEFT, size[0] - RIGHT)
-    up = axis([p.error for p in everything], size[1] - BELOW, ABOVE)
+    across = axis([1e3 * p.price for p in everything], pen.px(LEFT), size[0] - pen.px(RIGHT))
+    up = axis([p.error for p in everything], size[1] - pen.px(BELOW), pen.px(ABOVE))
     _draw_axes(surface, pen, across, up)
     for scheme, color in colors().items():
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]

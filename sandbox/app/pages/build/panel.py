@@ -179,14 +179,14 @@ class BuildPage:
         self._put(above)
         self._put_name()
         self._put(below)
-        self._column.y += 2 * GAP
+        self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused)
         self._put(last)
-        self._sheet.end(self._column.y + GAP)
+        self._sheet.end(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
-            self._column.y += GAP
+            self._column.y += self._sheet.px(GAP)
             if block.heading:
                 self._column.heading(block.text)
             elif block.text:
@@ -199,7 +199,7 @@ class BuildPage:
         if self._editor.naming:
             typed = before.get_text() if before is not None else str(self._editor.proposed)
             self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
-            self._column.y += HEIGHT + GAP
+            self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:

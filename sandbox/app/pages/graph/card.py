@@ -51,7 +51,7 @@ def graphs(
     names = list(dict.fromkeys([across, *up]))
     columns, units = measured(session.world, session.history, names)
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
-    span = span_of(width, session, across)
+    span = span_of(pen, width, session, across)
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _told(card, session, columns, these, up, units, across, cursor, trust)
@@ -60,17 +60,17 @@ def graphs(
             *_closed(session, columns, these, up, across),
             *(Series(_color(name, up), columns[across], columns[name]) for name in these),
         ]
-        card.put(plot.draw(pen, (width, HEIGHT), series, span, cursor), 0)
-        card.y += HEIGHT + GAP
+        card.put(plot.draw(pen, (width, pen.px(HEIGHT)), series, span, cursor), 0)
+        card.y += pen.px(HEIGHT) + GAP
     card.text(f"against {across} [{units[across]}]", 12, theme.DIM)
     return card.drawn()
 
 
-def span_of(width: int, session: Session, across: str) -> Scale:
+def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
     """Return the scale across graphs of a width [px]: it has room for earlier runs, too."""
     runs = [(session.world, session.history)]
     runs += [(run.world, run.history) for run in session.earlier]
-    return plot.across(width, [measured(*run, [across])[0][across] for run in runs])
+    return plot.across(pen, width, [measured(*run, [across])[0][across] for run in runs])
 
 
 def measured(

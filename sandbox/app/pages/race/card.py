@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pygame
 
 from sandbox.app import theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
 from sandbox.app.session import Session
@@ -44,11 +44,11 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
     for lane in found:
         card.y += GAP + 2
         card.put(_swatch(lane.color), 0, 8)
-        card.text(race.title(lane.scheme), 14, bold=True, indent=INDENT)
+        card.text(race.title(lane.scheme), 14, bold=True, indent=card.indent)
         if remark := _REMARKS.get(lane.scheme):
-            card.text(remark, 12, theme.DIM, indent=INDENT)
+            card.text(remark, 12, theme.DIM, indent=card.indent)
         if lane.failure:
-            card.text(lane.failure, 12, theme.FAILED, indent=INDENT)
+            card.text(lane.failure, 12, theme.FAILED, indent=card.indent)
         error = "–" if lane.error is None else wording.error(lane.error)
         cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
         card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)

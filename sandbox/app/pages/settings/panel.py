@@ -13,7 +13,7 @@ from sandbox.app.cards.card import heading, label
 from sandbox.app.pages.page import Desk
 from sandbox.app.preferences import Comfort
 from sandbox.app.widgets.gui import press
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 
 HEIGHT = 28  # px, of a button
 GAP = 6  # px
@@ -74,7 +74,7 @@ class SettingsPage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._comfort = sheet, desk.comfort
         self._buttons: dict[UIButton, Choice] = {}
-        y = MARGIN // 2
+        y = sheet.margin // 2
         for setting in settings(desk.comfort):
             y = self._put(setting, y)
         sheet.end(y)
