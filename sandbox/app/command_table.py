@@ -182,9 +182,8 @@ class CommandTable:
             self._tell(answer)
 
     def _next_field(self) -> None:
-        if self._space.panels.side is not None:
-            backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
-            self._space.panels.side.focus(-1 if backwards else 1)
+        panels, backwards = self._space.panels, pygame.key.get_mods() & pygame.KMOD_SHIFT
+        panels.focus.go(panels.manager, panels.layout, -1 if backwards else 1)
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""
@@ -206,10 +205,12 @@ class CommandTable:
         self._space.help = not self._space.help
 
     def _leave(self) -> None:
-        """Close the help, let go of a field, show all levels, put the tape away; else quit."""
+        """Close the help, let go of a widget, show all levels, put the tape away; else quit."""
         space = self._space
         if space.help:
             space.help = False
+        elif not space.panels.typing and space.panels.focus.leave():
+            return
         elif space.panels.typing or space.panels.sought:
             space.panels.let_go()
         elif space.panels.home.open and not space.empty:

@@ -31,7 +31,9 @@ PLAYING = (
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
     Binding("home", "F2 or ⌫", "all levels as cards, and back", (pygame.K_F2, pygame.K_BACKSPACE)),
     Binding("find", "/", "find a level", (), "/"),
-    Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
+    Binding(
+        "next field", "Tab", "next field or button; ↑ ↓ change, Enter presses", (pygame.K_TAB,)
+    ),
 )
 
 SHOWING = (
@@ -78,7 +80,7 @@ MOUSE = (
 COMFORT = frozenset({"larger", "smaller", "usual size", "next theme"})
 """The commands that only change how the window looks."""
 
-AT_HOME = COMFORT | {"home", "find", "levels", "open file", "help", "leave"}
+AT_HOME = COMFORT | {"next field", "home", "find", "levels", "open file", "help", "leave"}
 """The commands that are carried out beside the cards; any other goes back to the stage first."""
 
 WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}

@@ -16,6 +16,7 @@ from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
+from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
@@ -54,6 +55,8 @@ class Panels:
         The page that says why the level cannot be opened; None if it can.
     home
         The cards of the levels, in place of the stage while they are shown.
+    focus
+        Where the keyboard is among the widgets.
     offer
         The button that runs a level that had to stop at another rate; None if there is none.
     """
@@ -71,6 +74,7 @@ class Panels:
         self.list: LevelList | None = None
         self.page = register.PAGES[0].command
         self.home = Home(pen)
+        self.focus = Focus()
         self.renew(size)
 
     def renew(self, size: tuple[int, int]) -> None:

@@ -67,13 +67,6 @@ class SidePanel:
         if self._sheet.checks is not None:
             scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
 
-    def focus(self, direction: int) -> None:
-        """Go on to the next number field, or back, and bring it into view."""
-        field = (self._sheet.typed or self.parameters).focus(direction)
-        if field is not None:
-            container = self._sheet.container
-            scroll(container, field.relative_rect.y - container.rect.height / 2)
-
     def revert(self) -> None:
         """Let all fields say again what is the case."""
         (self._sheet.typed or self.parameters).revert()

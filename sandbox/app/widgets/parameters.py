@@ -114,18 +114,6 @@ class Parameters:
                 return self._typed(name, row)
         return None
 
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        fields = [row.field for row in self._rows.values()]
-        if not fields:
-            return None
-        here = [i for i, field in enumerate(fields) if field.is_focused]
-        start = here[0] if here else (-1 if direction > 0 else 0)
-        field = fields[(start + direction) % len(fields)]
-        self._manager.set_focus_set(field.get_focus_set())
-        field.select_range = [0, len(field.get_text())]
-        return field
-
     @property
     def focused(self) -> bool:
         """Whether a number is being typed."""

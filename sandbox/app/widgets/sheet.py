@@ -8,7 +8,6 @@ from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.text import Pen
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
@@ -17,10 +16,6 @@ BAR = 26  # px, kept free for the scroll bar
 
 class Typed(Protocol):
     """Fields that can be typed into."""
-
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        ...
 
     def revert(self) -> None:
         """Let the fields say again what is the case."""

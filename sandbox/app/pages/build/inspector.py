@@ -222,18 +222,6 @@ class Inspector:
         assert found is not None
         return found
 
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        fields = [field for _, field in self._fields]
-        if not fields:
-            return None
-        here = next((i for i, field in enumerate(fields) if field.is_focused), None)
-        start = (-1 if direction > 0 else 0) if here is None else here
-        field = fields[(start + direction) % len(fields)]
-        self._sheet.manager.set_focus_set(field.get_focus_set())
-        field.select_range = [0, len(field.get_text())]
-        return field
-
     def revert(self) -> None:
         """Let the fields say again what is the case."""
         for line, field in self._fields:

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
@@ -18,10 +19,12 @@ from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.model import locating
+
+if TYPE_CHECKING:
+    from sandbox.app.widgets.field import Field
 
 Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
 
@@ -123,10 +126,6 @@ class BuildPage:
         self._editor.save(Path(typed).absolute())
 
     # fields, as the window goes through them
-
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        return self.inspector.focus(direction)
 
     def revert(self) -> None:
         """Let all fields say again what is the case, and ask for no name any more."""
