@@ -45,13 +45,14 @@ class Undoing:
 
     def __init__(self) -> None:
         self._of: tuple[Session, Level] | None = None
+        self._past: list[Setup] = []
+        self._future: list[Setup] = []
 
     def follow(self, session: Session, seconds: float) -> None:
         """Note what has changed in some time [s]; another level has nothing to be taken back."""
         if self._of is None or self._of[0] is not session or self._of[1] is not session.original:
             self._of = session, session.original
-            self._past: list[Setup] = []
-            self._future: list[Setup] = []
+            self._past, self._future = [], []
             self._rest(setup(session))
             return
         self._since += seconds
@@ -94,7 +95,9 @@ class Undoing:
 
     def _rest(self, now: Setup) -> None:
         """Take what is the case now as what the next change is a change of."""
-        self._now, self._kind, self._since = now, frozenset[str](), inf
+        self._now: Setup = now
+        self._kind: frozenset[str] = frozenset()
+        self._since = inf
 
 
 def setup(session: Session) -> Setup:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import graph, theme, wording
 from sandbox.app.books import Energies
 from sandbox.app.cards.card import Card, bar
 from sandbox.app.text import Pen
@@ -16,7 +16,7 @@ NUMBER = 92  # px, right of it
 
 
 def energy(
-    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface
+    pen: Pen, width: int, start: Energies, now: Energies, drawn: pygame.Surface
 ) -> pygame.Surface:
     """Draw the energies above a graph of them, and what has become of their sum."""
     card = Card(pen, width)
@@ -27,8 +27,8 @@ def energy(
         ("total", now.total, theme.TOTAL),
     )
     _legend(card, rows)
-    card.put(graph, 0)
-    card.y += graph.height + 3
+    card.put(drawn, 0)
+    card.y += drawn.height + 3
     text = pen.write(_change(start, now), 13)
     card.put(pen.write("change", 13, theme.DIM), 0)
     card.put(text, width - text.width)
@@ -84,6 +84,8 @@ def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
     """Add the energies beside each other, in the colours of their lines."""
     pen, column = card.pen, card.width // len(rows)
     for i, (name, value, color) in enumerate(rows):
-        card.put(pen.write(name, 12, color), i * column)
+        word = pen.write(name, 12, color)
+        card.put(word, i * column)
+        card.put(graph.sample(i, (pen.px(18), word.height)), i * column + word.width + pen.px(5))
         card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
     card.y += pen.height(12) + pen.height(13)

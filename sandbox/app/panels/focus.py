@@ -12,6 +12,8 @@ from sandbox.app.panels.layout import Layout
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import scroll, scrolled
 
+Stop = UIButton | Field | UIHorizontalSlider
+"""What can have the focus."""
 PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
 SLIDING = {pygame.K_LEFT: -1, pygame.K_DOWN: -1, pygame.K_RIGHT: 1, pygame.K_UP: 1}
 RING = 2  # px
@@ -26,10 +28,10 @@ class Focus:
     """Where the keyboard is among the widgets of a window."""
 
     def __init__(self) -> None:
-        self._at: UIElement | None = None
+        self._at: Stop | None = None
         self._known = "", 0  # its words and its place, to find it again when all is built anew
 
-    def element(self, manager: UIManager, layout: Layout) -> UIElement | None:
+    def element(self, manager: UIManager, layout: Layout) -> Stop | None:
         """Return what has the focus; that which has taken its place where all was built anew."""
         if self._at is None or _seen(self._at):
             return self._at
@@ -90,13 +92,14 @@ class Focus:
         surface.set_clip(None)
 
 
-def stops(manager: UIManager, layout: Layout) -> Sequence[UIElement]:
+def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
     """Return what the keyboard goes through, in its order.
 
     That is the page of the side panel, what stands around it, the bar below, the list of levels,
     and what stands on the stage. While a file is chosen it is the dialog alone.
     """
-    found = [each for each in manager.get_sprite_group().sprites() if _is_a_stop(each)]
+    every = [each for each in manager.get_sprite_group().sprites() if isinstance(each, Stop)]
+    found = [each for each in every if _is_a_stop(each)]
     found = [each for each in found if DIALOG in each.most_specific_combined_id] or found
     fields = {id(each.ui_container) for each in found if isinstance(each, Field)}
     kept = [
@@ -107,10 +110,9 @@ def stops(manager: UIManager, layout: Layout) -> Sequence[UIElement]:
     return sorted(kept, key=lambda each: _rank(manager, layout, each))
 
 
-def _is_a_stop(each: object) -> bool:
-    if not isinstance(each, UIButton | Field | UIHorizontalSlider) or not _seen(each):
-        return False
-    return each.is_enabled and not any(p in each.most_specific_combined_id for p in INNER)
+def _is_a_stop(each: Stop) -> bool:
+    inner = any(part in each.most_specific_combined_id for part in INNER)
+    return _seen(each) and each.is_enabled and not inner
 
 
 def _seen(each: UIElement) -> bool:
@@ -132,8 +134,8 @@ def _rank(manager: UIManager, layout: Layout, each: UIElement) -> tuple[int, int
 def _scrolling(manager: UIManager, each: UIElement) -> list[UIScrollingContainer]:
     """Return the containers in which a widget is scrolled."""
     around = []
-    container = each.ui_container
-    while container is not None and container is not manager.get_root_container():
+    container: object = each.ui_container
+    while isinstance(container, UIElement) and container is not manager.get_root_container():
         around.append(container)
         container = container.ui_container
     every = manager.get_sprite_group().sprites()

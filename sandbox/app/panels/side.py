@@ -20,7 +20,7 @@ from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 
 REFRESH = 0.1  # s
-LEAST = 120  # px, of a page that is left to it above the foot
+LEAST = 160  # px, of a page that is left to it above the foot
 
 
 class SidePanel:

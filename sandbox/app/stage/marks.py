@@ -6,7 +6,7 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import lines, signs, theme
 from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage.labels import Labels
@@ -48,14 +48,14 @@ def draw_trail(surface: pygame.Surface, camera: Camera, color: Color, points: Ar
 
 def draw_ghost(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
-    color: Color | None = None,
+    lane: int | None = None,
 ) -> None:  # fmt: skip
     """Draw where a body is by the closed form, or in another run."""
-    color = color or theme.GHOST
+    color = theme.GHOST if lane is None else theme.LANES[lane]
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, color, corners)
+    lines.dashed(surface, color, corners, *signs.dash(lane or 0))
     if lines.near(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)

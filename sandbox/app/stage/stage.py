@@ -120,11 +120,11 @@ class Stage:
     def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
         """Draw the bodies of other runs as dashed outlines."""
         for companion in beside:
-            snapshot, color = companion.world.snapshot, companion.variant.color
+            snapshot, lane = companion.world.snapshot, companion.variant.lane
             for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
-                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, color)
+                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the body that a hand would take hold of at a pixel."""

@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme, wording
+from sandbox.app import lines, signs, theme, wording
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Array
+from sandbox.model.shapes import XY
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
@@ -19,17 +20,23 @@ MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
 
+SIGNED = 4
+"""How many signs stand on a line; those of other lines stand elsewhere along it."""
 DOT = 2.5  # px, the radius of a marked point
 
 
 class Series(NamedTuple):
-    """A line: its colour, its points, whether it is dashed, and whether its points are marked."""
+    """A line: its colour, its points, whether it is dashed, and whether its points are marked.
+
+    A sign stands on it here and there where it has one: others have other signs.
+    """
 
     color: Color
     x: Array
     y: Array
     dashed: bool = False
     marked: bool = False
+    sign: int | None = None
 
 
 class Scale(NamedTuple):
@@ -98,12 +105,21 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
+    if series.sign is not None and points:
+        _sign(surface, series.sign, series.color, points)
     if len(points) < 2:
         return
     if series.dashed:
         lines.dashed(surface, series.color, points)
     elif lines.near(points):
         pygame.draw.aalines(surface, series.color, False, points)
+
+
+def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
+    """Put signs on a line, evenly along it."""
+    count = SIGNED * signs.SIGNS
+    for place in range(which % signs.SIGNS, count, signs.SIGNS):
+        signs.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import lines, signs, theme
 from sandbox.app.pages.race import race
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -73,7 +73,7 @@ def draw(
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
         lines.path(surface, theme.faded(color, 0.6), line, 1)
         for pixel in line:
-            _mark(surface, scheme, color, pixel)
+            signs.sign(surface, _place(scheme), color, pixel)
     if here:
         pygame.draw.aacircle(surface, theme.TEXT, _pixel(here, across, up), 8, 2)
     return surface
@@ -100,20 +100,6 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
     surface.blit(title, place)
 
 
-def _mark(surface: pygame.Surface, scheme: str, color: Color, pixel: XY) -> None:
-    """Draw a point, of a form of its own for each scheme."""
-    x, y = pixel
-    match scheme:
-        case "leapfrog":
-            pygame.draw.aacircle(surface, color, pixel, 4)
-        case "fourth-order":
-            lines.fill(surface, color, [(x, y - 5), (x + 5, y), (x, y + 5), (x - 5, y)])
-        case "symplectic-euler":
-            surface.fill(color, (round(x) - 3, round(y) - 3, 7, 7))
-        case _:
-            lines.fill(surface, color, [(x - 5, y + 4), (x + 5, y + 4), (x, y - 5)])
-
-
 def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     """Draw which mark is which scheme, two a row."""
     schemes = list(dict.fromkeys(point.scheme for point in points))
@@ -122,6 +108,11 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
-        _mark(surface, scheme, colors()[scheme], (x + 6, y + height // 2))
+        signs.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
         surface.blit(pen.write(race.title(scheme), 12, theme.DIM), (x + 16, y))
     return surface
+
+
+def _place(scheme: str) -> int:
+    """Return which sign is that of a scheme."""
+    return list(colors()).index(scheme)
