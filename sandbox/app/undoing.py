@@ -45,13 +45,17 @@ class Undoing:
 
     def __init__(self) -> None:
         self._of: tuple[Session, Level] | None = None
+        self._now: Setup | None = None
+        self._kind: frozenset[str] = frozenset()
+        self._since = inf  # s since the last change
         self._past: list[Setup] = []
         self._future: list[Setup] = []
 
     def follow(self, session: Session, seconds: float) -> None:
         """Note what has changed in some time [s]; another level has nothing to be taken back."""
-        if self._of is None or self._of[0] is not session or self._of[1] is not session.original:
-            self._of = session, session.original
+        before, level = self._now, session.original
+        if before is None or self._of is None or not all(map(_is, self._of, (session, level))):
+            self._of = session, level
             self._past, self._future = [], []
             self._rest(setup(session))
             return
@@ -59,10 +63,10 @@ class Undoing:
         if session.sought is not None:
             return  # on a way back that is not done yet
         now = setup(session)
-        kind = differences(self._now, now)
+        kind = differences(before, now)
         if kind:
             if kind != self._kind or self._since > TOGETHER:
-                self._past = [*self._past, self._now][-MOST:]
+                self._past = [*self._past, before][-MOST:]
             self._future, self._kind, self._since = [], kind, 0.0
         self._now = now
 
@@ -86,7 +90,7 @@ class Undoing:
         self.follow(session, 0.0)
         if not come_from:
             return nothing
-        wanted, before = come_from[-1], self._now
+        wanted, before = come_from[-1], setup(session)
         apply(session, wanted)
         come_from.pop()
         go_to.append(before)
@@ -95,9 +99,7 @@ class Undoing:
 
     def _rest(self, now: Setup) -> None:
         """Take what is the case now as what the next change is a change of."""
-        self._now: Setup = now
-        self._kind: frozenset[str] = frozenset()
-        self._since = inf
+        self._now, self._kind, self._since = now, frozenset(), inf
 
 
 def setup(session: Session) -> Setup:

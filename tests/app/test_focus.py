@@ -23,7 +23,7 @@ def tab(person: Person, *, back: bool = False) -> None:
     pygame.key.set_mods(0)
 
 
-def focused(person: Person) -> focus.UIElement | None:
+def focused(person: Person) -> focus.Stop | None:
     panels = person.window.panels
     return panels.focus.element(panels.manager, panels.layout)
 

@@ -27,7 +27,7 @@ def widgets(person: Person) -> list[UIButton | UITextEntryLine]:
     return [
         each
         for each in person.window.panels.manager.get_sprite_group().sprites()
-        if isinstance(each, UIButton | UITextEntryLine) and each.visible and each.alive()
+        if isinstance(each, UIButton | UITextEntryLine) and each.visible and each.alive()  # type: ignore[no-untyped-call]
     ]
 
 

@@ -147,7 +147,7 @@ def test_the_whole_window_changes_at_once_and_back(person: Person, tmp_path: Pat
     person.open(tmp_path, falling())
     person.wait(0.1)
     places = {"panel": (1100, 200), "stage": (400, 60), "bar": (640, 797), "list": (4, 790 - 60)}
-    seen = {}
+    seen: dict[str, dict[str, tuple[int, int, int]]] = {}
     for name in ("dark", "light", "contrast", "dark"):
         assert theme.used() == name
         now = {where: person.color_at(place) for where, place in places.items()}

@@ -135,7 +135,7 @@ def _scrolling(manager: UIManager, each: UIElement) -> list[UIScrollingContainer
     """Return the containers in which a widget is scrolled."""
     around = []
     container: object = each.ui_container
-    while isinstance(container, UIElement) and container is not manager.get_root_container():
+    while isinstance(container, UIElement):
         around.append(container)
         container = container.ui_container
     every = manager.get_sprite_group().sprites()
