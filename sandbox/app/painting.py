@@ -36,6 +36,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     maker = space.maker
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)
+        if maker is not None:
+            maker.draw_over(view, space.stage, space.pen)
     if space.hand.tape is not None:
         space.hand.tape.draw(view, space.stage.camera, space.pen)
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)

@@ -17,8 +17,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.ensemble.flight import Flight, accepts, suits
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace, count_steps
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
