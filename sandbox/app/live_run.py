@@ -1,5 +1,6 @@
 """A run of the level that is played: what was done to it, and what was observed of it."""
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
@@ -11,6 +12,7 @@ from sandbox.app.clock import Clock
 from sandbox.app.earlier import Earlier, Observed, kept
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
+from sandbox.app.limits import Limits
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace
 from sandbox.app.trail import Trail
@@ -48,6 +50,8 @@ class LiveRun:
         Why it had to stop, or the next one could not be built; None if all is well.
     trying, advice
         Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
+    limits
+        Whether it takes more time or memory than it should.
     trail
         Where the bodies have been.
     history
@@ -96,6 +100,7 @@ class LiveRun:
         self._fork: World | None = None  # from which it branched off last
         self._recorder = Recorder(world, [*needed(original), *milestones.needed(world.level)])
         self._grading = Grading(self._recorder)
+        self.limits = Limits(self._recorder)
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
     @property
@@ -116,7 +121,7 @@ class LiveRun:
 
     def advance(self) -> None:
         """Take a step, its companions too, and note what is observed."""
-        self._do_again()
+        self.catch_up()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
         try:
@@ -129,14 +134,15 @@ class LiveRun:
         self._follow(self.t)
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
-        if self.world.steps <= self.end and not self.world.disturbed:
+        graded = self.world.steps <= self.end and not self.world.disturbed
+        if graded and not self._recorder.full:
             self._recorder.note()
 
     def _follow(self, t: float) -> None:
         for companion in self.companions:
             companion.follow(t)
 
-    def _do_again(self) -> None:
+    def catch_up(self) -> None:
         """Do what was done at this step when the run was taken before."""
         while self.script and self.script[0].step == self.world.steps:
             action, *self.script = self.script
@@ -182,15 +188,26 @@ class LiveRun:
             self.actions.pop()
         self._go_on_in(world, before, action)
 
+    def alter(self, text: str) -> None:
+        """Go on from here as a level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
+        self._go_on_in(perform(action, self.world), self.world, action)
+
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
         """Go on in a world that has branched off from another one, of which something stays."""
-        if before is self.world:
+        if before is self.world and action.kind == "branch":
             self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
         self._fork, self.world, self.ahead = before, world, None
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         self.books = Books(world, self.end)
-        self.trail.restart(world.snapshot.position)
+        self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
 
     def release_what_is_held(self) -> None:

@@ -102,6 +102,18 @@ class ExactJoints(JointSystem):
         self._lay_out((*old.rows, *rows), (*old.others, *others))
         self._struck = True
 
+    def drop(self, name: str) -> None:
+        """Let go of what a joint holds."""
+        stay = np.array([joint != name for joint in self._joints], dtype=bool)
+        old = self.equations
+        rows = [row for row in old.rows if row.joint != name]
+        others = [equation for equation in old.others if equation.joint != name]
+        self.length, self._taut = self.length[stay], self._taut[stay]
+        self.tension, self.added = self.tension[stay], self.added[stay]
+        self._past = []  # the others hold with other forces from now on
+        self._lay_out(rows, others)
+        self._warm_start = self._cold
+
     @property
     def plain(self) -> bool:
         """Whether all are sums of lengths that stay as they are, and are solved together."""
