@@ -25,7 +25,7 @@ import numpy as np
 from sandbox.model import accounts
 from sandbox.model.expressions import Array
 from sandbox.model.joints import Spring, bodies_of, is_exact
-from sandbox.physics.contacts.direct.solver import Stage
+from sandbox.physics.contacts.direct.stages import Stage
 from sandbox.physics.contacts.impulse_work import Kick, completed, pressed, rubbing
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.jerks import reached
