@@ -110,7 +110,7 @@ class Query:
             return known
         keep = [pair not in new for pair in pairs]
         rest = Contacts._make(field[keep] for field in known)
-        return rest.and_(_contacts(new)).in_order()
+        return rest.and_(contacts_of(new)).in_order()
 
     def _found(self, moved: Collection[int]) -> Iterator[tuple[int, int, Touched]]:
         """Yield the rows of two bodies that touch, the lower first, and how."""
@@ -133,7 +133,7 @@ def _deep(contacts: Sequence[Touched], least: float) -> int:
     return sum(dot(here - there, normal) > least for normal, here, there in pairs)
 
 
-def _contacts(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
+def contacts_of(found: dict[tuple[int, int], list[Touched]]) -> Contacts:
     """Return contacts as a step has them, without impulses."""
     rows = [(pair, contact) for pair, contacts in found.items() for contact in contacts]
     count = len(rows)

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.solver import Stage
+from sandbox.physics.contacts.direct.stages import Stage
 from sandbox.physics.contacts.impulse_work import Kick
 from sandbox.physics.energy.attribution import Attribution
 from sandbox.physics.energy.balance import Balance

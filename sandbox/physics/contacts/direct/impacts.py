@@ -37,6 +37,8 @@ def struck(kick: Kick, came: Array, acts: Array, change: Array, *, looks: bool) 
     if not looks:
         return np.zeros(len(jacobian), dtype=bool)
     closing, *others = np.array((came, acts, change)).dot(jacobian.T)
+    if kick.closes:
+        closing = np.where(kick.ahead, 0.0, closing)
     gives = np.maximum(*np.abs(others))
     far: Booleans = closing < -gives
     if not np.count_nonzero(far):  # what is at rest needs no closer look
@@ -60,7 +62,7 @@ def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
     """
     out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
-    out[kick.layout.gaps] = strikes
+    out[kick.layout.gaps] = strikes | kick.ahead
     impulse = _impulses(kick, motion, np.zeros(len(kick.response)), out)
     return motion + impulse @ kick.response, impulse
 
@@ -83,6 +85,7 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     leaves = np.zeros(len(kick.response))
     leaves[layout.gaps] = layout.restitution * np.minimum(rates[layout.gaps], 0.0) * strikes
     none = np.zeros(len(kick.response), dtype=bool)
+    none[layout.gaps] = kick.ahead
     touch, runs = layout.touch, rates.copy()
     runs[layout.slips] += kick.runs
 

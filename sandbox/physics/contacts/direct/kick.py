@@ -7,9 +7,12 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.gap_functions import Features, features
 from sandbox.physics.contacts.direct.layout import Layout
-from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import PLACES, Coordinates, Rows
 from sandbox.physics.joints.exact.shake import ExactJoints
+
+PROUD = 1e-9
+"""m, how deep what closes within a drift comes: touching exactly is not touching."""
 
 
 @dataclass(slots=True)  # not frozen: made in every step
@@ -32,6 +35,8 @@ class Kick:
         (f,), how fast surfaces slip by themselves, as belts do [m/s].
     before, after
         (m,), what the joints keep before and after the drift [m, rad].
+    closes
+        How many of the contacts, the last ones, do not touch yet but within the drift.
     """
 
     joints: ExactJoints
@@ -44,6 +49,7 @@ class Kick:
     runs: Array
     before: Array
     after: Array
+    closes: int = 0
 
     @classmethod
     def at(
@@ -54,6 +60,7 @@ class Kick:
         layout: Layout,
         running: Array,
         lengths: tuple[Array, Array],
+        closes: int = 0,
     ) -> "Kick":
         """Return that of a place.
 
@@ -63,11 +70,15 @@ class Kick:
             (n, 2), how fast the bodies' surfaces run [m/s].
         lengths
             What the joints keep before and after the drift, (m,) each [m, rad].
+        closes
+            How many of the contacts meet only within the drift: the last ones.
         """
         found = features(contacts, layout.touching, place, joints.origin)
         here = rows_at(place, joints, found)
         response, runs = here.jacobian * joints.inverse, _runs(contacts, layout, running)
-        return cls(joints, contacts, layout, found, place, here, response, runs, *lengths)
+        return cls(
+            joints, contacts, layout, found, place, here, response, runs, *lengths, closes=closes
+        )
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere, where bodies push along other directions."""
@@ -99,7 +110,15 @@ class Kick:
         wanted = self.here.total.copy()
         wanted[self.layout.joints] = -self.after
         wanted[self.layout.slips] -= self.joints.drift * self.runs
+        if self.closes:
+            gaps = self.layout.gaps
+            wanted[gaps] = np.where(self.ahead, -PROUD, wanted[gaps])
         return wanted
+
+    @property
+    def ahead(self) -> Booleans:
+        """Which gaps are yet to close: (k,)."""
+        return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
 
     @property
     def blur(self) -> float:

@@ -18,7 +18,6 @@ velocities, with Newton's law of restitution; and on from the step.
 """
 
 from math import nan
-from typing import NamedTuple
 
 import numpy as np
 
@@ -26,42 +25,27 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.foresight import Foresight
+from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
-from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.parting import part
 from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.contacts.direct.stages import Stage, Taken
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, order
-from sandbox.physics.joints.exact.shake import GROWS, ExactJoints
+from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
+
+LOOKS = 30
+"""How often a drift is followed to its end at the most: in a stack that rocks each look finds one
+more box."""
 
 Key = tuple[Integers, Integers, int]
 """What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
-
-
-class Stage(NamedTuple):
-    """A part of a kick with impacts: before them, the impacts, or after them.
-
-    Attributes
-    ----------
-    lasts
-        How long it is; 0 of the impacts [s].
-    velocity
-        (n, 3), the velocities that it ends with [m/s, rad/s].
-    pulls
-        (m,), the impulses along what joints keep; positive where they pull.
-    contacts
-        With the impulses in it.
-    """
-
-    lasts: float
-    velocity: Array
-    pulls: Array
-    contacts: Contacts
 
 
 class Direct:
@@ -115,6 +99,7 @@ class Direct:
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
         self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
+        self._foresight = Foresight(query.bodies, surfaces)
         self._contacts: Contacts = NO_CONTACTS
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
@@ -212,28 +197,58 @@ class Direct:
 
     def _solve_all(self) -> None:
         self._joints.check()
-        begun, acceleration, change = self._spread(self._begun, self._acceleration, self._change)
-        kick = self._look(begun * self._dt)
+        rates = self._spread(self._begun, self._acceleration, self._change)
+        taken = self._take(self._look(rates[0] * self._dt), rates)
+        for _ in range(LOOKS):
+            ahead = self._foresight.look(taken.kick, taken.moved)
+            if ahead is None:
+                break
+            try:
+                taken = self._take(self._meeting(taken.kick, ahead), rates)
+            except (JointFailure, NoForces):
+                break  # found where the drift ends it is in the way no longer
+        self.last, self.stages = taken.impacts, taken.stages
+        self._batch.set_velocity(taken.moved[self._order])
+        self._known.note(taken.kick, taken.forces, taken.active)
+        self._report(taken.kick, taken.total, taken.active)
+
+    def _take(self, kick: Kick, rates: Array) -> Taken:
+        """Return what becomes of a kick.
+
+        Parameters
+        ----------
+        rates
+            (3, 3 N), the velocities before it, what acts in it, and what the last one changed, see
+            `begin`.
+        """
+        begun, acceleration, change = rates
         at_step, lead = begun + acceleration * self._lead, self._lead
         total: Array | float = 0.0
+        stages: tuple[Stage, ...] = ()
+        told = self._calm
         strikes = impacts.struck(
             kick, at_step, acceleration * self._dt, change, looks=self._strikes
         )
         if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
             came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
-            self.stages = self._stage(kick, lead, came, before), self._stage(kick, 0, begun, pushes)
+            stages = self._stage(kick, lead, came, before), self._stage(kick, 0, begun, pushes)
             total = before + pushes
-            self._tell(kick, begun, pushes)
+            told = self._tell(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
-        if self.stages:
-            self.stages = *self.stages, self._stage(kick, rest, moved, impulse)
-        self._batch.set_velocity(moved[self._order])
-        self._known.note(kick, impulse / rest, active)
-        self._report(kick, total + impulse, active)
+        if stages:
+            stages = *stages, self._stage(kick, rest, moved, impulse)
+        return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
+
+    def _meeting(self, kick: Kick, ahead: Contacts) -> Kick:
+        """Return the same kick with rows for what meets within the drift."""
+        contacts = kick.contacts.and_(ahead)
+        layout = lay_out(contacts, self._joints, self._surfaces, self._moves)
+        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
+        return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
 
     def _look(self, leaving: Array) -> Kick:
         """Return the rows where everything is, once overlaps are taken back.
@@ -279,27 +294,8 @@ class Direct:
         return values
 
     def _hold(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Array, Active]:
-        """Return impulses with which all rows hold after the drift, and the velocities then.
-
-        Newton's method begins with the forces of the step before. Where it does not come home, or
-        comes with energy that nothing gave, bodies are jammed: what contacts have to give way by
-        within a step is beyond them, and they are kept at the velocities instead of the places.
-        """
-        wanted, drift = kick.targets(), self._joints.drift
-        guess, active = self._known.guess(kick, motion, length)
-        try:
-            found = newton(kick, kick.layout, kick.rows, motion, drift, wanted, guess, active)
-            if self._joints.kinetic(found[1]) <= GROWS * self._joints.kinetic(motion):
-                return found
-        except (JointFailure, NoForces):
-            pass
-        none = np.zeros_like(guess)
-        found = newton(kick, kick.layout, kick.flat_rows, motion, drift, wanted, none, active)
-        joints = kick.layout.joints
-        if joints.stop and not self._driven():
-            work = (found[0] * (kick.here.jacobian @ (motion + found[1])))[joints]
-            self._joints.refuse_gain(motion, found[1], work)
-        return found
+        """Return impulses with which all rows hold after the drift, and the velocities then."""
+        return hold(kick, motion, self._known.guess(kick, motion, length), driven=self._driven())
 
     def _driven(self) -> bool:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
@@ -311,8 +307,8 @@ class Direct:
         pulls = impulse[kick.layout.joints]
         return Stage(lasts, ended[self._order], pulls, kick.pushing(impulse))
 
-    def _tell(self, kick: Kick, left: Array, pushes: Array) -> None:
-        """Note what impacts did."""
+    def _tell(self, kick: Kick, left: Array, pushes: Array) -> Impacts:
+        """Return what impacts did."""
         jump = (pushes @ kick.response)[self._order]
         reached = np.zeros(len(jump), dtype=bool)
         for rows, _, _ in kick.layout.islands:
@@ -320,7 +316,7 @@ class Direct:
                 response = kick.response[rows][:, self._order]
                 reached |= response.any(axis=(0, 2))
         jump = np.where(reached[:, None], jump, 0.0)
-        self.last = Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
+        return Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""

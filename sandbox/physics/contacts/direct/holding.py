@@ -1,0 +1,69 @@
+"""The impulses with which what rests and what is joined holds after a drift."""
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.joints.exact.shake import GROWS
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+GIVES = 1e-3
+"""The share of the kinetic energy that surfaces may give in a kick by pressing on each other: they
+give none but for what a step is too long for. Seen are 2e-4 in what is smooth, and 8e-2 where heavy
+bodies squeeze out a light one between them."""
+
+Held = tuple[Array, Array, Active]
+"""Impulses, (r,), the velocities with them, (3 N,), and which rows hold."""
+
+
+def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
+    """Return impulses with which all rows hold after the drift, and the velocities then.
+
+    Newton's method begins with the forces of the step before. Where it does not come home, or
+    comes with energy that nothing gave, bodies are jammed, or squeezed out: what contacts have to
+    give way by within a step is beyond them, and they are kept at the velocities instead of the
+    places, which never gives energy.
+
+    Parameters
+    ----------
+    motion
+        (3 N,), the velocities without impulses [m/s, rad/s].
+    guess
+        The impulses, and which rows hold.
+    driven
+        Whether surfaces that run, or kinematic bodies, may give energy.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    joints, wanted, (impulse, active) = kick.joints, kick.targets(), guess
+    found: Held | None = None
+    try:
+        found = newton(kick, kick.layout, kick.rows, motion, joints.drift, wanted, impulse, active)
+        grown = joints.kinetic(found[1]) > GROWS * joints.kinetic(motion)
+        if not (grown or _squeezes(kick, motion, found)):
+            return found
+    except (JointFailure, NoForces):
+        grown = True
+    none = 0.0 * impulse
+    try:
+        flat = newton(kick, kick.layout, kick.flat_rows, motion, joints.drift, wanted, none, active)
+    except (JointFailure, NoForces):
+        if found is None or grown:
+            raise
+        return found
+    held = kick.layout.joints
+    if held.stop and not driven:
+        work = (flat[0] * (kick.here.jacobian @ (motion + flat[1])))[held]
+        joints.refuse_gain(motion, flat[1], work)
+    return flat
+
+
+def _squeezes(kick: Kick, motion: Array, found: Held) -> bool:
+    """Return whether surfaces give energy by pressing on each other."""
+    impulse, moved, _ = found
+    gaps = kick.layout.gaps
+    work = float(impulse[gaps] @ (kick.here.jacobian[gaps] @ (motion + moved))) / 2
+    return work > GIVES * kick.joints.kinetic(motion)
