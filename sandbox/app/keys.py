@@ -40,7 +40,8 @@ SHOWING = (
     Binding("zoom out", "Shift Z", "zoom out", (), "Z"),
     Binding("levels", "L", "show or hide the levels", (), "lL"),
     Binding("panel", "P", "show or hide the panel", (), "pP"),
-    Binding("energy", "E", "energy as a graph or as bars", (), "eE"),
+    Binding("checks", "2", "the checks of the level", (), "2"),
+    Binding("energy", "E", "energy as a graph, as bars, or folded", (), "eE"),
 )
 
 WINDOW = (

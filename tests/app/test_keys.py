@@ -14,7 +14,7 @@ def pressed(key: int, text: str = "", mod: int = 0) -> str | None:
 
 
 def test_every_command_of_the_window_has_exactly_one_line_in_the_table(person: Person) -> None:
-    assert sorted(b.command for b in BINDINGS) == sorted(person.window._commands)
+    assert sorted(b.command for b in BINDINGS) == sorted(person.window.commands.names)
 
 
 def test_no_key_has_two_meanings() -> None:

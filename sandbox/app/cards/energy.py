@@ -29,12 +29,18 @@ def energy(
     _legend(card, rows)
     card.put(graph, 0)
     card.y += graph.height + 3
-    drift = now.total - start.total
-    relative = f"  ({wording.share(drift / abs(start.total))})" if start.total else ""
-    text = pen.write(f"{wording.quantity(drift, 'J', 3)}{relative}", 13)
+    text = pen.write(_change(start, now), 13)
     card.put(pen.write("change", 13, theme.DIM), 0)
     card.put(text, width - text.width)
     card.y += text.height
+    return card.drawn()
+
+
+def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
+    """Draw the sum of the energies alone, and what has become of it."""
+    card = Card(pen, width)
+    card.heading("Energy")
+    card.text(f"{wording.quantity(now.total, 'J', 4)}, change {_change(start, now)}", 13)
     return card.drawn()
 
 
@@ -64,6 +70,13 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         card.put(bar(length, value / scale if scale else 0.0, color), LABEL, 5)
         card.y += pen.height(13) + 1
     return card.drawn()
+
+
+def _change(start: Energies, now: Energies) -> str:
+    """Tell by how much the sum has changed, and by which share of it."""
+    change = now.total - start.total
+    share = f"  ({wording.share(change / abs(start.total))})" if start.total else ""
+    return f"{wording.quantity(change, 'J', 3)}{share}"
 
 
 def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:

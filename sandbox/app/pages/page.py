@@ -72,6 +72,10 @@ class OnStage(Protocol):
         """Draw what is made on the stage's surface; return whether that stands for the run."""
         ...
 
+    def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
+        """Draw over the run, where that is drawn."""
+        ...
+
 
 class Desk(NamedTuple):
     """What a page works with."""

@@ -116,10 +116,10 @@ class LevelList:
 
     def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
         """Make the buttons that lead to other levels, with the commands that they call for."""
-        half = (width - MARGIN) // 2
-        ways = (("home", "Home"), ("open file", "Open …"))
-        for x, (command, text) in zip((MARGIN, MARGIN + width - half), ways, strict=True):
-            place = pygame.Rect(x, MARGIN, half, FIELD)
+        ways = (("home", "Home"), ("new scene", "New"), ("open file", "Open …"))
+        each = (width + MARGIN) // len(ways)
+        for i, (command, text) in enumerate(ways):
+            place = pygame.Rect(MARGIN + i * each, MARGIN, each - MARGIN, FIELD)
             yield (
                 UIButton(place, text, manager, container=self.column, tool_tip_text=tip(command)),
                 command,

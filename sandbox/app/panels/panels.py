@@ -29,6 +29,8 @@ from sandbox.model.errors import SandboxError
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
+    from sandbox.app.panels.foot import View
+
 
 class Panels:
     """The widgets of the window; they are built anew when its size or its level changes.
@@ -43,8 +45,8 @@ class Panels:
         The two columns; None while they are hidden.
     controls
         The bar below.
-    graph
-        Whether the energies are drawn as a graph, and not as bars.
+    energy
+        How the energy is shown.
     page
         The command of the side panel's tab that is chosen.
     refusal
@@ -58,7 +60,7 @@ class Panels:
     def __init__(self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load) -> None:
         self._pen, self._workers, self._load = pen, workers, load
         self._hidden: set[str] = set()
-        self.graph = True
+        self.energy: View = "graph"
         self._advised: float | None = None
         self.list: LevelList | None = None
         self.side: SidePanel | None = None
@@ -103,7 +105,7 @@ class Panels:
                 layout.side,
                 session,
                 page=self.page,
-                as_graph=self.graph,
+                view=self.energy,
                 workers=self._workers,
                 load=self._load,
             )

@@ -85,8 +85,10 @@ class Parameters:
         return Row(parameter, slider, field, text)
 
     def show(self, values: Values) -> None:
-        """Show other values."""
+        """Show other values; what has none any more stays as it was shown."""
         for name, row in self._rows.items():
+            if name not in values:
+                continue
             text = wording.setting(values[name])
             if text != row.shown or not row.field.is_focused:
                 if row.field.get_text() != text:

@@ -13,6 +13,8 @@ from sandbox.app.theme import Color
 from sandbox.model.expressions import Array
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
+ROUNDING = 1e-12
+"""What differs less is drawn as a straight line, in whatever unit."""
 MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
@@ -60,7 +62,7 @@ def scale(values: Sequence[Array], start: float, end: float, room: float) -> Sca
     finite = [v[np.isfinite(v)] for v in values]
     known = np.concatenate(finite) if finite else np.zeros(0)
     low, high = (float(known.min()), float(known.max())) if len(known) else (0.0, 1.0)
-    least = 1e-9 * max(abs(low), abs(high), 1e-9)  # what differs less is rounding
+    least = max(1e-9 * max(abs(low), abs(high)), ROUNDING)
     spread = high - low if high - low > least else max(abs(high), 1.0)
     middle = (low + high) / 2
     half = spread * (0.5 + room)

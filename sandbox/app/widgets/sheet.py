@@ -40,6 +40,8 @@ class Sheet:
         What stays above it while it is scrolled; of no height unless a page pins some.
     parameters
         The parameters' fields and sliders; none unless a page puts some.
+    checks
+        The picture of the checks; None unless a page puts it.
     typed
         Other fields that can be typed into, in place of those; None unless a page puts some.
     """
@@ -52,6 +54,7 @@ class Sheet:
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
         nowhere = pygame.Rect(0, 0, 0, 0)
         self.parameters = Parameters(manager, pen, self.container, nowhere, {}, {})
+        self.checks: UIImage | None = None
         self.typed: Typed | None = None
 
     def image(self, surface: pygame.Surface, y: int) -> UIImage:

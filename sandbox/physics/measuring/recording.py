@@ -197,6 +197,11 @@ class Recorder:
         if len(self._fresh) == self._many:
             self._measure()
 
+    @property
+    def full(self) -> bool:
+        """Whether so many instants are noted that memory should hold no more."""
+        return self._count >= self._most
+
     def require(self, count: int) -> None:
         """Refuse to record so many instants, if they are more than memory should hold.
 

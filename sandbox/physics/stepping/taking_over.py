@@ -1,4 +1,4 @@
-"""A world that begins where another one stands, at a later step, with other parameters.
+"""A world that begins where another one stands, at a later step, with other parameters or parts.
 
 What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
 those half a kick before and after. From there the new world is started like any other, with half a
@@ -7,8 +7,11 @@ the old world have half a kick of the old forces in them, so to hand these on wo
 Δa h/2. Impulses that solvers remember, and whether a contact sticks, are found out anew.
 """
 
+from collections.abc import Mapping
+
 import numpy as np
 
+from sandbox.model.expressions import Array
 from sandbox.physics.joints.cutting import let_go
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.snapshot import Snapshot
@@ -29,14 +32,45 @@ def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
     before
         That of the old one: what has been welded, cut or switched since its start stays so.
     """
-    scene, clock = setup.scene, setup.kicks.clock
-    clock.steps = steps
-    parts = now.position, now.angle, now.velocity, now.angular_velocity
-    scene.batch.set_state(np.column_stack(parts))
-    for body in scene.bodies.values():
-        scene.space.reindex_shapes_for_body(body)
+    setup.scene.batch.set_state(_states(now))
     _weld(setup, before)
     _happen(setup, before)
+    _begin_at(setup, steps)
+
+
+def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int]) -> None:
+    """Let a scene begin as its level says, but at a later step.
+
+    Parameters
+    ----------
+    setup
+        Of the new world, before its stages are made.
+    now
+        The state of the old one.
+    steps
+        How many it has taken: time goes on from there.
+    rows
+        The rows of its bodies there: those that follow formulas of the time are where these say.
+    """
+    batch, before = setup.scene.batch, _states(now)
+    state = np.column_stack((batch.state()[:, :3], batch.velocity()))
+    for row, (name, body) in enumerate(setup.level.bodies.items()):
+        if body.motion is not None and name in rows:
+            state[row] = before[rows[name]]
+    batch.set_state(state)
+    _begin_at(setup, steps)
+
+
+def _states(now: Snapshot) -> Array:
+    return np.column_stack((now.position, now.angle, now.velocity, now.angular_velocity))
+
+
+def _begin_at(setup: Setup, steps: int) -> None:
+    """Let time go on from a step, with the bodies where they are now."""
+    scene, clock = setup.scene, setup.kicks.clock
+    clock.steps = steps
+    for body in scene.bodies.values():
+        scene.space.reindex_shapes_for_body(body)
     if together := scene.joints.together:
         together.go_on(clock.after(0))
     if scene.direct:

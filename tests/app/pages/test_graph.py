@@ -98,6 +98,8 @@ def test_ticks_are_round_few_and_inside(low: float, high: float) -> None:
 def test_what_hardly_changes_is_drawn_beyond_an_offset_and_rounding_is_a_straight_line() -> None:
     noise = plot.scale([np.array([5.0, 5.0 + 1e-14])], 0, 1, 0.06)
     assert noise.high - noise.low > 1
+    at_rest = plot.scale([np.array([-3e-14, 4e-14])], 0, 1, 0.06)
+    assert at_rest.high - at_rest.low > 1
 
     nothing = plot.scale([np.array([np.nan, np.inf])], 0, 1, 0.06)
     assert np.isfinite([nothing.low, nothing.high]).all()
@@ -125,6 +127,29 @@ def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> Non
     person.press(pygame.K_o, "o")
     person.press(pygame.K_d, "d")
     assert set(page(person).up.get_multi_selection()) == {"ball.position.x", "ball.position.y"}
+
+
+def test_some_letters_find_a_quantity_and_what_was_chosen_before_stays(person: Person) -> None:
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_d, "d")
+    choice = person.window.workers.of(Choice)
+    before = choice.up(person.session)
+
+    person.click(page(person).sought.rect)
+    person.type("ball3.energy")
+    person.wait(0.1)
+    assert [each["text"] for each in page(person).up.item_list] == ["ball3.energy"]
+    person.click(row(page(person), "ball3.energy").rect)
+    person.wait(0.1)
+
+    assert choice.up(person.session) == (*before, "ball3.energy")
+
+
+def test_what_never_moves_comes_last() -> None:
+    names = offered(load(catalog.find("momentum/cradle")))
+
+    assert names[0].startswith("ball1.")
+    assert names[-1].startswith("beam.")
 
 
 def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> None:

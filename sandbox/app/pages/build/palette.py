@@ -42,8 +42,8 @@ class Palette:
         editor, session = self._editor, self._session
         acts: tuple[tuple[str, str, Callable[[], object]], ...] = (
             ("New", "an empty scene: the ground alone (Ctrl N)", partial(editor.new, session)),
-            ("Undo", "", partial(self._step, editor.work.undo)),
-            ("Redo", "", partial(self._step, editor.work.redo)),
+            ("Undo", "", partial(editor.undo, session)),
+            ("Redo", "", partial(editor.redo, session)),
             ("Save", "save it to its file (Ctrl S)", editor.save),
             ("Save as", "save it under another name (Ctrl Shift S)", editor.save_as),
         )
@@ -94,13 +94,9 @@ class Palette:
             act()
         return act is not None
 
-    def _step(self, act: Callable[[], None]) -> None:
-        self._editor.back(self._session)
-        act()
-
     def _take(self, tool: str) -> None:
-        self._editor.back(self._session)
         self._editor.choose(tool)
+        self._editor.go_on(self._session)
 
     def _join(self, kind: str) -> None:
         self._editor.joining.use(kind)
@@ -111,7 +107,8 @@ class Palette:
         editor, draft = self._editor, self._editor.work.draft
         for kind in TOOLS:
             press(self._buttons[kind.name], kind.name == editor.tool)
-        for name, key, said in (("Undo", "Ctrl Z", draft.undoes), ("Redo", "Ctrl Y", draft.redoes)):
+        undoes, redoes = editor.undoes(self._session), editor.redoes(self._session)
+        for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
             allow(self._buttons[name], said is not None)
             self._buttons[name].set_tooltip(f"{said} ({key})" if said else None, delay=0.6)
         allow(self._buttons["Save"], draft.changed or draft.path is None)

@@ -78,13 +78,14 @@ class BuildPage:
             return True
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
+            self._editor.look(self._session)
             act.do()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:
-            inspection.parametrise(self._editor.work, line.entry)
+            inspection.parametrise(self._editor.bench, line.entry)
             return
         means = next(means for button, means in line.choices.items() if button is element)
         self._assign(line, means)
@@ -108,7 +109,8 @@ class BuildPage:
         return self._assign(line, line.shown)
 
     def _assign(self, line: Line, typed: str) -> bool:
-        entry, work = line.entry, self._editor.work
+        self._editor.look(self._session)
+        entry, work = line.entry, self._editor.bench
         why = inspection.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
@@ -140,12 +142,12 @@ class BuildPage:
 
     def update(self) -> None:
         """Show what is new; what stands there already is kept."""
-        selected = self._editor.work.selected
+        selected = self._editor.bench.selected
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
         self.palette.update()
-        rows, numbers = inspection.rows(self._editor.work), inspection.numbers(self._editor.work)
+        rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
             selected, self._editor.naming, [block.shape for part in blocks for block in part],

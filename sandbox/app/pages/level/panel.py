@@ -43,7 +43,7 @@ class LevelPage:
             place = pygame.Rect(0, y + 4, width, SWITCH)
             self.onwards = sheet.button(place, "Changes act from now on", TIP)
             y += SWITCH + 6
-        self._checks = sheet.image(self._drawn(), y + 8)
+        self._checks = sheet.checks = sheet.image(self._drawn(), y + 8)
         sheet.end(below(self._checks) + 2)
 
     def process(self, event: pygame.event.Event) -> str | None:
