@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
@@ -18,10 +19,12 @@ from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.model import locating
+
+if TYPE_CHECKING:
+    from sandbox.app.widgets.field import Field
 
 Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
 
@@ -126,10 +129,6 @@ class BuildPage:
 
     # fields, as the window goes through them
 
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        return self.inspector.focus(direction)
-
     def revert(self) -> None:
         """Let all fields say again what is the case, and ask for no name any more."""
         self._refused.clear()
@@ -181,15 +180,15 @@ class BuildPage:
         self._put(above)
         self._put_name()
         self._put(below)
-        self._column.y += 2 * GAP
+        self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused)
         self._put(last)
-        self._sheet.end(self._column.y + GAP)
+        self._sheet.end(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
-            self._column.y += GAP
-            if block.color is None:
+            self._column.y += self._sheet.px(GAP)
+            if block.heading:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)
@@ -201,7 +200,7 @@ class BuildPage:
         if self._editor.naming:
             typed = before.get_text() if before is not None else str(self._editor.proposed)
             self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
-            self._column.y += HEIGHT + GAP
+            self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:
