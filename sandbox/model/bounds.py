@@ -117,6 +117,13 @@ class Strength(Expression):
     most = 1e40
 
 
+class Ratio(Expression):
+    """How many times as far one thing turns as another."""
+
+    __slots__ = ()
+    most = 1e6
+
+
 class Power(Expression):
     """The power of a distance."""
 

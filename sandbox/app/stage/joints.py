@@ -1,5 +1,6 @@
 """Joints: each kind with a look of its own."""
 
+from cmath import phase
 from collections.abc import Callable, Mapping, Sequence
 from math import acos, atan2, cos, hypot, pi, sin, tau
 
@@ -8,24 +9,34 @@ import pygame
 from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.stage import strings
+from sandbox.model.expressions import Values
 from sandbox.model.joints import (
+    AngleStop,
+    Gear,
+    Held,
     Joint,
     Motor,
     Pivot,
     Pulley,
+    Rack,
     Rail,
     Rod,
     Rope,
     Spring,
+    Stop,
     Weld,
     Winding,
     Wire,
 )
-from sandbox.model.shapes import XY
+from sandbox.model.shapes import XY, evaluate
 
 COILS = 9
 COIL = 7.0  # px, how far a coil stands out
 STRAIGHT = 10.0  # px, the wire at both ends of a coil
+TEETH = 10
+COG = 9.0  # px, how large a wheel with teeth is
+WALL = 14.0  # px, how far a stop reaches to either side
+RAY = 30.0  # px, how far from its pin a stop of an angle is seen
 SAG = 0.12
 """How far a slack rope hangs down, of its length on the screen."""
 
@@ -116,6 +127,75 @@ def _motor(surface: pygame.Surface, corners: Sequence[XY], slack: bool) -> None:
     _pivot(surface, corners, slack)
 
 
+def _cog(surface: pygame.Surface, center: XY) -> None:
+    """Draw a small wheel with teeth."""
+    for i in range(TEETH):
+        angle = tau * i / TEETH
+        begin, end = (
+            (center[0] + r * cos(angle), center[1] + r * sin(angle)) for r in (COG, COG + 4.0)
+        )
+        lines.stroke(surface, theme.SURFACE_EDGE, begin, end, 3)
+    pygame.draw.aacircle(surface, theme.SURFACE_EDGE, center, COG, 2)
+
+
+def _gear(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    """Draw a wheel with teeth in each of two, joined by dashes."""
+    lines.dashed(surface, theme.SURFACE_EDGE, corners[:2], 5, 4)
+    for corner in corners[:2]:
+        _cog(surface, corner)
+
+
+def _rack(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    """Draw a wheel with teeth, and dashes to the bar that it moves."""
+    lines.dashed(surface, theme.SURFACE_EDGE, corners[:2], 5, 4)
+    _cog(surface, corners[1])
+
+
+def _stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    """Draw two walls across the way between them."""
+    (ax, ay), (bx, by) = corners[:2]
+    length = hypot(bx - ax, by - ay)
+    if not length:
+        return
+    across = -(by - ay) / length * WALL, (bx - ax) / length * WALL
+    lines.dashed(surface, theme.SURFACE_EDGE, corners[:2], 3, 6)
+    for x, y in corners[:2]:
+        ends = (x - across[0], y - across[1]), (x + across[0], y + across[1])
+        lines.stroke(surface, theme.STRING, *ends, 4)
+
+
+def _angle_stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
+    """Draw two rays from a pin, as far as one may turn."""
+    center, *limits = corners
+    for x, y in limits:
+        length = hypot(x - center[0], y - center[1])
+        if length:
+            ux, uy = (x - center[0]) / length, (y - center[1]) / length
+            begin, end = ((center[0] + r * ux, center[1] + r * uy) for r in (9.0, RAY))
+            lines.stroke(surface, theme.STRING, begin, end, 3)
+
+
+def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
+    """Return where the stops of a way are [m], of what is stopped and what it is counted from."""
+    way = complex(*evaluate(joint.direction, values))
+    start = complex(*path[1])
+    places = [start + way / abs(way) * limit(values) for limit in joint.range]
+    return [(place.real, place.imag) for place in places]
+
+
+def rays(joint: AngleStop, center: XY, angle: float, values: Values) -> list[XY]:
+    """Return a pin and points in the directions of the stops around it [m].
+
+    The angle is that of what the stops are counted from [rad]. A body that is held off its centre
+    is seen on the side of that.
+    """
+    held = joint.ends[1]
+    at = complex(*evaluate(held.at, values)) if isinstance(held, Held) else 0j
+    angle += phase(-at) if at else 0.0
+    found = [angle + limit(values) for limit in joint.range]
+    return [center, *((center[0] + cos(a), center[1] + sin(a)) for a in found)]
+
+
 def _weld(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:
     lines.path(surface, theme.SURFACE_EDGE, corners, 6)
 
@@ -153,8 +233,12 @@ LOOKS: Mapping[type, Look] = {
     Motor: _motor,
     Weld: _weld,
     Winding: _winding,
+    Gear: _gear,
+    Rack: _rack,
+    Stop: _stop,
+    AngleStop: _angle_stop,
 }
 """What each kind looks like; any other is drawn plainly."""
 
-IN_FRONT = (Pivot, Motor, Winding)
+IN_FRONT = (Pivot, Motor, Winding, Gear, Rack, AngleStop)
 """The kinds that go through bodies or around them, drawn over them; others end behind them."""

@@ -19,7 +19,7 @@ from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
 from sandbox.app.text import Pen
 from sandbox.app.trail import Trail
-from sandbox.model.joints import Rail, Winding, body_of
+from sandbox.model.joints import AngleStop, Rail, Stop, Winding, body_of
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.state.anchor import Plane
 from sandbox.physics.stepping.world import World
@@ -231,6 +231,12 @@ class Stage:
             path = [(float(place.real), float(place.imag)) for place in places]
             if isinstance(joint, Winding):
                 path = joints.around(path[0], path[1], world.scene.joints.radii[name], joint)
+            elif isinstance(joint, Stop):
+                path = joints.limits(joint, path, world.values)
+            elif isinstance(joint, AngleStop):
+                base = paths[name][0].body
+                angle = 0.0 if base is None else float(snapshot.angle[base])
+                path = joints.rays(joint, path[1], angle, world.values)
             slack = snapshot.tension[row] == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
 

@@ -116,6 +116,44 @@ def _rail(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     return {**_line(chosen, where), "direction": list(xy(way)) if abs(way) > CENTRAL else [1, 0]}
 
 
+def _stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return stops between which the first may go on as far as it is from the second, and back."""
+    line = _rail(chosen, where)
+    far = abs(complex(*chosen[1].point) - complex(*chosen[0].point)) or 1.0
+    return {**line, "range": [plain(-far), plain(far)]}
+
+
+def _angle_stop(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return stops a quarter turn either way of where the second is, as seen from the first."""
+    now = [_angle(where[pick.body]) if pick.body else 0.0 for pick in chosen[:2]]
+    start = now[1] - now[0]
+    return {**_pin(chosen, where), "range": [plain(start - pi / 2), plain(start + pi / 2)]}
+
+
+def _angle(one: Placed) -> float:
+    return one.body.angle(one.values)
+
+
+def _gear(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a gear of two wheels that mesh from outside."""
+    wheels = [where[pick.body] for pick in chosen[:2] if pick.body is not None]
+    if len(wheels) < 2:
+        raise SandboxError("a gear ties two wheels to each other; pick two bodies")
+    first, second = (wheel.radius or 1.0 for wheel in wheels)
+    return {"ends": [pick.body for pick in chosen[:2]], "ratio": plain(-first / second)}
+
+
+def _rack(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
+    """Return a bar and the wheel that meshes with it, on the side of the wheel where the bar is."""
+    wheel = chosen[1].body
+    if wheel is None:
+        raise SandboxError("a rack is moved by a wheel; pick the wheel as the second point")
+    radius = where[wheel].radius or 1.0
+    above = chosen[0].point[1] > where[wheel].center.imag
+    ends = [end(chosen[0], where), wheel]
+    return {"ends": ends, "radius": plain(radius), "direction": [-1 if above else 1, 0]}
+
+
 def _winding(chosen: list[Pick], where: Bodies) -> dict[str, Json]:
     wheel = chosen[1].body
     if wheel is None:
@@ -153,6 +191,10 @@ _MADE: Mapping[str, Callable[[list[Pick], Bodies], dict[str, Json]]] = {
     "pivot": _pin,
     "motor": _motor,
     "rail": _rail,
+    "stop": _stop,
+    "angle_stop": _angle_stop,
+    "gear": _gear,
+    "rack": _rack,
     "winding": _winding,
     "spring": _spring,
     "wire": _wire,

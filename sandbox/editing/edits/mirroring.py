@@ -9,7 +9,19 @@ from sandbox.editing.layout import Json
 from sandbox.editing.patches import Changes, put_all
 from sandbox.editing.placed import around, chosen
 from sandbox.model.expressions import Expression, Values
-from sandbox.model.joints import Held, Joint, Motor, Rail, Winding, Wire, bodies_of, ends_of
+from sandbox.model.joints import (
+    AngleStop,
+    Held,
+    Joint,
+    Motor,
+    Rack,
+    Rail,
+    Stop,
+    Winding,
+    Wire,
+    bodies_of,
+    ends_of,
+)
 from sandbox.model.level import Body, Level
 from sandbox.model.locating import Path
 from sandbox.model.shapes import Arc, Curve, Polygon, Polyline, Segment, points_of
@@ -79,17 +91,32 @@ class _Mirror:
         for step, end in ends_of(joint):
             if isinstance(end, tuple):
                 changes[*path, *step] = self._place(end)
+        return changes | self._ways(path, joint) | self._turns(path, joint)
+
+    def _ways(self, path: Path, joint: Joint) -> Changes:
+        """Return what changes of the ways along which a joint lets its ends go."""
         match joint:
-            case Rail(direction=direction):
-                changes[*path, "direction"] = self._flipped(direction)
+            case Rail(direction=direction) | Stop(direction=direction):
+                return {(*path, "direction"): self._flipped(direction)}
+            case Rack(direction=direction):  # the wheel turns the other way round
+                told: list[Json] = [along.source for along in direction]
+                told[1 - self._index] = negative(direction[1 - self._index])
+                return {(*path, "direction"): told}
+            case Wire(curve=curve):
+                return {(*path, "curve"): self._place(curve)}
+        return {}
+
+    def _turns(self, path: Path, joint: Joint) -> Changes:
+        """Return what changes of how a joint turns."""
+        match joint:
+            case AngleStop(range=(least, most)):
+                return {(*path, "range"): [negative(most), negative(least)]}
             case Motor(rate=rate):
-                changes[*path, "rate"] = negative(rate)
+                return {(*path, "rate"): negative(rate)}
             case Winding(unwinds=way):
                 other = "clockwise" if way == "counterclockwise" else "counterclockwise"
-                changes[*path, "unwinds"] = other
-            case Wire(curve=curve):
-                changes[*path, "curve"] = self._place(curve)
-        return changes
+                return {(*path, "unwinds"): other}
+        return {}
 
     def held(self, path: Path, joint: Joint, names: Collection[str]) -> Changes:
         """Return what changes of the points that a joint holds of mirrored bodies."""

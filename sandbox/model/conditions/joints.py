@@ -11,17 +11,22 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.joints import (
+    AngleStop,
+    Gear,
     Joint,
     Motor,
     Pivot,
     Pulley,
+    Rack,
     Rail,
     Rod,
     Rope,
     Spring,
+    Stop,
     Winding,
     Wire,
     bodies_of,
+    body_of,
 )
 from sandbox.model.level import Level, place, span
 from sandbox.model.parts import names_in
@@ -49,7 +54,8 @@ def conditions(level: Level) -> Iterator[Condition]:
 def _turning_fault(joint: Joint, level: Level, _values: Values) -> str | None:
     """Say that what a joint turns cannot; a run in which rotation is switched off may do that."""
     wheel = level.bodies[joint.ends[1]].type == "dynamic" if isinstance(joint, Winding) else False
-    if level.effects.rotation or not (wheel or isinstance(joint, Motor)):
+    turns = isinstance(joint, Motor | Gear | Rack | AngleStop)
+    if level.effects.rotation or not (wheel or turns):
         return None
     return f"'{joint.type}' is used but the effect 'rotation' is not declared"
 
@@ -82,20 +88,55 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
             return f"a {joint.type}'s two points must be one, but they are {distance:g} m apart"
         case Winding(radius=radius):
             return _winding_fault(distance, radius(values))
-        case Rail():
-            return _rail_fault(joint, level, values)
+        case Rail() | Stop() | AngleStop() | Rack():
+            return _way_fault(joint, level, values)
     return None
 
 
-def _rail_fault(rail: Rail, level: Level, values: Values) -> str | None:
-    way = complex(*evaluate(rail.direction, values))
+def _way_fault(joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values) -> str | None:
+    """Say what is wrong with the way along which a joint lets its ends go."""
+    if isinstance(joint, AngleStop):
+        return _angle_fault(joint, level, values)
+    way = complex(*evaluate(joint.direction, values))
     if not abs(way) > NEAR:
-        return "a rail needs a 'direction' that is not [0, 0]"
-    runs, through = (place(end, level.bodies, values) for end in rail.ends)
-    off = abs(((runs - through) * way.conjugate()).imag) / abs(way)
-    if off > NEAR:
-        return f"what runs on a rail must start on it, but it is {off:g} m beside it"
+        return f"a {joint.type} needs a 'direction' that is not [0, 0]"
+    if isinstance(joint, Rack):
+        return None
+    first, second = (place(end, level.bodies, values) for end in joint.ends)
+    beyond = (first - second) * way.conjugate() / abs(way)
+    return (
+        _rail_fault(beyond.imag)
+        if isinstance(joint, Rail)
+        else _stop_fault(joint, beyond.real, values)
+    )
+
+
+def _rail_fault(aside: float) -> str | None:
+    if abs(aside) > NEAR:
+        return f"what runs on a rail must start on it, but it is {abs(aside):g} m beside it"
     return None
+
+
+def _stop_fault(stop: Stop, along: float, values: Values) -> str | None:
+    least, most = (limit(values) for limit in stop.range)
+    return _range_fault(along, (least, most), "m")
+
+
+def _angle_fault(stop: AngleStop, level: Level, values: Values) -> str | None:
+    names = [body_of(end) for end in stop.ends]
+    first, second = (0.0 if n is None else level.bodies[n].angle(values) for n in names)
+    least, most = (limit(values) for limit in stop.range)
+    return _range_fault(second - first, (least, most), "rad")
+
+
+def _range_fault(start: float, limits: tuple[float, float], unit: str) -> str | None:
+    """Say that what is to stay between two stops does not start there."""
+    least, most = limits
+    if not least < most:
+        return f"a 'range' runs from the smaller to the larger, not from {least:g} to {most:g}"
+    if least - NEAR <= start <= most + NEAR:
+        return None
+    return f"it starts at {start:g} {unit}, beyond the stops at {least:g} and {most:g} {unit}"
 
 
 def _rod_fault(distance: float, long: float) -> str | None:

@@ -7,11 +7,10 @@ level asks for pymunk's own. A spring is a force.
 from collections.abc import Iterator, Mapping
 from typing import Annotated, ClassVar, Literal, get_args
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import (
-    Coordinate,
     Damping,
     Extent,
     LengthOverTime,
@@ -22,45 +21,20 @@ from sandbox.model.bounds import (
 )
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Curve, Expression
-from sandbox.model.joints.contract import Kind, kinds
+from sandbox.model.joints.contract import FIXED, Kind, kinds
+from sandbox.model.joints.ends import ENDS as ENDS
+from sandbox.model.joints.ends import End as End
+from sandbox.model.joints.ends import Held as Held
+from sandbox.model.joints.gears import Gear as Gear
+from sandbox.model.joints.gears import Rack as Rack
+from sandbox.model.joints.stops import AngleStop as AngleStop
+from sandbox.model.joints.stops import Stop as Stop
 from sandbox.model.locating import Path
 from sandbox.model.mention import BodyName
 from sandbox.model.shapes import Point
 
 ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))
 """What a spring without a damper says of itself as a force."""
-
-FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
-"""What can be measured of a joint that keeps an angle."""
-
-
-class Held(Model):
-    """A point of a body."""
-
-    body: BodyName
-    """whose"""
-    at: Point = (Coordinate(0), Coordinate(0))
-    """[x, y] in m, from its centre of mass, along its own axes"""
-
-
-ENDS = ("a body", "a point of a body", "a fixed point")
-"""The kinds of ends."""
-
-
-def _end_kind(end: object) -> str | None:
-    kinds = ((str,), (Held, Mapping), (list, tuple))
-    return next(
-        (kind for kind, types in zip(ENDS, kinds, strict=True) if isinstance(end, types)), None
-    )
-
-
-End = Annotated[
-    Annotated[BodyName, Tag("a body")]
-    | Annotated[Held, Tag("a point of a body")]
-    | Annotated[Point, Tag("a fixed point")],
-    Discriminator(_end_kind),
-]
-"""Where a joint holds on: the centre of a body, a point of it, or a fixed point [x, y] in m."""
 
 
 class Rod(Model):
@@ -218,7 +192,20 @@ Own = Rod | Rope | Pivot | Weld | Motor
 """What pymunk has, too."""
 
 Joint = Annotated[
-    Rod | Rope | Pulley | Pivot | Rail | Weld | Motor | Winding | Wire | Spring,
+    Rod
+    | Rope
+    | Pulley
+    | Pivot
+    | Rail
+    | Stop
+    | AngleStop
+    | Weld
+    | Motor
+    | Gear
+    | Rack
+    | Winding
+    | Wire
+    | Spring,
     Field(discriminator="type"),
 ]
 
@@ -258,3 +245,5 @@ def body_of(end: End) -> str | None:
 def bodies_of(joint: Joint) -> Iterator[str]:
     """Yield the bodies that a joint holds on to."""
     yield from (body for end in points(joint) if (body := body_of(end)) is not None)
+    if isinstance(joint, Gear) and joint.carrier is not None:
+        yield joint.carrier

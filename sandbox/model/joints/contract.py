@@ -17,6 +17,9 @@ from typing import get_args
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect, IncompleteError
 
+FIXED = {"tension": "N", "torque": "N·m", "length": "m", "potential_energy": "J"}
+"""What can be measured of a joint that keeps an angle."""
+
 
 def _of_a_line() -> Mapping[str, str]:
     return {"tension": "N", "length": "m", "potential_energy": "J"}

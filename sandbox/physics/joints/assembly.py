@@ -15,17 +15,21 @@ from sandbox.model.base import Model
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.joints import (
+    AngleStop,
     End,
+    Gear,
     Held,
     Joint,
     Motor,
     Own,
     Pivot,
     Pulley,
+    Rack,
     Rail,
     Rod,
     Rope,
     Spring,
+    Stop,
     Weld,
     Winding,
     Wire,
@@ -40,7 +44,18 @@ from sandbox.physics.engine.batch import Batch
 from sandbox.physics.forces.spring import Law, SpringForce
 from sandbox.physics.geometry.quintics import course
 from sandbox.physics.joints.composites import Solids, Touches
-from sandbox.physics.joints.exact.angles import pin, turn, weld, winding
+from sandbox.physics.joints.exact.angles import (
+    angle_stops,
+    geared,
+    meshed,
+    number,
+    pin,
+    starting,
+    stops,
+    turn,
+    weld,
+    winding,
+)
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.shake import ExactJoints
@@ -51,8 +66,8 @@ from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.state.anchor import Anchor
 
-Lengths = Rod | Rope | Pulley | Rail
-Turning = Pivot | Weld | Motor | Winding
+Lengths = Rod | Rope | Pulley | Rail | Stop
+Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack
 
 DRAWN = 200
 """How many pieces of a wire are shown."""
@@ -194,6 +209,16 @@ class _Assembly:
             case Motor(rate=rate):
                 driven = turn(name, a, b, start, _driven(rate, values))
                 return pin(name, a, b), (driven,) if self._can_turn(a, b) else ()
+            case AngleStop(range=(least, most)):
+                limits = angle_stops(name, a, b, least(values), most(values))
+                return [], limits if self._can_turn(a, b) else ()
+            case Gear(ratio=ratio, carrier=carrier):
+                arm = Anchor(None if carrier is None else self._index[carrier])
+                held = geared(name, a, b, ratio(values), number(arm))
+                return [], (starting(held, start),) if self._can_turn(a, b, arm) else ()
+            case Rack(radius=radius, direction=direction):
+                along = complex(*evaluate(direction, values))
+                return [], (starting(meshed(name, a, b, radius(values), along), start),)
             case Winding(radius=radius, unwinds=way):
                 radii[name] = radius(values)
                 sense = 1 if way == "counterclockwise" else -1
@@ -276,6 +301,10 @@ def _rows(
         case Rail(direction=direction):
             way = complex(*evaluate(direction, values))
             return [Row(name, reaches, 0.0, along=1j * way / abs(way))]
+        case Stop(direction=direction, range=limits):
+            way = complex(*evaluate(direction, values))
+            least, most = (limit(values) for limit in limits)
+            return stops(name, path[0], path[1], way, (least, most))
         case Rod(length=None):
             return [Row(name, reaches, span)]
         case Rod(length=Formula() as length) if "t" in length.names:

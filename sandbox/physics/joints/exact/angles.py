@@ -2,8 +2,9 @@
 
 from cmath import exp, phase
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import atan2, pi, sqrt, tau
+from typing import TypeVar
 
 import numpy as np
 
@@ -18,7 +19,10 @@ PLANE = -1
 
 @dataclass(frozen=True, slots=True)
 class Turn:
-    """The angle from one body to another is given: θ_b − θ_a [rad]."""
+    """How far one body turns with another is given: ±(θ_b − n θ_a − (1 − n) θ_c) [rad].
+
+    n is 1 where an angle is kept, and c the arm of a gear that turns itself.
+    """
 
     joint: str
     a: int
@@ -26,11 +30,46 @@ class Turn:
     length: float
     changing: Callable[[float], float] | None = None
     pulls_only: bool = False
+    sense: int = 1
+    ratio: float = 1.0
+    carrier: int = PLANE
 
     def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
         """Return the angle, and its jacobian."""
-        angle = float(place.angle[self.b] - place.angle[self.a])
-        return angle, (Share(self.b, 0j, 1.0), Share(self.a, 0j, -1.0))
+        shares = (
+            Share(self.b, 0j, float(self.sense)),
+            Share(self.a, 0j, -self.sense * self.ratio),
+            Share(self.carrier, 0j, -self.sense * (1 - self.ratio)),
+        )[: 3 if self.ratio != 1 else 2]
+        return sum(share.angle * float(place.angle[share.body]) for share in shares), shares
+
+
+@dataclass(frozen=True, slots=True)
+class Meshed:
+    """A bar moves as a wheel turns: u · (r − r_wheel) − R θ is given [m].
+
+    u is the way of the bar, which does not turn; the teeth push along it, at the wheel's rim.
+    """
+
+    joint: str
+    end: Anchor
+    wheel: int
+    radius: float
+    way: complex
+    length: float = 0.0
+    changing: None = None
+    pulls_only: bool = False
+
+    def look(self, place: Coordinates) -> tuple[float, Sequence[Share]]:
+        """Return how far the bar is beyond what the wheel has turned, and the gradient of that."""
+        body = number(self.end)
+        arm = self.end.point * exp(1j * place.angle[body])
+        apart = complex(place.plane[body] + arm - place.plane[self.wheel])
+        along = (self.way.conjugate() * apart).real
+        return along - self.radius * float(place.angle[self.wheel]), (
+            Share(body, self.way, (self.way.conjugate() * 1j * arm).real),
+            Share(self.wheel, -self.way, -self.radius),
+        )
 
 
 @dataclass(slots=True)
@@ -77,6 +116,9 @@ class Wound:
         )
 
 
+Gearing = TypeVar("Gearing", Turn, Meshed)
+
+
 def pin(name: str, a: Anchor, b: Anchor) -> list[Row]:
     """Return the equations that keep two points together."""
     return [Row(name, [(a, b)], 0.0, along=direction) for direction in (1 + 0j, 1j)]
@@ -88,6 +130,39 @@ def weld(name: str, a: Anchor, b: Anchor, start: Coordinates) -> tuple[list[Row]
     point = start.plane[second] + b.point * exp(1j * start.angle[second])
     there = (point - start.plane[first]) * exp(-1j * start.angle[first])
     return pin(name, Anchor(a.body, complex(there)), b), [turn(name, a, b, start)]
+
+
+def meshed(name: str, end: Anchor, wheel: Anchor, radius: float, way: complex) -> Meshed:
+    """Return the equation of a bar that a wheel moves; it is still to be told how far it is."""
+    return Meshed(name, end, number(wheel), radius, way / abs(way))
+
+
+def starting(equation: Gearing, start: Coordinates) -> Gearing:
+    """Return an equation that keeps what it is at the start."""
+    return replace(equation, length=equation.look(start)[0])
+
+
+def geared(name: str, a: Anchor, b: Anchor, ratio: float, carrier: int) -> Turn:
+    """Return the equation by which b turns with a; it is still to be told how far it is."""
+    return Turn(name, number(a), number(b), 0.0, ratio=ratio, carrier=carrier)
+
+
+def angle_stops(name: str, a: Anchor, b: Anchor, least: float, most: float) -> list[Turn]:
+    """Return the equations that keep the angle that b has to a between two."""
+    bodies = number(a), number(b)
+    return [
+        Turn(name, *bodies, sense * limit, pulls_only=True, sense=sense)
+        for sense, limit in ((1, most), (-1, least))
+    ]
+
+
+def stops(name: str, a: Anchor, b: Anchor, way: complex, limits: tuple[float, float]) -> list[Row]:
+    """Return the equations that keep how far along a way a is from b between two [m]."""
+    along, (least, most) = way / abs(way), limits
+    return [
+        Row(name, [(b, a)], most, pulls_only=True, along=along),
+        Row(name, [(a, b)], -least, pulls_only=True, along=along),
+    ]
 
 
 def turn(

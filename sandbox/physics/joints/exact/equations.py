@@ -41,6 +41,8 @@ class Equations:
         The joint that each is of.
     pulling, turning
         Of each joint those that keep no angle, and those that do.
+    senses
+        Which way each that keeps an angle turns its second body if it pushes.
     alike
         (m,), the first of the equations of its joint, or of those of them that keep an angle: each
         its own. What a pin keeps it keeps along two axes.
@@ -59,6 +61,7 @@ class Equations:
         self.rows, self.others = rows, others
         self.names = [equation.joint for equation in equations]
         turns = [isinstance(equation, Turn) for equation in equations]
+        self.senses = [e.sense if isinstance(e, Turn) else 1 for e in equations]
         self.pulling, self.turning = (_by_joint(equations, turns, way) for way in (False, True))
         self.alike = np.arange(len(equations))
         for held in self.pulling.values():

@@ -156,7 +156,9 @@ class ExactJoints(JointSystem):
 
     def force(self, name: str) -> float:
         """Return the force with which a joint pulled in the last kick [N]."""
-        rows = self.equations.pulling[name]
+        rows = self.equations.pulling.get(name, [])
+        if not rows:
+            return 0.0  # it keeps nothing but an angle
         if len(rows) == 1:
             return self.tension.item(rows[0])
         return float(np.hypot(*self.tension[rows]))
@@ -166,7 +168,8 @@ class ExactJoints(JointSystem):
 
         0 of one that keeps no angle, or is solved elsewhere.
         """
-        return -float(sum(self.tension[row] for row in self.equations.turning.get(name, ())))
+        rows, senses = self.equations.turning.get(name, ()), self.equations.senses
+        return -float(sum(senses[row] * self.tension[row] for row in rows))
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""

@@ -1,0 +1,40 @@
+"""Where joints hold on."""
+
+from collections.abc import Mapping
+from typing import Annotated
+
+from pydantic import Discriminator, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Coordinate
+from sandbox.model.mention import BodyName
+from sandbox.model.shapes import Point
+
+
+class Held(Model):
+    """A point of a body."""
+
+    body: BodyName
+    """whose"""
+    at: Point = (Coordinate(0), Coordinate(0))
+    """[x, y] in m, from its centre of mass, along its own axes"""
+
+
+ENDS = ("a body", "a point of a body", "a fixed point")
+"""The kinds of ends."""
+
+
+def _end_kind(end: object) -> str | None:
+    kinds = ((str,), (Held, Mapping), (list, tuple))
+    return next(
+        (kind for kind, types in zip(ENDS, kinds, strict=True) if isinstance(end, types)), None
+    )
+
+
+End = Annotated[
+    Annotated[BodyName, Tag("a body")]
+    | Annotated[Held, Tag("a point of a body")]
+    | Annotated[Point, Tag("a fixed point")],
+    Discriminator(_end_kind),
+]
+"""Where a joint holds on: the centre of a body, a point of it, or a fixed point [x, y] in m."""
