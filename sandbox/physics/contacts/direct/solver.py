@@ -28,14 +28,14 @@ from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.direct.newton import newton
-from sandbox.physics.contacts.direct.parting import part
+from sandbox.physics.contacts.direct.parting import Parting
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
-from sandbox.physics.joints.exact.constraints import Coordinates, order
-from sandbox.physics.joints.exact.shake import GROWS, ExactJoints
+from sandbox.physics.joints.exact.constraints import GROWS, Coordinates, order
+from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 Key = tuple[Integers, Integers, int]
@@ -114,6 +114,7 @@ class Direct:
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
         self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
+        self._parting = Parting(surfaces, self._known)
         self._contacts: Contacts = NO_CONTACTS
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
@@ -225,7 +226,7 @@ class Direct:
         if self.stages:
             self.stages = *self.stages, self._stage(kick, rest, moved, impulse)
         self._batch.set_velocity(moved[self._order])
-        self._known.note(kick, impulse / rest, active)
+        self._known.note(kick, impulse / rest, active, struck=bool(self.stages))
         self._report(kick, total + impulse, active)
 
     def _look(self, leaving: Array) -> Kick:
@@ -235,7 +236,7 @@ class Direct:
         """
         place, _ = self._joints.coordinates()
         kick = self._kick_at(place)
-        way = part(kick, self._surfaces, self._known, leaving)
+        way = self._parting.way(kick, leaving)
         if way is None:
             return kick
         state = self._batch.state()

@@ -19,6 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
 from sandbox.physics.joints.exact.banded import FEWEST, Banded
 from sandbox.physics.joints.exact.constraints import (
+    GROWS,
     MAX_ITERATIONS,
     QUADRATIC,
     Coordinates,
@@ -31,7 +32,7 @@ from sandbox.physics.joints.exact.constraints import (
 )
 from sandbox.physics.joints.exact.distances import Reaches, Row
 from sandbox.physics.joints.exact.equations import Equations
-from sandbox.physics.joints.exact.separate_rods import Rod, are_apart
+from sandbox.physics.joints.exact.separate import alone
 from sandbox.physics.joints.exact.solvability import independence, solved, steps_needed
 from sandbox.physics.state.errors import JointFailure
 
@@ -47,11 +48,6 @@ SINGULAR = 1e-10
 
 LOCKED = 0.1
 """The same, over what it was at the start, of joints that have come to work against each other."""
-
-GROWS = 1.1
-"""How many times its kinetic energy a kick may leave with joints, of what it would leave without
-them: they give none but for what a step is too long for. Seen are 1.06 where errors are of second
-order, and 4 and more where Newton's method has come to another solution."""
 
 Number = TypeVar("Number", float, Array)
 
@@ -109,6 +105,7 @@ class ExactJoints:
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
         self._inertia = inertia_of(self.inverse)
+        self._mass = float(self._inertia.sum())  # and moments: for what is rounding
         self._order = order(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate((self._order, self._order + start), axis=1).ravel()
@@ -132,8 +129,7 @@ class ExactJoints:
         self._unilateral = bool(self._pulls_only.any())
         self._cold = np.zeros(len(self._joints))
         inverse = self.inverse[: 2 * len(self._inverse_moment) : 2]
-        apart = rows if are_apart(equations.all, inverse) else ()
-        self._rods = [Rod(row, self._batch, inverse, self.origin) for row in apart]
+        self._alone = alone(equations.all, self._batch, inverse, self.origin)
         self._band = self._banded(len(self._joints))
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
@@ -164,7 +160,7 @@ class ExactJoints:
     def plain(self) -> bool:
         """Whether all are sums of lengths that stay as they are, and are solved together."""
         return not (
-            self._equations.others or self._equations.changing or self._unilateral or self._rods
+            self._equations.others or self._equations.changing or self._unilateral or self._alone
         )
 
     @property
@@ -381,7 +377,7 @@ class ExactJoints:
         """
         if not self._joints:
             return
-        apart = self._rods and not self._fresh
+        apart = self._alone and not self._fresh
         self.tension = self._solve_apart(until) if apart else self._solve_together(until)
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
@@ -393,11 +389,11 @@ class ExactJoints:
         """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
-        for i, rod in enumerate(self._rods):
+        for i, one in enumerate(self._alone):
             expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm_start[i]
             try:
-                impulse = rod.solve(length[i], guess, self.drift)
+                impulse = one.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
                 raise self.lost(i) from None
             found.append((warm_start[i] + impulse) / self.kick)
@@ -458,10 +454,9 @@ class ExactJoints:
         JointFailure
             If they do; it names the one that gave most.
         """
-        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2 / 2
-        if self._driven(free):
-            return
-        if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
+        rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
+        gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding
+        if gains and not self._driven(free):
             raise self.lost(int(np.argmax(work)))
 
     def kinetic(self, motion: Array) -> float:
