@@ -25,14 +25,14 @@ class Advising:
         if failure is not self._failure:
             self._failure = failure
             self.cancel()
-            if session.advice is not None:
+            if session.run.advice is not None:
                 return
             if isinstance(failure, SimulationError) and not isinstance(failure, BreakdownError):
-                session.trying = True
+                session.run.trying = True
                 world = session.world
                 scene = session.level, session.values, world.stepping, session.duration
                 self._work.start(remedies.findings, failure, *scene)
-        if not session.trying:
+        if not session.run.trying:
             return
         found = Advice("")
         for finding in self._work.found():

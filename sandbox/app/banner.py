@@ -43,11 +43,13 @@ class Banner:
 
     def _of_run(self, session: Session) -> tuple[str, Color] | None:
         """Return what is more pressing than a note, or else what takes the place of none."""
-        if session.trying and isinstance(session.failure, SimulationError):
+        if session.run.trying and isinstance(session.failure, SimulationError):
             return f"{session.failure.told('')} – trying what helps …", theme.FAILED
         if session.failure is not None:
             onwards = ", Space goes on, though it is no longer right" if session.doubted else ""
             return f"{session.failure} – R restarts{onwards}", theme.FAILED
+        if session.halted:
+            return f"{session.halted} – Space goes on all the same", theme.NOTICE
         if session.waiting:
             asked = wording.error(session.level.stepping.accuracy or 0.0)
             text = f"Looking for the cheapest setting with an error of {asked} …"

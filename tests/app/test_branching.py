@@ -176,7 +176,7 @@ def test_what_cannot_be_changed_on_the_way_is_told_in_the_window(person: Person)
     person.session.branches = True
     drag(person, "speed", -40)
 
-    assert "only how the run starts" in person.window._banner._note
+    assert "only how the run starts" in person.window.banner._note
     assert person.session.world.steps == 5
     assert person.session.values["speed"] == 25
 

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from sandbox.app import graph, theme
 from sandbox.app.books import INSTANTS
+from sandbox.app.panels.foot import HIGH
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
 from sandbox.model import catalog
@@ -101,7 +102,7 @@ def test_the_energies_of_a_body_that_was_put_elsewhere_begin_there() -> None:
     assert session.books.history[:, 3] == pytest.approx(4.5)
 
 
-def test_graph_and_bars_change_by_key_and_by_button(person: Person) -> None:
+def test_graph_bars_and_sum_change_by_key_and_by_button(person: Person) -> None:
     person.window.open_level("kinematics/projectile")
     person.press(pygame.K_SPACE, " ")
     person.wait(3)
@@ -113,10 +114,17 @@ def test_graph_and_bars_change_by_key_and_by_button(person: Person) -> None:
 
     assert person.window.panels.side is not None
     with_graph = seen()
-    person.click(person.window.panels.side.switch.rect)
+    assert person.window.panels.side.foot is not None
+    person.click(person.window.panels.side.foot.switch.rect)
     with_bars = seen()
     person.press(pygame.K_e, "e")
+    folded = person.window.panels.side.foot
+    assert folded is not None
+    top = folded.top
+    person.press(pygame.K_e, "e")
 
+    assert person.window.panels.side.foot is not None
+    assert top > person.window.panels.side.foot.top + HIGH[0]
     assert with_graph > with_bars + 200 * 50
     assert seen() == pytest.approx(with_graph, rel=0.05)
 

@@ -35,7 +35,7 @@ def write(path: Path, text: str) -> None:
 
 
 def told(person: Person) -> str:
-    return person.window._banner._note
+    return person.window.banner._note
 
 
 def test_a_mended_level_opens_by_itself(person: Person, tmp_path: Path, path: Path) -> None:

@@ -89,13 +89,13 @@ def test_what_cannot_be_kept_is_told_once_and_the_level_opens(
     person.wait()
 
     assert person.session.level.title == "A falling ball"
-    assert "not kept for the next time" in person.window._banner._note
+    assert "not kept for the next time" in person.window.banner._note
 
 
 def dialog(person: Person, folder: Path) -> None:
     """Ask for a file, where one was opened before."""
     Recent().add(folder / "mine.json")
-    person.window._recent = Recent()
+    person.window.files.recent = Recent()
     person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)
     assert person.window.panels.dialog is not None
 
@@ -208,7 +208,7 @@ def test_in_a_tiny_window_it_is_told_what_is_missing(person: Person) -> None:
     person.press(pygame.K_o, "\x0f", pygame.KMOD_LCTRL)
 
     assert person.window.panels.dialog is None
-    assert "Make the window larger" in person.window._banner._note
+    assert "Make the window larger" in person.window.banner._note
 
 
 @pytest.mark.parametrize("size", [(480, 300), (900, 600)])

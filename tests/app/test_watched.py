@@ -90,7 +90,7 @@ def test_the_window_offers_a_rate_for_a_run_that_stopped(person: Person, tmp_pat
         if person.session.failure:
             break
     person.wait()
-    assert person.session.trying
+    assert person.session.run.trying
     assert person.session.advised is None  # what has not been tried is not offered
     person.window.advising.cancel()
     person.session.take(Advice("tried: at 2,611 Hz it holds", 2611.0))
@@ -124,7 +124,7 @@ def test_the_bars_tell_what_friction_took(person: Person) -> None:
         person.wait()
     person.press(pygame.K_e, "e")
 
-    assert not person.window.panels.graph
+    assert person.window.panels.energy == "bars"
     assert heights[1] - heights[0] == Pen().height(13) + 1
 
 
@@ -141,8 +141,9 @@ def test_bars_that_are_read_in_the_middle_of_a_drift_say_so(
 
     side = person.window.panels.side
     assert side is not None
-    place = pygame.Rect(0, 0, 100, side.switch.rect.height)
-    place.midright = side.switch.rect.x - 10, side.switch.rect.centery
+    assert side.foot is not None
+    place = pygame.Rect(0, 0, 100, side.foot.switch.rect.height)
+    place.midright = side.foot.switch.rect.x - 10, side.foot.switch.rect.centery
     shown = pygame.surfarray.array3d(person.window.surface.subsurface(place))
 
     later = books.balance.kinetic / books.energies.kinetic - 1

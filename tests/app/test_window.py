@@ -2,13 +2,16 @@
 
 import gc
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pygame
 import pytest
 
 from sandbox.app import theme
+from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
+from sandbox.app.panels.foot import counted
 from sandbox.app.panels.layout import divide
 from sandbox.app.text import Pen
 from sandbox.model import catalog
@@ -16,6 +19,9 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from tests.app import scenes
 from tests.app.person import Person
+
+if TYPE_CHECKING:
+    from sandbox.physics.measuring.grading import Verdict
 
 RED = (255, 0, 0)
 
@@ -185,6 +191,45 @@ def test_a_number_is_typed_into_a_field(player: Person) -> None:
 
     assert player.session.values["g"] == 3.5
     assert not player.session.playing
+
+
+def test_what_is_typed_after_a_click_into_a_field_takes_the_place_of_its_number(
+    player: Person,
+) -> None:
+    assert player.window.panels.side is not None
+    field = player.window.panels.side.parameters.row("g").field
+
+    player.click(field.rect)
+    player.type("7")
+    player.press(pygame.K_RETURN, "\r")
+
+    assert player.session.values["g"] == 7
+
+
+def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
+    player.resize((1024, 640))
+    player.press(pygame.K_d, "d")
+    side = player.window.panels.side
+    assert side is not None
+    assert side.foot is not None
+    assert side.foot.verdicts is not None
+    assert side.foot.verdicts.text.startswith("Checks: ")
+
+    player.click(side.foot.verdicts.rect)
+    player.wait(0.1)
+
+    side = player.window.panels.side
+    assert side is not None
+    assert isinstance(side.page, LevelPage)
+    checks, seen = side._sheet.checks, side._sheet.container.rect
+    assert checks is not None
+    assert seen.top <= checks.rect.top < seen.bottom - 40
+
+
+def test_the_checks_are_counted_in_words() -> None:
+    verdicts: list[Verdict] = ["passed", "waiting", "passed", "failed", "not applicable"]
+
+    assert counted(verdicts) == "2 hold, 1 fails, 1 waits, 1 does not apply"
 
 
 def test_a_field_that_is_left_keeps_what_was_typed(player: Person) -> None:

@@ -1,17 +1,18 @@
-"""The column on the right: the pages of the level behind tabs, and below its energy."""
+"""The column on the right: the pages of the level behind tabs, and the foot below them."""
+
+from collections.abc import Iterator
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
-from pygame_gui.elements import UIButton, UIImage
+from pygame_gui.elements import UIButton
 
-from sandbox.app import graph
-from sandbox.app.cards.energy import energy, ledger
-from sandbox.app.commands import tip
 from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.workers import Workers
+from sandbox.app.panels.foot import FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import scroll, scrolled
@@ -19,14 +20,11 @@ from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 
 REFRESH = 0.1  # s
-GRAPH = 66, 120  # px, how high the graph may be
-SWITCH = 58, 22  # px, the button that changes graph and bars
-CAPTION = 82  # px, what stands above and below the graph
-FOOT = 8  # px, left free below all
+LEAST = 160  # px, of a page that is left to it above the foot
 
 
 class SidePanel:
-    """The column of a session: a page that scrolls if it must, and below most the energy.
+    """The column of a session: a page that scrolls if it must, and below most of them its foot.
 
     Attributes
     ----------
@@ -34,53 +32,40 @@ class SidePanel:
         What the chosen tab shows.
     desk
         What the pages work with.
+    foot
+        What stays below the page; None below one that needs the room.
     """
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: str, as_graph: bool, workers: Workers, load: Load,
+        page: str, view: View, workers: Workers, load: Load, comfort: Comfort,
     ) -> None:  # fmt: skip
-        self._manager, self._pen, self._session = manager, pen, session
-        self._graph, self._workers = as_graph, workers
-        self.desk = Desk(session, workers.all, load)
-        self._energy: UIImage | None = None
-        self._switch: UIButton | None = None
-        upper = self._put_energy(rect) if register.page(page).energy else rect
-        across = pygame.Rect(rect.x + MARGIN, TOP, rect.width - 2 * MARGIN, 0)
+        self._session = session
+        self._workers = workers
+        self.desk = Desk(session, workers.all, load, comfort)
+        px = pen.px
+        across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
-        top = self._tabs.bottom + TOP - GAP
-        upper = pygame.Rect(upper.x, top, upper.width, max(upper.height - top, 1))
+        top = self._tabs.bottom + px(TOP) - px(GAP)
+        least = top + px(LEAST)
+        feet = _feet(manager, pen, rect, session, view) if register.page(page).energy else ()
+        self.foot = next((foot for foot in feet if foot.top >= least), None)
+        end = self.foot.top if self.foot is not None else rect.bottom
+        upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
         self._since = 0.0
         self._shown = self._state
-
-    def _put_energy(self, rect: pygame.Rect) -> pygame.Rect:
-        """Put the energy at the foot, and return what is left above it."""
-        self._width = rect.width - 2 * MARGIN - 10
-        self._graph_size = self._width, min(max(rect.height // 5 - CAPTION, GRAPH[0]), GRAPH[1])
-        drawn = self._draw_energy()
-        upper = pygame.Rect(rect.topleft, (rect.width, max(rect.height - drawn.height - FOOT, 1)))
-        place = drawn.get_rect(topleft=(rect.x + MARGIN, upper.bottom))
-        self._energy = UIImage(place, drawn, self._manager)
-        self._switch = UIButton(
-            pygame.Rect((place.right - SWITCH[0], upper.bottom + 4), SWITCH),
-            "Bars" if self._graph else "Graph", self._manager,
-            tool_tip_text=tip("energy"),
-        )  # fmt: skip
-        return upper
 
     def turn(self, pages: float) -> None:
         """Scroll by a part of what is seen at once."""
         container = self._sheet.container
         scroll(container, scrolled(container) + pages * container.rect.height)
 
-    def focus(self, direction: int) -> None:
-        """Go on to the next number field, or back, and bring it into view."""
-        field = (self._sheet.typed or self.parameters).focus(direction)
-        if field is not None:
-            container = self._sheet.container
-            scroll(container, field.relative_rect.y - container.rect.height / 2)
+    def show_checks(self) -> None:
+        """Scroll to the checks, where the page has them."""
+        if self._sheet.checks is not None:
+            scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
 
     def revert(self) -> None:
         """Let all fields say again what is the case."""
@@ -90,9 +75,8 @@ class SidePanel:
         """Return the command whose button was pressed, if one was."""
         if event.type != UI_BUTTON_PRESSED:
             return None
-        if self._switch is not None and event.ui_element is self._switch:
-            return "energy"
-        return self._tabs.pressed(event.ui_element)
+        at_foot = self.foot.pressed(event.ui_element) if self.foot is not None else None
+        return at_foot or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
         """Let the page do what was clicked on; return what is to be told, None if nothing was."""
@@ -100,12 +84,6 @@ class SidePanel:
         if told is not None:
             self.page.update()
         return told
-
-    @property
-    def switch(self) -> UIButton:
-        """The button that changes graph and bars, below a page that has it."""
-        assert self._switch is not None
-        return self._switch
 
     def tab(self, page: str) -> UIButton:
         """Return the tab of a page, given by its command."""
@@ -133,14 +111,15 @@ class SidePanel:
             return
         self._since, self._shown = 0.0, state
         self.page.update()
-        if self._energy is not None:
-            self._sheet.replace(self._energy, self._draw_energy())
+        if self.foot is not None:
+            self.foot.update()
 
-    def _draw_energy(self) -> pygame.Surface:
-        session = self._session
-        if not self._graph:
-            ahead = not session.world.kicks.composed
-            return ledger(self._pen, self._width, session.books.balance, ahead=ahead)
-        drawn = graph.energies(self._graph_size, session.books.history, session.duration)
-        now = session.books.energies
-        return energy(self._pen, self._width, session.books.start, now, drawn)
+
+def _feet(
+    manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
+) -> Iterator[Foot]:
+    """Yield what may stand below a page: as it is wanted, then lower; the last one stays."""
+    for each in dict.fromkeys((view, FOLDED)):
+        foot = Foot(manager, pen, rect, session, each)
+        yield foot
+        foot.kill()

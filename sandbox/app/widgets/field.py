@@ -1,5 +1,6 @@
 """A line to type into."""
 
+import pygame
 from pygame_gui.core.utility import clipboard_paste
 from pygame_gui.elements import UITextEntryLine
 
@@ -13,8 +14,24 @@ class Field(UITextEntryLine):
     """A line of text that takes whatever is typed or pasted, but for what cannot be drawn.
 
     pygame_gui keeps a letter without width, and ends when it comes to draw it. It also refuses all
-    that is pasted for one letter that it does not take; here that one is left out.
+    that is pasted for one letter that it does not take; here that one is left out. The click that
+    enters a field selects all of it, so that what is typed then takes its place.
     """
+
+    _entering = False
+
+    def focus(self) -> None:
+        """Take what is typed from now on."""
+        super().focus()  # type: ignore[no-untyped-call]
+        self._entering = True
+
+    def _process_mouse_button_event(self, event: pygame.Event) -> bool:
+        consumed = bool(super()._process_mouse_button_event(event))
+        if event.type == pygame.MOUSEBUTTONUP and self._entering:
+            self._entering = False
+            if self.select_range[0] == self.select_range[1]:
+                self.select_range = [0, len(self.text)]
+        return consumed
 
     def _process_entered_character(self, character: str) -> bool:
         letter = typed(character)

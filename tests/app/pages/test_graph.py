@@ -75,7 +75,7 @@ def test_every_quantity_that_is_offered_can_be_drawn() -> None:
 
 
 def test_a_line_goes_through_its_points(pen: Pen) -> None:
-    span = plot.across(300, [np.array([0.0, 1.0])])
+    span = plot.across(pen, 300, [np.array([0.0, 1.0])])
     y = np.array([0.0, 1.0])
     drawn = plot.draw(pen, (300, 150), [Series((255, 0, 0), y, y)], span, cursor=None)
 
@@ -98,6 +98,8 @@ def test_ticks_are_round_few_and_inside(low: float, high: float) -> None:
 def test_what_hardly_changes_is_drawn_beyond_an_offset_and_rounding_is_a_straight_line() -> None:
     noise = plot.scale([np.array([5.0, 5.0 + 1e-14])], 0, 1, 0.06)
     assert noise.high - noise.low > 1
+    at_rest = plot.scale([np.array([-3e-14, 4e-14])], 0, 1, 0.06)
+    assert at_rest.high - at_rest.low > 1
 
     nothing = plot.scale([np.array([np.nan, np.inf])], 0, 1, 0.06)
     assert np.isfinite([nothing.low, nothing.high]).all()
@@ -125,6 +127,29 @@ def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> Non
     person.press(pygame.K_o, "o")
     person.press(pygame.K_d, "d")
     assert set(page(person).up.get_multi_selection()) == {"ball.position.x", "ball.position.y"}
+
+
+def test_some_letters_find_a_quantity_and_what_was_chosen_before_stays(person: Person) -> None:
+    person.window.open_level("momentum/cradle")
+    person.press(pygame.K_d, "d")
+    choice = person.window.workers.of(Choice)
+    before = choice.up(person.session)
+
+    person.click(page(person).sought.rect)
+    person.type("ball3.energy")
+    person.wait(0.1)
+    assert [each["text"] for each in page(person).up.item_list] == ["ball3.energy"]
+    person.click(row(page(person), "ball3.energy").rect)
+    person.wait(0.1)
+
+    assert choice.up(person.session) == (*before, "ball3.energy")
+
+
+def test_what_never_moves_comes_last() -> None:
+    names = offered(load(catalog.find("momentum/cradle")))
+
+    assert names[0].startswith("ball1.")
+    assert names[-1].startswith("beam.")
 
 
 def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> None:
@@ -173,12 +198,14 @@ def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:
     assert page(person)._cursor is None
 
 
-def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further() -> None:
+def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further(
+    pen: Pen,
+) -> None:
     session = opened("kinematics/projectile", 100)
     session.restart({"angle": 60})
     for _ in range(20):
         session.step()
 
-    span = span_of(300, session, "t")
+    span = span_of(pen, 300, session, "t")
 
     assert span.high == pytest.approx(100 / 60, rel=1e-9)

@@ -129,7 +129,7 @@ def test_a_page_that_is_a_card_needs_no_panel(
     monkeypatch.setattr(tabs, "tip", lambda command: command)
     person.window.open_level(LEVELS[0])
 
-    person.window._turn_to("forces page")
+    person.window.commands.turn_to("forces page")
     person.wait()
 
     sheet = side_of(person)._sheet.container.rect

@@ -97,7 +97,7 @@ def test_a_folder_that_cannot_be_made_is_told(person: Person, folder: Path) -> N
 
     person.click(shown.button("Table").rect)
 
-    assert "cannot" in person.window._banner._note
+    assert "cannot" in person.window.banner._note
 
 
 @pytest.mark.parametrize("kind", ["gif", "mp4"])

@@ -1,6 +1,6 @@
 """Which quantities a person looks at, level by level, for as long as the window is open."""
 
-from itertools import islice
+from itertools import chain, islice
 
 from sandbox.app.session import Session
 from sandbox.model.level import Level
@@ -11,8 +11,14 @@ MOST = 400
 
 
 def offered(level: Level) -> list[str]:
-    """Return the quantities that can be drawn: all that a state tells by itself."""
-    return [found.name for found in islice(momentary(level), MOST)]
+    """Return the quantities that can be drawn: all that a state tells by itself.
+
+    Those of bodies that never move come last.
+    """
+    static = {name for name, body in level.bodies.items() if body.type == "static"}
+    moving = (found.name for found in momentary(level) if found.subject not in static)
+    still = (found.name for found in momentary(level) if found.subject in static)
+    return list(islice(chain(moving, still), MOST))
 
 
 class Choice:

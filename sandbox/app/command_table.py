@@ -1,0 +1,224 @@
+"""What each command of the window does: its own, those of its pages, and those of its overlays."""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+
+import pygame
+
+from sandbox.app.keys import AT_HOME
+from sandbox.app.pages.page import Desk, PageCommand
+from sandbox.app.pages.register import PAGES
+from sandbox.app.panels.foot import NEXT
+from sandbox.app.panels.layout import room
+from sandbox.app.session import Session
+from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.app.widgets.opening import SMALLEST
+from sandbox.app.workspace import Workspace
+from sandbox.model.errors import SandboxError
+
+
+class CommandTable:
+    """Carries out commands by their names, as keys and buttons ask for them.
+
+    Attributes
+    ----------
+    names
+        All commands that it knows.
+    """
+
+    def __init__(self, workspace: Workspace) -> None:
+        self._space = workspace
+        self._acts: Mapping[str, Callable[[], None]] = {
+            **self._of_the_run(),
+            **self._of_the_view(),
+            **self._of_the_window(),
+            **self._of_the_look(),
+            **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
+            **self._of_pages(),
+        }
+        self.names = frozenset(self._acts)
+
+    def do(self, command: str) -> None:
+        """Do what a command asks for: beside the cards, or at the stage."""
+        space, maker = self._space, self._space.maker
+        if space.panels.home.open and command not in AT_HOME:
+            space.go_home()
+        if maker is None or space.session is None or not maker.command(command, space.session):
+            self._acts[command]()
+
+    def _of_the_run(self) -> Mapping[str, Callable[[], None]]:
+        return {
+            "play": partial(self._with_session, Session.toggle),
+            "step": partial(self._with_session, Session.step),
+            "step back": partial(self._with_session, Session.step_back),
+            "faster": partial(self._with_session, Session.faster),
+            "slower": partial(self._with_session, Session.slower),
+            "restart": self._restart,
+            "reload": self._space.reload,
+            "undo": partial(self._take_back, again=False),
+            "redo": partial(self._take_back, again=True),
+            "next level": partial(self._go_to_neighbour, 1),
+            "previous level": partial(self._go_to_neighbour, -1),
+        }
+
+    def _of_the_view(self) -> Mapping[str, Callable[[], None]]:
+        stage, panels = self._space.stage, self._space.panels
+        return {
+            "fit": partial(self._with_session, lambda _: stage.fit()),
+            "zoom in": lambda: stage.camera.zoom(1.25),
+            "zoom out": lambda: stage.camera.zoom(0.8),
+            "levels": partial(self._toggle_column, "levels"),
+            "panel": partial(self._toggle_column, "side"),
+            "checks": self._show_checks,
+            "energy": self._show_energy_otherwise,
+            "page down": partial(panels.turn, 0.5),
+            "page up": partial(panels.turn, -0.5),
+        }
+
+    def _of_the_window(self) -> Mapping[str, Callable[[], None]]:
+        return {
+            "next field": self._next_field,
+            "find": self._find,
+            "help": self._toggle_help,
+            "leave": self._leave,
+            "home": self._space.go_home,
+            "open file": self._ask_for_file,
+        }
+
+    def _of_the_look(self) -> Mapping[str, Callable[[], None]]:
+        comfort = self._space.comfort
+        return {
+            "larger": lambda: self._tell(comfort.resize(1)),
+            "smaller": lambda: self._tell(comfort.resize(-1)),
+            "usual size": lambda: self._tell(comfort.choose(size=None)),
+            "next theme": lambda: self._tell(comfort.next_theme()),
+        }
+
+    def _of_pages(self) -> Mapping[str, Callable[[], None]]:
+        """Return what opens the pages, and what they understand."""
+        opening = {page.command: partial(self.turn_to, page.command) for page in PAGES}
+        acting = {
+            each.name: partial(self._act_on, page.command, each)
+            for page in PAGES
+            for each in page.commands
+        }
+        return {**opening, **acting}
+
+    def _with_session(self, act: Callable[[Session], None]) -> None:
+        if self._space.session is not None:
+            act(self._space.session)
+
+    def _restart(self) -> None:
+        if self._space.session is None:
+            self._space.reload()
+        else:
+            self._space.session.restart()
+
+    def _take_back(self, *, again: bool) -> None:
+        """Undo the last change of the run, or do it again; what is built has an undo of its own."""
+        space = self._space
+        if space.session is None or space.maker is not None:
+            return
+        again = again or bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        try:
+            act = space.undoing.redo if again else space.undoing.undo
+            self._tell(act(space.session))
+        except SandboxError as error:
+            self._tell(str(error))
+
+    def _go_to_neighbour(self, direction: int) -> None:
+        path = self._space.files.neighbour(self._space.path, direction)
+        if path is not None:
+            self._space.open_file(path)
+
+    def _switch(self, overlay: str) -> None:
+        """Draw an overlay from now on, or draw it no more."""
+        shown = self._space.stage.shown
+        shown[overlay] = not shown[overlay]
+
+    def _toggle_column(self, name: str) -> None:
+        if self._has_room(name):
+            self._space.panels.hide_or_show(name)
+            self._space.lay_out()
+
+    def _has_room(self, column: str) -> bool:
+        """Whether the window is wide enough for a column; if it is not, say so."""
+        space = self._space
+        least = room(column, space.pen.scale, beside=space.panels.side is not None)
+        enough = space.surface.width >= least
+        if not enough:
+            self._tell(f"Make the window wider for that: {least} px are enough.")
+        return enough
+
+    def _show_checks(self) -> None:
+        """Show the level's own page, and on it the checks."""
+        self.turn_to(PAGES[0].command)
+        if self._space.panels.side is not None:
+            self._space.panels.side.show_checks()
+
+    def _show_energy_otherwise(self) -> None:
+        panels = self._space.panels
+        panels.energy = NEXT[panels.energy][0]
+        self._space.lay_out()
+
+    def turn_to(self, page: str) -> None:
+        """Show a page of the side panel, also where that was hidden."""
+        if self._has_room("side"):
+            self._space.panels.show(page)
+            self._space.lay_out()
+
+    def _act_on(self, page: str, asked: PageCommand) -> None:
+        """Do what a page is asked for, and show it."""
+        space = self._space
+        if space.session is None:
+            return
+        self.turn_to(page)
+        try:
+            answer = asked.act(Desk(space.session, space.workers.all, space.load, space.comfort))
+        except SandboxError as error:
+            answer = str(error)
+        if answer is not None:
+            self._tell(answer)
+
+    def _next_field(self) -> None:
+        panels, backwards = self._space.panels, pygame.key.get_mods() & pygame.KMOD_SHIFT
+        panels.focus.go(panels.manager, panels.layout, -1 if backwards else 1)
+
+    def _find(self) -> None:
+        """Look for a level, also where the list of them was hidden."""
+        if self._space.panels.list is None:
+            self._toggle_column("levels")
+        self._space.panels.seek()
+
+    def _ask_for_file(self) -> None:
+        """Let a person choose a file of their own, at first where the last one was."""
+        size = self._space.surface.size
+        if any(have < least for have, least in zip(size, SMALLEST, strict=True)):
+            least = " × ".join(map(str, SMALLEST))
+            self._tell(f"Make the window larger for that: {least} px are enough.")
+            return
+        recent = self._space.files.recent.paths
+        self._space.panels.ask_for_file(recent[0].parent if recent else Path.home())
+
+    def _toggle_help(self) -> None:
+        self._space.help = not self._space.help
+
+    def _leave(self) -> None:
+        """Close the help, let go of a widget, show all levels, put the tape away; else quit."""
+        space = self._space
+        if space.help:
+            space.help = False
+        elif not space.panels.typing and space.panels.focus.leave():
+            return
+        elif space.panels.typing or space.panels.sought:
+            space.panels.let_go()
+        elif space.panels.home.open and not space.empty:
+            space.go_home()
+        elif space.hand.tape is not None:
+            space.hand.tape = None
+        else:
+            space.open = False
+
+    def _tell(self, text: str) -> None:
+        self._space.banner.tell(text)

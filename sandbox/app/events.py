@@ -1,0 +1,143 @@
+"""What events are for: a key, a click or a file that is dropped goes where it belongs."""
+
+import pygame
+
+from sandbox.app.command_table import CommandTable
+from sandbox.app.commands import command
+from sandbox.app.keys import WHILE_TYPING
+from sandbox.app.session import Session
+from sandbox.app.widgets.parameters import Change
+from sandbox.app.workspace import Workspace
+from sandbox.model.errors import SandboxError
+
+_MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
+
+
+class Events:
+    """Gives each event to the widgets, to the cards, to the commands, or to the stage."""
+
+    def __init__(self, workspace: Workspace, commands: CommandTable) -> None:
+        self._space, self._commands = workspace, commands
+
+    def handle(self, event: pygame.event.Event) -> None:
+        """Do what an event asks for."""
+        space = self._space
+        if event.type == pygame.QUIT:
+            space.open = False
+        elif event.type == pygame.VIDEORESIZE:
+            space.surface = pygame.display.get_surface() or space.surface
+            space.lay_out()
+        elif event.type == pygame.DROPFILE:
+            space.open_level(event.file)
+        elif self._change(event):
+            return
+        elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():
+            self.handle(event)
+        elif event.type == pygame.KEYDOWN:
+            self._key(event)
+        elif not space.panels.manager.process_events(event) and not self._at_home(event):
+            self._click(event)
+
+    def leave_fields(self) -> None:
+        """Take what was typed into a field that has been left."""
+        side = self._space.panels.side
+        if side is not None and (change := side.parameters.left()):
+            self._set(change)
+
+    def _at_home(self, event: pygame.event.Event) -> bool:
+        """Give an event to the cards, if they are shown, and return whether it was for them."""
+        home = self._space.panels.home
+        if not home.open or self._space.panels.dialog is not None or not home.process(event):
+            return False
+        if home.chosen is not None:
+            path, home.chosen = home.chosen, None
+            self._space.open_file(path)
+        return True
+
+    def _key(self, event: pygame.event.Event) -> None:
+        space, panels, typing = self._space, self._space.panels, self._space.panels.typing
+        if panels.focus.key(panels.manager, panels.layout, event):
+            return
+        if not typing and self._at_home(event):
+            return
+        chosen, maker, session = command(event), space.maker, space.session
+        free = not (typing or space.help or space.panels.home.open)
+        if free and maker is not None and session is not None and maker.key(event, session):
+            return
+        if chosen and (not typing or chosen in WHILE_TYPING):
+            self._commands.do(chosen)
+        else:
+            space.panels.manager.process_events(event)
+
+    def _click(self, event: pygame.event.Event) -> None:
+        """Give an event to the list, to the controls, or to the stage."""
+        space = self._space
+        if path := space.panels.wanted(event):
+            space.open_file(path.resolve())
+        elif space.panels.accepts(event):
+            space.run_as_advised()
+        elif chosen := space.panels.pressed(event):
+            self._commands.do(chosen)
+        elif self._seek(event) or self._click_side(event):
+            return
+        elif space.session is not None:
+            self._touch(event, space.session)
+
+    def _touch(self, event: pygame.event.Event, session: Session) -> None:
+        """Give an event of the mouse to what makes something on the stage, or to the hand."""
+        space, maker = self._space, self._space.maker
+        mouse, area = pygame.mouse.get_pos(), space.panels.layout.stage
+        if event.type == pygame.MOUSEWHEEL and area.collidepoint(mouse):
+            space.hand.wheel(event.precise_y, mouse, area)
+        elif event.type in _MOUSE and not (
+            maker is not None and maker.process(event, area, space.stage, session)
+        ):
+            space.hand.process(event, area, session)
+
+    def _seek(self, event: pygame.event.Event) -> bool:
+        """Go to the time that was clicked on or dragged to, and return whether one was."""
+        share, session = self._space.panels.controls.sought(event), self._space.session
+        if share is None or session is None:
+            return share is not None
+        try:
+            session.go_to(round(share * session.end))
+        except SandboxError as error:
+            self._space.banner.tell(str(error))
+        return True
+
+    def _click_side(self, event: pygame.event.Event) -> bool:
+        """Give an event to the side panel, and return whether it was for that."""
+        side = self._space.panels.side
+        if side is None:
+            return False
+        if wanted := side.process(event):
+            self._commands.do(wanted)
+            return True
+        answer = side.act(event)
+        if answer is not None:
+            self._space.banner.tell(answer)
+        return answer is not None
+
+    def _change(self, event: pygame.event.Event) -> bool:
+        """Change the parameter whose slider or field an event is for; return whether one is."""
+        side = self._space.panels.side
+        change = side.parameters.process(event) if side is not None else None
+        if change is not None:
+            self._set(change)
+        return change is not None
+
+    def _set(self, change: Change) -> None:
+        """Change a parameter, from the start or from now on; say so if that cannot be."""
+        session, side, banner = self._space.session, self._space.panels.side, self._space.banner
+        assert session is not None
+        assert side is not None
+        if change.value is None:
+            banner.tell(f"'{change.typed}' is not a number")
+        elif change.value != session.values[change.name]:
+            try:
+                session.change({change.name: change.value}, otherwise=change.shifted)
+                banner.tell("")
+            except SandboxError as error:
+                banner.tell(str(error))
+        side.parameters.show(session.values)
+        side.parameters.revert()

@@ -1,0 +1,39 @@
+"""The files of levels that the window lists: those of the catalogue, and a person's own."""
+
+from pathlib import Path
+
+from sandbox.app.panels import levels
+from sandbox.app.recent import Recent
+
+
+class LevelFiles:
+    """All levels that can be chosen.
+
+    Attributes
+    ----------
+    entries
+        What the list shows of each, in its order.
+    recent
+        The files that were opened last.
+    """
+
+    def __init__(self) -> None:
+        self.recent = Recent()
+        opened = (levels.entry(path, "opened") for path in self.recent.paths)
+        self.entries = [*opened, *levels.entries()]
+
+    def read_again(self, path: Path) -> None:
+        """Let the list say what a file is called now; list it, if it was not there."""
+        for i, entry in enumerate(self.entries):
+            if entry.path == path:
+                self.entries[i] = levels.entry(path, entry.chapter)
+                return
+        self.entries.insert(0, levels.entry(path, "opened"))
+
+    def neighbour(self, path: Path | None, direction: int) -> Path | None:
+        """Return the next level, or the previous one, in a circle; None if there is none."""
+        paths = [entry.path for entry in self.entries]
+        if not paths:
+            return None
+        here = paths.index(path) if path in paths else -min(direction, 0)
+        return paths[(here + direction) % len(paths)]

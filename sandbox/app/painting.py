@@ -1,0 +1,57 @@
+"""What a frame of the window looks like: the stage or the cards, the columns, and the help."""
+
+import pygame
+
+from sandbox.app import legend, probe, theme
+from sandbox.app.pages.register import page, runs_beside
+from sandbox.app.panels import messages
+from sandbox.app.session import Session
+from sandbox.app.workspace import Workspace
+
+
+def paint(space: Workspace) -> None:
+    """Draw all of a window on its surface."""
+    layout, surface = space.panels.layout, space.surface
+    area = layout.stage.clip(surface.get_rect())
+    if space.panels.home.open:
+        space.panels.home.draw(surface)
+        space.banner.draw(surface, space.pen, layout.stage, None)
+    elif space.session is not None and area:
+        _paint_stage(space, surface.subsurface(area), space.session)
+    else:
+        surface.fill(theme.STAGE, layout.stage)
+    for column in (layout.levels, layout.side):
+        surface.fill(theme.PANEL, column)
+    space.panels.controls.draw(surface, space.session)
+    space.panels.manager.draw_ui(surface)
+    space.panels.focus.draw(surface, space.panels.manager, layout)
+    for x in (layout.stage.left, layout.stage.right - 1):
+        surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
+    if space.help:
+        rows = page(space.panels.page).keys if space.maker is not None else ()
+        messages.draw_help(surface, space.pen, layout.stage, rows or messages.everywhere())
+
+
+def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> None:
+    """Draw the run, or what a page makes in its place, and what is told over it."""
+    maker = space.maker
+    if maker is None or not maker.draw(view, space.stage, space.pen, session):
+        _paint_run(space, view, session)
+        if maker is not None:
+            maker.draw_over(view, space.stage, space.pen)
+    if space.hand.tape is not None:
+        space.hand.tape.draw(view, space.stage.camera, space.pen)
+    below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
+    runs = runs_beside(session)[1] or legend.earlier([run.told for run in session.earlier])
+    legend.draw(view, space.pen, runs, below)
+
+
+def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
+    stage = space.stage
+    stage.view.looking = session.looking
+    stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
+    earlier = [run.trail for run in session.earlier]
+    stage.draw(view, session.trail, session.milestones(), session.companions, earlier)
+    x, y = pygame.mouse.get_pos()
+    left, top = space.panels.layout.stage.topleft
+    probe.draw(view, stage.view, session, (x - left, y - top))

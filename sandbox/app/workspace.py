@@ -1,0 +1,273 @@
+"""What a window holds: the level that is open, or why none is, and all that stands around it."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.advising import Advising
+from sandbox.app.banner import Banner
+from sandbox.app.hand import Hand
+from sandbox.app.level_files import LevelFiles
+from sandbox.app.load import Load
+from sandbox.app.pages.page import OnStage
+from sandbox.app.pages.register import PAGES, opening
+from sandbox.app.pages.workers import Workers
+from sandbox.app.panels.panels import Panels
+from sandbox.app.preferences import Comfort
+from sandbox.app.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen, legible
+from sandbox.app.undoing import Undoing
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import choose, load
+from sandbox.physics.state.errors import SimulationError
+
+TITLE = "Mechanics sandbox"
+SIZE = (1280, 800)  # px
+
+
+class Workspace:
+    """A level, its picture, and all panels, on a surface.
+
+    Attributes
+    ----------
+    surface
+        What is shown.
+    session
+        The level that is played; None if it cannot be opened.
+    path
+        The file that it was read from; None if it has none yet.
+    stage
+        The picture of it, and its camera.
+    hand
+        What the mouse does on it.
+    panels
+        What stands around it.
+    banner
+        What is told at the top of the stage.
+    help
+        Whether the help is shown.
+    open
+        Whether the window is still wanted.
+    undoing
+        What can be taken back of what was changed of the run.
+    files
+        The levels that can be chosen.
+    workers, advising
+        What is found out in the background.
+    load
+        What a frame takes.
+    comfort
+        How a person wants it to look.
+    pen
+        Writes on the surface.
+    """
+
+    def __init__(self, size: tuple[int, int] = SIZE) -> None:
+        pygame.display.init()
+        pygame.font.init()
+        pygame.display.set_caption(TITLE)
+        self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
+        self.session: Session | None = None
+        self.path: Path | None = None
+        self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
+        self._followed = self.comfort.chosen
+        theme.use(self._followed.theme)
+        self.pen = Pen(self.comfort.scale)
+        self.stage = Stage(self.pen, size)
+        self.hand = Hand(self.stage)
+        self.workers, self.load = Workers(PAGES), Load()
+        self.advising = Advising()
+        self.panels = Panels(self.pen, size, self.workers, self.load, self.comfort)
+        self.banner = Banner()
+        self.help, self.open = False, True
+        self.files = LevelFiles()
+        self.undoing = Undoing()
+        self._settings: Mapping[str, float] = {}
+        self._accuracy: float | None = None  # that was asked for when it was opened
+        self._refused: SandboxError | None = None
+        self._refused_rate: float | None = None  # at which it could be opened [Hz]
+        self.lay_out()
+
+    @property
+    def maker(self) -> OnStage | None:
+        """What is in the place of the hand for the page that is open; None if nothing is."""
+        return self.workers.on_stage(self.panels.page) if self.panels.side is not None else None
+
+    @property
+    def advised(self) -> float | None:
+        """The rate at which a level that had to stop holds; None if none is known [Hz]."""
+        return self.session.advised if self.session else self._refused_rate
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is neither a level nor a reason why it cannot be opened."""
+        return self.session is None and self._refused is None
+
+    def dress(self) -> None:
+        """Look as a person has chosen since the last time."""
+        chosen = self.comfort.chosen
+        if chosen is self._followed:
+            return
+        self._followed = chosen
+        theme.use(chosen.theme)
+        self.pen.renew(self.comfort.scale)
+        self.panels.renew(self.surface.size)
+        if self.session is not None:
+            self.stage.use(self.session.world)
+        self.lay_out()
+
+    def lay_out(self) -> None:
+        """Build everything around the stage for the window as large as it is now."""
+        size = self.surface.size
+        self.panels.build(size, self.files.entries, self.path, self.session, self._refused)
+        self.stage.resize(self.panels.layout.stage.size)
+
+    def open_level(
+        self,
+        level: str,
+        settings: Mapping[str, float] | None = None,
+        accuracy: float | None = None,
+    ) -> None:
+        """Open a level by its name or path, with an accuracy that is asked for, if one is.
+
+        If it cannot be opened, say why.
+        """
+        try:
+            path = catalog.find(level).resolve()
+        except SandboxError as error:
+            self._refuse(None, error)
+            return
+        self.open_file(path, settings or {}, accuracy)
+
+    def open_file(
+        self,
+        path: Path,
+        settings: Mapping[str, float] | None = None,
+        accuracy: float | None = None,
+        rate: float | None = None,
+    ) -> None:
+        """Open the level of a file, at a rate if one is given [Hz]; if it cannot be, say why."""
+        self.files.read_again(path)
+        self.panels.home.leave()
+        another = path != self.path
+        self.path, self._settings, self._accuracy = path, settings or {}, accuracy
+        try:
+            level = self._read(path)
+            session = Session(level, choose(level, self._settings), rate, patient=False)
+        except SandboxError as error:
+            self._refuse(path, error)
+            self._refused_rate = error.rate if isinstance(error, SimulationError) else None
+            return
+        if self.session is not None:
+            session.speed = self.session.speed
+        self.session, self._refused = session, None
+        self.banner.tell("")
+        self._remember(path)
+        self._world = session.world
+        self.stage.use(session.world)
+        self.stage.fit()
+        if another:
+            self.panels.show(opening(level, self.panels.page))
+        self._entitle(level)
+        self.lay_out()
+
+    def reload(self, rate: float | None = None) -> None:
+        """Read the level's file again, and play it as it was opened, or at another rate [Hz]."""
+        if self.path is not None:
+            self.open_file(self.path, self._settings, self._accuracy, rate)
+
+    def reload_changed(self, path: Path) -> None:
+        """Show a file that has changed, or say so where that would undo what a person did."""
+        if self.session is None:
+            self.reload()
+            return
+        try:
+            same = self._read(path) == self.session.original
+        except SandboxError:
+            self.banner.tell(f"{path.name} has mistakes now; F5 shows them", lasting=True)
+            return
+        if same:
+            self.banner.tell("")
+        elif self.session.touched:
+            self.banner.tell(f"{path.name} has changed; F5 reads it again", lasting=True)
+        else:
+            self.reload()
+            self.banner.tell(f"{path.name} has changed and was read again")
+
+    def run_as_advised(self) -> None:
+        """Run again at the rate that was offered."""
+        rate = self.advised
+        if self.session is None:
+            self.reload(rate)
+        elif rate is not None:
+            self.session.rerun(rate)
+        if self.session is not None and rate is not None:
+            self.banner.tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+
+    def follow(self, session: Session) -> None:
+        """Show the session's world, if it has been built anew, maybe from another file."""
+        if session.world is self._world:
+            return
+        self._world = session.world
+        self.stage.use(session.world)
+        path = _file(session.original)
+        if path != self.path:
+            self.path, self._settings, self._accuracy = path, {}, None
+            if path is not None:
+                self.files.read_again(path)
+            self.stage.fit()
+            self._entitle(session.original)
+            self.lay_out()
+
+    def go_home(self) -> None:
+        """Show the levels as cards, or the stage again."""
+        home = self.panels.home
+        if home.open:
+            home.leave()
+        else:
+            home.enter(self.path)
+            if self.session is not None:
+                self.session.pause()
+        self.lay_out()
+
+    def cancel(self) -> None:
+        """End what works for the window."""
+        self.workers.cancel()
+        self.advising.cancel()
+        self.panels.home.leave()
+
+    def _read(self, path: Path) -> Level:
+        """Return the level of a file, with the accuracy that was asked for."""
+        level = load(path)
+        if self._accuracy is None:
+            return level
+        return level.model_copy(update={"stepping": Stepping(accuracy=self._accuracy)})
+
+    def _refuse(self, path: Path | None, error: SandboxError) -> None:
+        self.path, self._refused, self.session = path, error, None
+        self._refused_rate = None
+        pygame.display.set_caption(TITLE)
+        self.cancel()
+        if path is not None and path.suffix == ".json":
+            self._remember(path)
+        self.lay_out()
+
+    def _remember(self, path: Path) -> None:
+        """Keep a file of a person's own among those that were opened."""
+        if not path.is_relative_to(catalog.root()):
+            self.banner.tell(self.files.recent.add(path))
+
+    @staticmethod
+    def _entitle(level: Level) -> None:
+        pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
+
+
+def _file(level: Level) -> Path | None:
+    """Return the file that a level was read from; None if it has none yet."""
+    path = Path(level.source)
+    return path if level.source and path.is_file() else None
