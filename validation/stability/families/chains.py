@@ -199,7 +199,7 @@ def swings_true(run: Run) -> float:
 
 
 LEVELS = {
-    "ball-and-chain": lambda: chain(40, 672, link=0.25, angle=1.57079, rate=1000),
+    "ball-and-chain": lambda: chain(40, 672, link=0.25, angle=1.57079),
     "light-link": lambda: chain(2, 1000, mass=0.001, rate=1000),
     "20-links-1e5": lambda: chain(20, 1e5),
     "hanging-chain": catenary,
