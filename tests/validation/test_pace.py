@@ -7,6 +7,7 @@ import pytest
 from typer.testing import CliRunner
 
 from validation import cli
+from validation.pace import measuring
 from validation.pace.measuring import Pace
 from validation.requests.command import complaints, told
 from validation.requests.trial import Trial, trial
@@ -18,15 +19,34 @@ def test_the_json_has_the_fields_that_scripts_rely_on(tmp_path: Path) -> None:
 
     assert result.exit_code == 0
     [level] = json.loads(file.read_text())["levels"]
-    assert set(level) == {"level", "rate", "step_seconds", "load"}
+    assert set(level) == {"level", "rate", "step_seconds", "load", "reference_load"}
     assert level["level"] == "kinematics/free-fall"
     assert level["load"] == pytest.approx(level["rate"] * level["step_seconds"])
     assert 0 < level["load"] < 0.5
 
 
 def test_half_of_a_core_is_enough_and_more_is_not() -> None:
-    assert Pace("a", 100.0, 5e-3, 0.5).in_time
-    assert not Pace("a", 100.0, 6e-3, 0.6).in_time
+    """Of the reference core: a machine that is slow, or busy, changes nothing."""
+    assert Pace("a", 100.0, 9e-3, 0.9, 0.5).in_time
+    assert not Pace("a", 100.0, 4e-3, 0.4, 0.6).in_time
+
+
+def test_a_core_half_as_fast_leaves_the_share_of_the_reference(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each look at a clock that is twice as fast takes twice as long, and the yardstick too."""
+    clock = iter(range(10**6))
+    found = []
+    for tick in (1e-3, 2e-3):
+        monkeypatch.setattr(measuring, "process_time", lambda tick=tick: next(clock) * tick)
+        monkeypatch.setattr(measuring, "yardstick", lambda tick=tick: 3 * tick)
+        monkeypatch.setattr(measuring, "SLICE", 50 * tick)
+        monkeypatch.setattr(measuring, "MOST", 1000 * tick)
+        found.append(measuring.pace("kinematics/free-fall"))
+
+    slow, fast = found[1], found[0]
+    assert slow.load == pytest.approx(2 * fast.load)
+    assert slow.reference_load == pytest.approx(fast.reference_load)
 
 
 def test_a_level_that_is_not_there_is_named() -> None:

@@ -15,7 +15,8 @@ def command(
 ) -> None:
     """Show which share of a core each level needs to run in real time, at its own rate.
 
-    Exit status 1 if one needs more than half of a core.
+    Of this core here and now, and of a reference core: a slow one that is idle. Exit status 1 if a
+    level needs more than half of that.
     """
     from validation.pace.command import measure  # what one command needs need not slow all
 

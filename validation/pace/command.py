@@ -44,14 +44,15 @@ def table(found: Sequence[Pace]) -> Table:
     """Return what levels need, the most first, as a table for the terminal."""
     shown = Table(title="What levels need", header_style="bold", row_styles=("", "dim"))
     shown.add_column("level")
-    for heading in ("rate", "a step", "of a core", ""):
+    for heading in ("rate", "a step", "of this core", "of the reference", ""):
         shown.add_column(heading, justify="right", no_wrap=True)
-    for each in sorted(found, key=lambda pace: -pace.load):
+    for each in sorted(found, key=lambda pace: -pace.reference_load):
         shown.add_row(
             each.level,
             f"{each.rate:g} Hz",
             f"{each.step_seconds * 1e6:.3g} µs",
             f"{100 * each.load:.2g} %",
+            f"{100 * each.reference_load:.2g} %",
             "[green]✓[/]" if each.in_time else "[red]✗[/]",
         )
     return shown

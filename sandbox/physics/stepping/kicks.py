@@ -6,6 +6,7 @@ velocities. Whatever acts in a kick is told which kick it is: see `Kick`.
 
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -63,6 +64,10 @@ class Kicks:
     def compose(self, parts: Sequence[Substep]) -> None:
         """Take steps from now on that are made of these drifts and kicks."""
         self.parts, self._last = parts, parts[-1]
+        self._kicks = [
+            Kick(self.clock, part.ahead, part.kick, part.following, scale=part.scale)
+            for part in parts
+        ]
         self.take = self._calling(self._hook) if self._hook else self._quietly()
         if self._joints.together:
             self._joints.together.parts = len(parts)
@@ -87,7 +92,7 @@ class Kicks:
         It raises what has failed in it.
         """
         last, drift_and_kick = self._last, self._drift_and_kick
-        kick = Kick(self.clock, 0, last.kick, last.following, scale=last.scale)
+        kick = replace(self._kicks[-1], ahead=0)
 
         def take() -> None:
             hook.kick = kick
@@ -100,24 +105,23 @@ class Kicks:
         """Take all drifts and kicks of a step but the last."""
         if self.trail is not None:
             self.trail = []
-        for part in self.parts[:-1]:
-            self._turn_to(part)
+        for part, kick in zip(self.parts[:-1], self._kicks, strict=False):
+            self._turn_to(part, kick)
             self._drift_and_kick(part.drift)
             if self._hook:
                 self._hook.finish()
             if self.trail is not None:
                 self.trail.append(self._scene.batch.state())
-        self._turn_to(self._last)
+        self._turn_to(self._last, self._kicks[-1])
 
-    def _turn_to(self, part: Substep) -> None:
+    def _turn_to(self, part: Substep, kick: Kick) -> None:
         """Let the next kick be that of a part of a step."""
         self._joints.time(part.kick, part.following)
         if gravity := self._scene.gravity:
             x, y = gravity.acceleration
             self._space.gravity = x * part.scale, y * part.scale
         if self._hook:
-            ahead, scale = part.ahead, part.scale
-            self._hook.kick = Kick(self.clock, ahead, part.kick, part.following, scale=scale)
+            self._hook.kick = kick
 
     @contextmanager
     def held(self) -> Iterator[None]:

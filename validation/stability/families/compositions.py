@@ -119,7 +119,7 @@ def capstans(links: int) -> Document:
         effects={**GRAVITY, "contact": {}, "friction": {}},
         bodies={**held, **slips},
         joints={**held_rods, **slips_rods},
-        stepping={"rate": RATE},
+        stepping={"rate": RATE / 2},  # half of a core
         duration=SLIPS,
         checks=[
             check("held_large.position.y", -1.8, 1e-9, "the left one holds"),

@@ -13,7 +13,7 @@ from validation.stability.scene import MOMENTUM, Document, block, check, disc, l
 
 FAMILY = "dumbbells"
 
-RATE = 240.0  # Hz
+RATE = 160.0  # Hz
 FALL = 1.0  # m/s
 
 BOUNCED = 3 / RATE

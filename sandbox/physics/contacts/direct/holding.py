@@ -4,7 +4,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.joints.exact.shake import GROWS
+from sandbox.physics.joints.exact.constraints import GROWS
 from sandbox.physics.state.errors import JointFailure, NoForces
 
 GIVES = 1e-3

@@ -1,7 +1,8 @@
 """The rows of a step: which points touch, and what each row asks for."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -63,7 +64,8 @@ class Island(NamedTuple):
     problem: Problem
 
 
-class Layout(NamedTuple):
+@dataclass(frozen=True)
+class Layout:
     """The rows of a step: m of joints, k of gaps, f of slips, in this order.
 
     Attributes
@@ -96,8 +98,9 @@ class Layout(NamedTuple):
     def asking(self, problem: Problem) -> "Layout":
         """Return the same rows that ask for something else."""
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
-        return self._replace(problem=problem, islands=parts)
+        return replace(self, problem=problem, islands=parts)
 
+    @cached_property
     def smooth(self) -> "Layout":
         """Return the same rows without friction."""
         none = np.zeros(len(self.touching.rubs))

@@ -1,6 +1,7 @@
 """Linear systems whose rows may repeat each other."""
 
 from functools import cache
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,20 +38,46 @@ def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
 
 
 def _least(matrix: Array, wanted: Array) -> Array:
-    """Return the least solution, by a complete orthogonal decomposition."""
-    from scipy.linalg import lstsq  # a tenth of a second, for those who need it
+    """Return the least solution, by a complete orthogonal decomposition.
 
-    found = lstsq(matrix, wanted, cond=CUT, lapack_driver="gelsy", check_finite=False)[0]
-    return np.asarray(found, dtype=float)
+    LAPACK is called as SciPy's `lstsq` does, which on few rows takes longer to look at them.
+    """
+    from scipy.linalg.lapack import dgelsy  # a tenth of a second, for those who need it
+
+    count = len(matrix)
+    _, found, *_ = dgelsy(matrix, wanted, np.zeros(count, np.int32), CUT, _room(count).least)
+    return np.asarray(found[:, 0] if found.ndim > 1 else found)
 
 
 def null(matrix: Array) -> Array:
-    """Return unit vectors that a matrix maps to nothing, as columns: (m, l)."""
-    from scipy.linalg import qr
+    """Return unit vectors that a square matrix maps to nothing, as columns: (m, l)."""
+    from scipy.linalg.lapack import dgeqp3, dorgqr
 
-    across, triangle, _ = qr(matrix.T, pivoting=True, check_finite=False)
+    room = _room(len(matrix))
+    triangle, _, reflections, *_ = dgeqp3(matrix.T, lwork=room.triangle)
     size = np.abs(triangle.diagonal())
+    across = dorgqr(triangle, reflections, lwork=room.across)[0]
     return np.asarray(across[:, int((size > CUT * size[0]).sum()) :])
+
+
+class _Room(NamedTuple):
+    """How many numbers LAPACK works with on square matrices of one size."""
+
+    least: int
+    triangle: int
+    across: int
+
+
+@cache
+def _room(count: int) -> _Room:
+    """Ask LAPACK how much room it wants."""
+    from scipy.linalg.lapack import dgelsy_lwork, dgeqp3, dorgqr
+
+    matrix, column = np.eye(count), np.zeros(count)
+    least, _ = dgelsy_lwork(count, count, 1, CUT)
+    triangle = dgeqp3(matrix, lwork=-1)[3][0]
+    across = dorgqr(matrix, column, lwork=-1)[1][0]
+    return _Room(int(least), int(triangle), int(across))
 
 
 def least_distance(limits: Array, least: Array) -> Array | None:

@@ -53,7 +53,8 @@ def newton(
         If there are none.
     """
     for iteration in range(MAX_ITERATIONS):
-        there = rows(drift * (motion + impulse.dot(kick.response)))
+        way = drift * (motion + impulse.dot(kick.response))
+        there = rows(way) if np.count_nonzero(way) else kick.here
         wrong, before = there.total - wanted, active
         missed = np.abs(wrong)
         rate = wrong / drift

@@ -4,7 +4,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
-from sandbox.physics.contacts.direct.layout import Surfaces
+from sandbox.physics.contacts.direct.layout import Layout, Surfaces
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.warm_start import WarmStart
@@ -14,45 +14,67 @@ NOTHING = 1e-12
 """m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
 
 
-def part(kick: Kick, surfaces: Surfaces, known: WarmStart, leaving: Array) -> Array | None:
-    """Return the way, (3 N,) [m, rad], that takes back a share of what overlaps too much.
-
-    As far as they part by themselves they are left to, for what bounces would have more energy
-    further up; so is what has only met. What joints hold in each other stays as it is. None if
-    there is nothing to take back, or no way.
+class Parting:
+    """Takes back overlaps, step by step.
 
     Parameters
     ----------
-    kick
-        What touches.
     surfaces
-        How.
+        How bodies touch.
     known
-        Of the last kick.
-    leaving
-        (3 N,), how far they go in a step by themselves [m, rad].
+        What is known of the last kick.
     """
-    layout, here = kick.layout, kick.here
-    depths = kick.contacts.depths
-    deep = depths[layout.touching.pair, layout.touching.point] - surfaces.slop
-    if not surfaces.correction or not (deep > 0).any():
-        return None
-    parts = here.jacobian[layout.gaps] @ leaving
-    parts[known.pressed(kick)] = 0.0  # what rolls on parts a little, by the bend of its way
-    back = surfaces.correction * deep - np.maximum(parts, 0.0)
-    back = np.where(known.met(kick) & (back > NOTHING), back, 0.0)
-    if not back.any():
-        return None
-    wanted = kick.targets()
-    held, slack = here.total[layout.joints], wanted[layout.joints]
-    slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
-    wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
-    wanted[layout.gaps] += back
-    smooth = layout.smooth()
-    start = Active(smooth.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))
-    none = np.zeros_like(wanted)
-    still = np.zeros_like(kick.place.values)
-    try:
-        return newton(kick, smooth, kick.rows, still, 1.0, wanted, none, start)[1]
-    except (JointFailure, NoForces):
-        return None
+
+    def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
+        self._surfaces, self._known = surfaces, known
+        self._held: tuple[Layout, Active] | None = None  # what held in the last
+
+    def way(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return the way, (3 N,) [m, rad], that takes back a share of what overlaps too much.
+
+        As far as they part by themselves they are left to, for what bounces would have more energy
+        further up; so is what has only met. What joints hold in each other stays as it is. None if
+        there is nothing to take back, or no way.
+
+        Parameters
+        ----------
+        kick
+            What touches.
+        leaving
+            (3 N,), how far they go in a step by themselves [m, rad].
+        """
+        back = self._back(kick, leaving)
+        if back is None:
+            return None
+        layout, here, wanted = kick.layout, kick.here, kick.targets()
+        held, slack = here.total[layout.joints], wanted[layout.joints]
+        slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
+        wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
+        wanted[layout.gaps] += back
+        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
+        smooth, start = layout.smooth, self._start(layout)
+        try:
+            _, way, held_now = newton(kick, smooth, kick.rows, still, 1.0, wanted, none, start)
+        except (JointFailure, NoForces):
+            return None
+        self._held = layout, held_now
+        return way
+
+    def _back(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return by how much gaps are to grow, (k,) [m]; None if none is."""
+        layout, correction = kick.layout, self._surfaces.correction
+        touching, depths = layout.touching, kick.contacts.depths
+        deep = depths[touching.pair, touching.point] - self._surfaces.slop
+        if not correction or not (deep > 0).any():
+            return None
+        parts = kick.here.jacobian[layout.gaps] @ leaving
+        parts[self._known.pressed(kick)] = 0.0  # what rolls on parts a little: its way bends
+        back = correction * deep - np.maximum(parts, 0.0)
+        back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
+        return back if back.any() else None
+
+    def _start(self, layout: Layout) -> Active:
+        """Return what held in the last step, if the same touched then."""
+        if self._held and self._held[0] is layout:
+            return self._held[1]
+        return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))

@@ -29,7 +29,7 @@ from sandbox.physics.contacts.direct.foresight import Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
-from sandbox.physics.contacts.direct.parting import part
+from sandbox.physics.contacts.direct.parting import Parting
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.stages import Stage, Taken
 from sandbox.physics.contacts.direct.warm_start import WarmStart
@@ -100,6 +100,7 @@ class Direct:
         self._laid: tuple[Key, Layout] | None = None
         self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
         self._foresight = Foresight(query.bodies, surfaces)
+        self._parting = Parting(surfaces, self._known)
         self._contacts: Contacts = NO_CONTACTS
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
@@ -209,7 +210,8 @@ class Direct:
                 break  # found where the drift ends it is in the way no longer
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
-        self._known.note(taken.kick, taken.forces, taken.active)
+        struck = bool(taken.stages)
+        self._known.note(taken.kick, taken.forces, taken.active, struck=struck)
         self._report(taken.kick, taken.total, taken.active)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:
@@ -257,7 +259,7 @@ class Direct:
         """
         place, _ = self._joints.coordinates()
         kick = self._kick_at(place)
-        way = part(kick, self._surfaces, self._known, leaving)
+        way = self._parting.way(kick, leaving)
         if way is None:
             return kick
         state = self._batch.state()

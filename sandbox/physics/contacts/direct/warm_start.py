@@ -10,6 +10,7 @@ from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.shake import parabola
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -22,15 +23,20 @@ class Known(NamedTuple):
     ----------
     layout
         Its rows.
-    forces
-        (r,), of all rows [N].
+    past
+        The forces of all rows in the last kicks in which the same held, newest first: (r,) [N].
     active
         Which held.
     """
 
     layout: Layout
-    forces: Array
+    past: list[Array]
     active: Active
+
+    @property
+    def forces(self) -> Array:
+        """The forces of all rows: (r,) [N]."""
+        return self.past[0]
 
     @property
     def tension(self) -> Array:
@@ -53,14 +59,19 @@ class WarmStart:
         """Know nothing any more."""
         self._known = None
 
-    def note(self, kick: Kick, forces: Array, active: Active) -> None:
-        """Remember the forces of a kick, (r,) [N], and what held in it."""
-        self._known = Known(kick.layout, forces, active)
+    def note(self, kick: Kick, forces: Array, active: Active, *, struck: bool) -> None:
+        """Remember the forces of a kick, (r,) [N], what held in it, and whether it had impacts."""
+        known = None if struck else self._recalled(kick)
+        goes_on = known is not None and known.active.key == active.key
+        past = known.past[:2] if known and goes_on else []
+        self._known = Known(kick.layout, [forces, *past], active)
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
 
-        What is new holds if it meets, and slips if it does.
+        What is new holds if it meets, and slips if it does. Where the same touches and holds,
+        forces go on as the parabola through the last three, which mostly spares one of Newton's
+        steps.
 
         Parameters
         ----------
@@ -70,7 +81,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return known.forces * length, known.active
+            return parabola(known.past) * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):

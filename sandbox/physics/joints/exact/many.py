@@ -11,6 +11,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.constraints import (
+    GROWS,
     MAX_ITERATIONS,
     QUADRATIC,
     Coordinates,
@@ -19,7 +20,7 @@ from sandbox.physics.joints.exact.constraints import (
     order,
     planes,
 )
-from sandbox.physics.joints.exact.shake import GROWS, ExactJoints, parabola
+from sandbox.physics.joints.exact.shake import ExactJoints, parabola
 
 DOUBTED = 1 + (GROWS - 1) / 2
 """How many times its kinetic energy a kick may leave before it is looked at in a run alone."""

@@ -5,12 +5,11 @@ The equation is that of `ExactJoints`, for the way r from one end to the other,
     |r + h (v − λ (1/m_a + 1/m_b) r / |r|)| = L.
 """
 
-from collections.abc import Sequence
 from math import hypot
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch
-from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Condition
+from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC
 from sandbox.physics.joints.exact.distances import Row
 
 
@@ -20,7 +19,7 @@ class Rod:
     Parameters
     ----------
     row
-        Its equation; see `are_apart`.
+        Its equation; see `separate.are_apart`.
     batch
         Reads and writes the bodies.
     inverse
@@ -71,24 +70,3 @@ class Rod:
                 )
                 return impulse
         raise ZeroDivisionError
-
-
-def are_apart(equations: Sequence[Condition], inverse: Array) -> bool:
-    """Whether all are of rods between centres or points, and no moving body is on two of them.
-
-    Parameters
-    ----------
-    inverse
-        (n + 1,), 0 of what nothing moves, the plane itself last [1/kg].
-    """
-    held: set[int] = set()
-    for row in equations:
-        if not isinstance(row, Row) or len(row.reaches) != 1 or row.along or row.pulls_only:
-            return False
-        if any(end.body is not None and end.point for end in row.reaches[0]):
-            return False
-        moving = {end.body for end in row.reaches[0] if end.body is not None and inverse[end.body]}
-        if moving & held:
-            return False
-        held |= moving
-    return True

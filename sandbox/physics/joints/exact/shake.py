@@ -19,6 +19,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans
 from sandbox.physics.joints.exact.banded import Banded
 from sandbox.physics.joints.exact.constraints import (
+    GROWS,
     MAX_ITERATIONS,
     QUADRATIC,
     Coordinates,
@@ -28,7 +29,7 @@ from sandbox.physics.joints.exact.constraints import (
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.rattle import motion
 from sandbox.physics.joints.exact.refusals import check_independent, lost, overlapping
-from sandbox.physics.joints.exact.separate_rods import Rod, are_apart
+from sandbox.physics.joints.exact.separate import alone
 from sandbox.physics.joints.exact.solvability import solved
 from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
 from sandbox.physics.state.errors import JointFailure
@@ -36,10 +37,6 @@ from sandbox.physics.state.errors import JointFailure
 TAUT = 1e-12
 """m, by which a rope that does not pull may be too long: the rounding of its length."""
 
-GROWS = 1.1
-"""How many times its kinetic energy a kick may leave with joints, of what it would leave without
-them: they give none but for what a step is too long for. Seen are 1.06 where errors are of second
-order, and 4 and more where Newton's method has come to another solution."""
 
 Number = TypeVar("Number", float, Array)
 
@@ -83,8 +80,7 @@ class ExactJoints(JointSystem):
         super()._lay_out(rows, others)
         self._cold = np.zeros(len(self._joints))
         inverse = self.inverse[: 2 * len(self._inverse_moment) : 2]
-        apart = rows if are_apart(self.equations.all, inverse) else ()
-        self._rods = [Rod(row, self.batch, inverse, self.origin) for row in apart]
+        self._alone = alone(self.equations.all, self.batch, inverse, self.origin)
         self._fresh = True
         self._independence = 1.0  # the smallest singular value over the largest, at the start
 
@@ -118,7 +114,7 @@ class ExactJoints(JointSystem):
     def plain(self) -> bool:
         """Whether all are sums of lengths that stay as they are, and are solved together."""
         return not (
-            self.equations.others or self.equations.changing or self._unilateral or self._rods
+            self.equations.others or self.equations.changing or self._unilateral or self._alone
         )
 
     @property
@@ -262,7 +258,7 @@ class ExactJoints(JointSystem):
         """
         if not self._joints:
             return
-        apart = self._rods and not self._fresh
+        apart = self._alone and not self._fresh
         self.tension = self._solve_apart(until) if apart else self._solve_together(until)
         last = self._past[: 3 * self.parts - 1]
         self._past = self._past[:1] if self._struck else [self.tension, *last]
@@ -274,11 +270,11 @@ class ExactJoints(JointSystem):
         """Solve one equation after the other, in floats; return the forces along them: (m,) [N]."""
         past = [tension.tolist() for tension in self._past[self.parts - 1 :: self.parts]]
         warm_start, length, found = self._warm_start.tolist(), self.lengths(until).tolist(), []
-        for i, rod in enumerate(self._rods):
+        for i, one in enumerate(self._alone):
             expected = parabola([tension[i] for tension in past]) if past else 0.0
             guess = expected * self.kick - warm_start[i]
             try:
-                impulse = rod.solve(length[i], guess, self.drift)
+                impulse = one.solve(length[i], guess, self.drift)
             except ZeroDivisionError:
                 raise self.lost(i) from None
             found.append((warm_start[i] + impulse) / self.kick)
@@ -339,10 +335,9 @@ class ExactJoints(JointSystem):
         JointFailure
             If they do; it names the one that gave most.
         """
-        rounding = float(self._inertia.sum()) * (QUADRATIC / self.drift) ** 2 / 2
-        if self.is_driven(free):
-            return
-        if self.kinetic(moved) > GROWS * self.kinetic(free) + rounding:
+        rounding = self._mass * (QUADRATIC / self.drift) ** 2 / 2
+        gains = self.kinetic(moved) > GROWS * self.kinetic(free) + rounding
+        if gains and not self.is_driven(free):
             raise self.lost(int(np.argmax(work)))
 
     def _settle(

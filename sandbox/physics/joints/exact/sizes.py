@@ -1,8 +1,8 @@
 """How many equations the exact joints of a level may make, estimated before any table is made.
 
-Each is a row of a table with three entries a body; unless they are rods apart from each other, the
-product of the table with itself is made and solved in each step. A chain of 800 rods takes 0.1 s a
-step, one of 2,000 more than a second and 500 MB.
+Each is a row of a table with three entries a body; unless they are rods and wires apart from each
+other, the product of the table with itself is made and solved in each step. A chain of 800 rods
+takes 0.1 s a step, one of 2,000 more than a second and 500 MB.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.constraints import Condition
-from sandbox.physics.joints.exact.separate_rods import are_apart
+from sandbox.physics.joints.exact.separate import are_apart
 from sandbox.physics.state.errors import JointFailure
 
 MOST_TERMS = 2_000_000

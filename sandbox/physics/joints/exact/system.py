@@ -71,6 +71,7 @@ class JointSystem:
             (np.repeat(inverse_mass, 2), (0.0, 0.0), self._inverse_moment)
         )
         self._inertia = inertia_of(self.inverse)
+        self._mass = float(self._inertia.sum())  # and moments: for what is rounding
         self.order = order(len(inverse_mass))
         start = 3 * len(self._inverse_moment)
         self._of_state = np.concatenate((self.order, self.order + start), axis=1).ravel()

@@ -44,6 +44,13 @@ class WireEquation:
         What slides along it.
     points
         Of the curve [m], at equal steps of its parameter.
+
+    Attributes
+    ----------
+    joint
+        The name of the wire.
+    body, point
+        Which body the bead is, and where on it the wire passes [m].
     """
 
     length = 0.0
@@ -52,8 +59,7 @@ class WireEquation:
 
     def __init__(self, joint: str, bead: Anchor, points: Points) -> None:
         assert bead.body is not None
-        self.joint = joint
-        self._body, self._point = bead.body, bead.point
+        self.joint, self.body, self.point = joint, bead.body, bead.point
         self._nodes, self._curve = points, Quintics(points)
         self._last: tuple[float, complex] | None = None  # the foot, in pieces; the tangent there
 
@@ -63,13 +69,16 @@ class WireEquation:
 
     def look(self, place: Coordinates) -> tuple[float, tuple[Share]]:
         """Return the distance [m], positive on the left of the wire, and its jacobian."""
-        arm = self._point * np.exp(1j * place.angle[self._body]) if self._point else 0j
-        bead = complex(place.plane[self._body] + arm)
+        arm = self.point * np.exp(1j * place.angle[self.body]) if self.point else 0j
+        distance, normal = self.near(complex(place.plane[self.body] + arm))
+        lever = float((normal.conjugate() * 1j * arm).real)
+        return distance, (Share(self.body, normal, lever),)
+
+    def near(self, bead: complex) -> tuple[float, complex]:
+        """Return the distance of a point [m], positive on the left, and the unit normal there."""
         foot, tangent = self._foot(bead)
         normal = 1j * tangent
-        distance = (normal.conjugate() * (bead - foot)).real
-        lever = float((tangent.conjugate() * arm).real)  # Re(conj(i τ) i arm)
-        return distance, (Share(self._body, normal, lever),)
+        return (normal.conjugate() * (bead - foot)).real, normal
 
     def _foot(self, bead: complex) -> tuple[complex, complex]:
         """Return the nearest point of the wire, and the unit tangent there."""

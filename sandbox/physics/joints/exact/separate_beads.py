@@ -1,0 +1,70 @@
+"""Beads alone on their wires, solved one by one in floats: a quarter of the time in arrays.
+
+The equation is that of `ExactJoints`, for a bead at z with the normal n of its wire at the step,
+
+    d(z + h (v − λ n / m)) = 0,
+
+where d is the signed distance from the wire.
+"""
+
+from sandbox.physics.engine.batch import Batch
+from sandbox.physics.joints.exact.constraints import GROWS, MAX_ITERATIONS, QUADRATIC
+from sandbox.physics.joints.exact.wire import WireEquation
+
+
+class Bead:
+    """Keeps a bead on its wire.
+
+    Parameters
+    ----------
+    equation
+        Of the wire; see `separate.are_apart`.
+    batch
+        Reads and writes the bodies.
+    inverse
+        One over the mass of the bead [1/kg].
+    origin
+        From where the points of the wire are counted [m].
+    """
+
+    def __init__(
+        self, equation: WireEquation, batch: Batch, inverse: float, origin: complex
+    ) -> None:
+        self._wire, self._inverse, self._origin = equation, inverse, origin
+        self._pair = batch.pair(equation.body, None)
+
+    def solve(self, length: float, guess: float, drift: float) -> float:
+        """Find the impulse that keeps the bead on its wire through a drift [s], and apply it [N s].
+
+        Parameters
+        ----------
+        length
+            How far from the wire it is kept [m].
+        guess
+            About how large the impulse is [N s].
+
+        Raises
+        ------
+        ZeroDivisionError
+            If nothing keeps it: Newton's method goes astray, or comes to where the bead would have
+            to be given energy.
+        JointFailure
+            If the wire ends, or bends too sharply for a step.
+        """
+        x, y, u, v, *plane = self._pair.read()
+        place, motion = complex(x, y) - self._origin, complex(u, v)
+        reply = self._wire.near(place)[1] * self._inverse
+        back = reply.conjugate()
+        impulse = guess
+        for _ in range(MAX_ITERATIONS):
+            distance, normal = self._wire.near(place + drift * (motion - impulse * reply))
+            impulse += (distance - length) / (drift * (back * normal).real)
+            if abs(distance - length) <= QUADRATIC:
+                break
+        else:
+            raise ZeroDivisionError
+        moved = motion - impulse * reply
+        if abs(moved) ** 2 > GROWS * abs(motion) ** 2 + (QUADRATIC / drift) ** 2:
+            raise ZeroDivisionError
+        self._pair.set_velocity(moved.real, moved.imag, plane[2], plane[3])
+        return impulse
