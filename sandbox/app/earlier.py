@@ -67,7 +67,7 @@ def kept(
         When a branch left it [s]; None if the next run starts anew.
     """
     before = run.world.values
-    told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values[n])
+    told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
     if left is not None:
         told += f", left at {left:.2f} s"
     if any(one.told == told for one in earlier) or _is_brief(run):

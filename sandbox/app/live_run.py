@@ -1,5 +1,6 @@
 """A run of the level that is played: what was done to it, and what was observed of it."""
 
+import json
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
@@ -120,7 +121,7 @@ class LiveRun:
 
     def advance(self) -> None:
         """Take a step, its companions too, and note what is observed."""
-        self._do_again()
+        self.catch_up()
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
         try:
@@ -141,7 +142,7 @@ class LiveRun:
         for companion in self.companions:
             companion.follow(t)
 
-    def _do_again(self) -> None:
+    def catch_up(self) -> None:
         """Do what was done at this step when the run was taken before."""
         while self.script and self.script[0].step == self.world.steps:
             action, *self.script = self.script
@@ -187,15 +188,26 @@ class LiveRun:
             self.actions.pop()
         self._go_on_in(world, before, action)
 
+    def alter(self, text: str) -> None:
+        """Go on from here as a level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
+        self._go_on_in(perform(action, self.world), self.world, action)
+
     def _go_on_in(self, world: World, before: World, action: Action) -> None:
         """Go on in a world that has branched off from another one, of which something stays."""
-        if before is self.world:
+        if before is self.world and action.kind == "branch":
             self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
         self._fork, self.world, self.ahead = before, world, None
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         self.books = Books(world, self.end)
-        self.trail.restart(world.snapshot.position)
+        self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
 
     def release_what_is_held(self) -> None:

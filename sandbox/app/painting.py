@@ -24,6 +24,7 @@ def paint(space: Workspace) -> None:
         surface.fill(theme.PANEL, column)
     space.panels.controls.draw(surface, space.session)
     space.panels.manager.draw_ui(surface)
+    space.panels.focus.draw(surface, space.panels.manager, layout)
     for x in (layout.stage.left, layout.stage.right - 1):
         surface.fill(theme.EDGE, (x, 0, 1, layout.stage.height))
     if space.help:
@@ -36,6 +37,8 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
     maker = space.maker
     if maker is None or not maker.draw(view, space.stage, space.pen, session):
         _paint_run(space, view, session)
+        if maker is not None:
+            maker.draw_over(view, space.stage, space.pen)
     if space.hand.tape is not None:
         space.hand.tape.draw(view, space.stage.camera, space.pen)
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)

@@ -116,8 +116,12 @@ class Playback(RunView, ABC):
 
     def do_again(self, actions: Sequence[Action], steps: int) -> None:
         """Take a run from its start to a step, with what a hand did to it then."""
+        self._take_again(actions, steps, inf)
+
+    def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
+        """Take a run from its start; what there is no time for is left to later frames [s]."""
         self.run.script, self.sought = actions, steps
-        self._seek(inf)
+        self._seek(budget)
 
     def _begin_again(self, sought: int) -> None:
         """Start anew with the same parameters, to do again what was done before a step."""
@@ -135,6 +139,7 @@ class Playback(RunView, ABC):
             if self.halted:
                 self.sought = None
             elif self.world.steps >= self.sought:
+                self.run.catch_up()
                 self.sought = None
                 self.run.release_what_is_held()
                 self.playing = playing and not self.at_end

@@ -13,6 +13,7 @@ from sandbox.app.pace import Pace
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
+from sandbox.model.level import Level
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.state.errors import SimulationError
@@ -35,6 +36,11 @@ class RunView:
     def world(self) -> World:
         """The world of the present run."""
         return self.run.world
+
+    @property
+    def level(self) -> Level:
+        """What is played: what the run began as, or what it was altered to on the way."""
+        return self.world.level
 
     @property
     def companions(self) -> tuple[Companion, ...]:

@@ -41,7 +41,7 @@ class Run(Model):
 
 def run_of(session: Session) -> Run:
     """Return the run of a session so far."""
-    level = session.level.model_copy(update={"stepping": session.world.stepping})
+    level = session.begun_as.model_copy(update={"stepping": session.world.stepping})
     if session.changes or level.effects != session.original.effects:
         level = _scene(level)
     return Run(

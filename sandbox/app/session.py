@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from sandbox.app.actions import Action
 from sandbox.app.beginning import Beginning, at_rate, begin
 from sandbox.app.companions import NONE, Changes, Variant
 from sandbox.app.live_run import LiveRun
@@ -25,8 +26,8 @@ class Session(Playback):
     ----------
     original
         The level as its file declares it.
-    level
-        What is played: the original, or with other effects, or with another stepping.
+    begun_as
+        What its runs begin as: the original, or with other effects, or with another stepping.
     changes
         Which effects were switched off and on.
     branches
@@ -58,11 +59,11 @@ class Session(Playback):
     ) -> None:
         self.original = level
         self._patient = patient
-        self.level = at_rate(level, rate)
+        self.begun_as = at_rate(level, rate)
         self.changes = NONE
         self.branches = False
         self.looking = Looking(level)
-        begun = self._built(self.level, (), level.defaults if values is None else values)
+        begun = self._built(self.begun_as, (), level.defaults if values is None else values)
         super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
 
@@ -72,7 +73,7 @@ class Session(Playback):
     def _run_with(self, values: Values) -> LiveRun:
         """Return a run with these parameters, and with the same runs beside it."""
         variants = [companion.variant for companion in self.companions]
-        return LiveRun(self.original, self._built(self.level, variants, values), self.earlier)
+        return LiveRun(self.original, self._built(self.begun_as, variants, values), self.earlier)
 
     def _run_anew(self) -> LiveRun:
         return self._run_with(self.begun_with)
@@ -91,7 +92,9 @@ class Session(Playback):
         ValueRangeError
             If a parameter cannot have that value.
         """
-        values = choose(self.level, {**self.values, **(settings or {})})
+        level = self.begun_as
+        now = {name: value for name, value in self.values.items() if name in level.parameters}
+        values = choose(level, {**self.begun_with, **now, **(settings or {})})
         if values != self.values and self.world.steps:
             self.run.keep_as_earlier(values)
         try:
@@ -134,11 +137,53 @@ class Session(Playback):
         if not self.world.steps:
             self.restart(settings)
             return
-        if self.companions or self.failure is not None:
-            why = "other runs go beside it" if self.companions else "it had to stop"
-            raise SandboxError(f"this run cannot go on with other parameters: {why}")
+        self._require_one_that_goes_on("with other parameters")
         self.release()
         self.run.branch(settings)
+
+    def alter(self, text: str) -> None:
+        """Go on from here as another level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        self._require_one_that_goes_on("with other parts")
+        if self.changes:
+            raise SandboxError("effects are switched off or on here; switch them back first (X)")
+        self.release()
+        self.run.alter(text)
+        if self.looking.body not in self.level.bodies:
+            self.looking = Looking(self.level)
+
+    def _require_one_that_goes_on(self, how: str) -> None:
+        if self.companions or self.failure is not None:
+            why = "other runs go beside it" if self.companions else "it had to stop"
+            raise SandboxError(f"this run cannot go on {how}: {why}")
+
+    def resume(
+        self, actions: Sequence[Action], steps: int, values: Values | None = None
+    ) -> None:
+        """Take a run again from its start, and stand there; a long way takes some frames.
+
+        Parameters
+        ----------
+        actions
+            What was done to it.
+        steps
+            How far.
+        values
+            With which it began; those with which the present one did if left out.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be built again.
+        """
+        self._take_up(self._run_with(self.begun_with if values is None else values))
+        self.playing = False
+        self._take_again(actions, steps)
 
     def take(self, advice: Advice) -> None:
         """Take in what was found to help a run that had to stop."""
@@ -148,7 +193,7 @@ class Session(Playback):
 
     def rerun(self, rate: float) -> None:
         """Play anew at another rate, from now on [Hz]."""
-        self.level = at_rate(self.level, rate)
+        self.begun_as = at_rate(self.begun_as, rate)
         self.restart()
         self.playing = self.failure is None
 
@@ -161,12 +206,16 @@ class Session(Playback):
             If it cannot be run; then all stays as it was.
         """
         begun = self._built(level, (), level.defaults)
-        self.original = self.level = level
+        self.original = self.begun_as = level
         self.changes, self.playing = NONE, False
         self._take_up(LiveRun(self.original, begun))
 
     def play_as(
-        self, level: Level, beside: Sequence[Variant] = (), changes: Changes = NONE
+        self,
+        level: Level,
+        beside: Sequence[Variant] = (),
+        changes: Changes = NONE,
+        values: Values | None = None,
     ) -> None:
         """Start anew with another form of the level, and with other runs beside it.
 
@@ -178,19 +227,21 @@ class Session(Playback):
             What runs beside it.
         changes
             The effects in which it differs from the original.
+        values
+            Its parameters; the present ones if left out.
 
         Raises
         ------
         SandboxError
             If one of them cannot be run; then all stays as it was.
         """
-        begun = self._built(level, beside, self.values)
-        self.level, self.changes = level, changes
+        begun = self._built(level, beside, self.values if values is None else values)
+        self.begun_as, self.changes = level, changes
         self._take_up(LiveRun(self.original, begun))
 
     def settle(self, setting: Setting) -> None:
         """Begin with the setting that its level asks for, now that it is known."""
-        keep(self.level, self.values, setting)
+        keep(self.begun_as, self.values, setting)
         self.restart()
 
     def give_up(self, why: str) -> None:

@@ -1,7 +1,7 @@
 """The editor: it takes the place of the hand while its page is open, and leads to the run and back.
 
-What is built is drawn at its start, as its text says it. Once time runs the run is shown, and the
-hand is back; to go back to the start is to go back to building.
+What is built is drawn at its start, as its text says it. Once time runs the run is shown, the hand
+is back, and tools throw things into the run; to go back to the start is to go back to building.
 """
 
 import re
@@ -13,10 +13,12 @@ import pygame
 
 from sandbox.app.building import keys, painting
 from sandbox.app.building.drafts import Drafts
+from sandbox.app.building.live import KEPT
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.joining import JoinTool
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
+from sandbox.app.building.trial import Trial
 from sandbox.app.building.work import Work
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
@@ -42,6 +44,10 @@ class Editor:
     ----------
     work
         The level under edit.
+    trial
+        Its runs.
+    bench
+        What is on the stage, and tools change: the level, or its run.
     drafts
         The other levels that were edited.
     tool
@@ -55,11 +61,17 @@ class Editor:
     """
 
     def __init__(self) -> None:
-        self.work, self.drafts = Work(), Drafts()
+        self.work, self.drafts, self.trial = Work(), Drafts(), Trial()
+        self.bench: Work = self.work
         self.tool = TOOLS[0].name
         self.refusal, self.naming = "", False
         self.culprits: frozenset[str] = frozenset()
-        self._tools: Mapping[str, Tool] = {kind.name: kind.make(self.work) for kind in TOOLS}
+        self._tools: Mapping[Work, Mapping[str, Tool]] = {
+            bench: {kind.name: kind.make(bench) for kind in TOOLS}
+            for bench in (self.work, self.trial.live)
+        }
+        self._laid_down = self.tool  # while the run is shown
+        self._stands = False  # whether time stands until what is drawn into the run is done
         self._played: Level | None = None  # what the session has of it
         self._tried: object = self.work.version
         self._waits = 0.0  # s, until what was changed is tried
@@ -70,11 +82,11 @@ class Editor:
     @property
     def news(self) -> object:
         """Another object whenever something else is to be shown."""
-        return self.work.news
+        return self.work.news, self.trial.live.news, self.bench
 
     def show(self) -> None:
         """Let the page be drawn anew."""
-        self.work.news = object()
+        self.bench.news = object()
 
     @property
     def running(self) -> bool:
@@ -91,7 +103,8 @@ class Editor:
                 self.settle(session)
         if self.drafts.follow(self.work.draft, seconds):
             self.show()
-        return self.work.told()
+        self._look_at(session)
+        return self.bench.told() or self.work.told()
 
     def cancel(self) -> None:
         """Keep what is not saved for the next time."""
@@ -156,12 +169,12 @@ class Editor:
     @property
     def hand(self) -> Tool:
         """The tool in hand."""
-        return self._tools[self.tool]
+        return self._tools[self.bench][self.tool]
 
     @property
     def joining(self) -> JoinTool:
         """The tool that makes joints."""
-        tool = self._tools["join"]
+        tool = self._tools[self.bench]["join"]
         assert isinstance(tool, JoinTool)
         return tool
 
@@ -176,8 +189,8 @@ class Editor:
         """Give up what was begun; if nothing is, select nothing; then take up the first tool."""
         if self.hand.busy:
             self.hand.cancel()
-        elif self.work.selected:
-            self.work.select(())
+        elif self.bench.selected:
+            self.bench.select(())
         else:
             self.choose(TOOLS[0].name)
 
@@ -241,12 +254,94 @@ class Editor:
             session.toggle()
 
     def back(self, session: Session) -> None:
-        """Go back to the start, and to building."""
+        """Go back to the start, and to building; the run can be come back to."""
         if self.trying(session):
+            self.trial.leave(session, self.work.draft.text)
             session.restart()
             session.pause()
             session.forget_earlier()
-            self.show()
+        self._look_at(session)
+
+    def come_back(self, session: Session) -> None:
+        """Go on with the run of this level that was left."""
+        if not self.refusal:
+            self.trial.come_back(session, self.work.draft.text)
+        self._look_at(session)
+
+    def _look_at(self, session: Session) -> None:
+        """Take up the run, or the level, whichever is shown; tools are those of that."""
+        live = self.trial.live
+        live.session = session
+        bench = live if self.trying(session) else self.work
+        if bench is self.bench:
+            return
+        while self.hand.busy:
+            self.hand.cancel()
+        self._stands = False
+        chosen, self.bench = self.bench.selected, bench
+        if bench is live:
+            self.tool, self._laid_down = TOOLS[0].name, self.tool
+            live.look()
+            live.select(chosen)
+        else:
+            self.tool = self._laid_down
+        self.show()
+
+    def look(self, session: Session) -> None:
+        """Take in where the run stands, before it is changed."""
+        self._look_at(session)
+        if self.bench is self.trial.live:
+            self.trial.live.look()
+
+    def undo(self, session: Session) -> None:
+        """Take back the last change of the run; if there is none, the run, or one of the level."""
+        if not self.trying(session):
+            self.work.undo()
+        elif self.trial.changed(session):
+            self.trial.take_back(session)
+            self.bench.tell("Undone: what was changed in the run")
+        else:
+            self.back(session)
+            self.work.tell("Undone: the run; Ctrl Y comes back to it")
+
+    def redo(self, session: Session) -> None:
+        """Do again what was undone last: a change of the run, the run, or a change of the level."""
+        if self.trying(session):
+            try:
+                done = self.trial.do_again(session)
+            except SandboxError as error:
+                self.bench.tell(str(error))
+            else:
+                self.bench.tell("Done again" if done else "There is nothing to do again")
+        elif self.trial.is_undone(self.work.draft.text):
+            self.come_back(session)
+        else:
+            self.work.redo()
+
+    def undoes(self, session: Session) -> str | None:
+        """What would be undone next, in words."""
+        if not self.trying(session):
+            return self.work.draft.undoes
+        return "the last change of the run" if self.trial.changed(session) else "the run"
+
+    def redoes(self, session: Session) -> str | None:
+        """What would be done again next, in words."""
+        if self.trying(session):
+            return "change the run" if self.trial.is_taken_back(session) else None
+        if self.trial.is_undone(self.work.draft.text):
+            return "the run"
+        return self.work.draft.redoes
+
+    def keep_run(self, session: Session) -> None:
+        """Go on building with the present state of the run as a level of its own."""
+        try:
+            draft = self.trial.live.kept()
+        except SandboxError as error:
+            self.bench.tell(str(error))
+            return
+        self.begin(session, draft)
+        self._look_at(session)
+        self.work.tell(KEPT)
 
     def command(self, command: str, session: Session) -> bool:
         """Refuse to run what cannot; read a file again without losing what was changed."""
@@ -272,9 +367,10 @@ class Editor:
         self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
     ) -> bool:
         """Let the tool in hand do what the mouse asks for."""
-        self.work.camera = stage.camera
-        if self.trying(session):
-            return False
+        self._look_at(session)
+        self.bench.camera = stage.camera
+        if self.bench is self.trial.live:
+            return self._throw_in(event, area, stage, session)
         spot = self._spot = self._look((event.pos[0] - area.x, event.pos[1] - area.y))
         if event.type == pygame.MOUSEMOTION:
             self.hand.move(spot)
@@ -285,11 +381,43 @@ class Editor:
             self.hand.press(spot)
         return bool(event.button == 1)
 
+    def _throw_in(
+        self, event: pygame.event.Event, area: pygame.Rect, stage: Stage, session: Session
+    ) -> bool:
+        """Let a tool change the run; time stands until it is done. Without one the hand is back."""
+        pixel, live = (event.pos[0] - area.x, event.pos[1] - area.y), self.trial.live
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
+        pressed = pressed and area.collidepoint(event.pos)
+        if self.tool == TOOLS[0].name:
+            if pressed:
+                live.look()
+                body = stage.body_at(pixel)
+                part = ("bodies", body) if body else live.part_at(pixel)
+                live.select([part] if part else ())
+            return False
+        if pressed:
+            self._stands, session.playing = self._stands or session.playing, False
+            live.look()
+        spot = self._spot = self._look(pixel)
+        if event.type == pygame.MOUSEMOTION:
+            self.hand.move(spot)
+        elif pressed:
+            self.hand.press(spot)
+        elif event.button == 1:
+            self.hand.release(spot)
+        self.go_on(session)
+        return event.type != pygame.MOUSEMOTION and bool(event.button == 1)
+
+    def go_on(self, session: Session) -> None:
+        """Let time run again, once nothing is being drawn into the run."""
+        if self._stands and not self.hand.busy:
+            self._stands, session.playing = False, session.failure is None
+
     def _look(self, pixel: XY) -> Spot:
         """Return where the mouse is; while Alt is held nothing catches it."""
-        free, held = self.work.camera.to_world(pixel), pygame.key.get_mods()
+        free, held = self.bench.camera.to_world(pixel), pygame.key.get_mods()
         shift, loose = bool(held & pygame.KMOD_SHIFT), bool(held & pygame.KMOD_ALT)
-        return Spot(pixel, free, shift, loose, self.work.snapping.point)
+        return Spot(pixel, free, shift, loose, self.bench.snapping.point)
 
     def draw(self, surface: pygame.Surface, stage: Stage, pen: Pen, session: Session) -> bool:
         """Draw what is built, unless time runs."""
@@ -305,3 +433,20 @@ class Editor:
         self.hand.draw(surface, pen)
         painting.draw_hint(surface, pen, self.hand.hint)
         return True
+
+    def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
+        """Draw over the run what is selected in it, and what is being drawn into it."""
+        if self.bench is not self.trial.live:
+            return
+        live, view = self.trial.live, stage.view
+        for family, name in live.selected:
+            if family == "bodies" and (outline := view.outlines.get(name)):
+                corners = outline.placed(*view.state(outline))
+                painting.draw_around(surface, stage.camera, corners, closed=outline.closed)
+        if self.tool == TOOLS[0].name:
+            return
+        if self.hand.busy and self._spot is not None:
+            painting.caught(surface, stage.camera, pen, self._spot.snapped)
+        if live.fresh:
+            self.hand.draw(surface, pen)
+        painting.draw_hint(surface, pen, f"{self.hand.hint}; time stands until it is done")

@@ -49,13 +49,19 @@ def subject(work: Work) -> str:
 def rows(work: Work) -> Sequence[Row]:
     """Return what can be set of what is inspected; of several parts nothing can."""
     match work.selected:
-        case ():
+        case () if not work.fixed:
             return fields.rows(Level, work.document, ())
         case ((family, name),):
             said = work.document[family][name]
             model = Body if family == "bodies" else fields.model_of(Joint, said)
-            return fields.rows(model, said, (family, name)) if model else ()
+            found = fields.rows(model, said, (family, name)) if model else ()
+            return [row for row in found if _field(row) not in work.fixed]
     return ()
+
+
+def _field(row: Row) -> str | int:
+    """Return the field of a body or a joint that a row sets."""
+    return (row.path if isinstance(row, fields.Section) else row[0].path)[2]
 
 
 def assign(work: Work, row: Sequence[Entry], entry: Entry, typed: str) -> str:
@@ -79,7 +85,7 @@ def _assigned(text: str, row: Sequence[Entry], entry: Entry, typed: str) -> str:
 
 def numbers(work: Work) -> frozenset[Path]:
     """Return what can be made a parameter: what is said, and is no formula of others yet."""
-    level = work.draft.level
+    level = None if work.fixed else work.draft.level
     return frozenset(p for p, e in expressions(level) if not e.names) if level else frozenset()
 
 

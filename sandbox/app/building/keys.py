@@ -1,6 +1,7 @@
 """What keys mean while something is built, and what the help tells of them."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Protocol
 
 import pygame
@@ -45,7 +46,8 @@ HELP: tuple[tuple[str, str], ...] = (
 class Keyed(Protocol):
     """What keys act on: the editor."""
 
-    work: Work
+    bench: Work
+    tool: str
 
     @property
     def hand(self) -> Tool:
@@ -58,6 +60,22 @@ class Keyed(Protocol):
 
     def back(self, session: Session) -> None:
         """Go back to building."""
+        ...
+
+    def look(self, session: Session) -> None:
+        """Take in where the run stands, before it is changed."""
+        ...
+
+    def go_on(self, session: Session) -> None:
+        """Let time run again, once nothing is being drawn into the run."""
+        ...
+
+    def undo(self, session: Session) -> None:
+        """Take back what was done last."""
+        ...
+
+    def redo(self, session: Session) -> None:
+        """Do again what was taken back last."""
         ...
 
     def choose(self, tool: str) -> None:
@@ -83,21 +101,20 @@ def press(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
         return _with_control(editor, event, session)
     kind = next((k for k in TOOLS if event.unicode and k.key == event.unicode), None)
     if kind is not None:
-        editor.back(session)
         editor.choose(kind.name)
+        editor.go_on(session)
         return True
     if editor.trying(session):
-        if event.key == pygame.K_ESCAPE:
-            editor.back(session)
-        return event.key == pygame.K_ESCAPE
+        return _while_trying(editor, event, session)
     return _while_building(editor, event)
 
 
 def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
-    shift, work = bool(event.mod & pygame.KMOD_SHIFT), editor.work
+    shift, work = bool(event.mod & pygame.KMOD_SHIFT), editor.bench
+    undo, redo = partial(editor.undo, session), partial(editor.redo, session)
     acts: Mapping[int, Callable[[], object]] = {
-        pygame.K_z: work.redo if shift else work.undo,
-        pygame.K_y: work.redo,
+        pygame.K_z: redo if shift else undo,
+        pygame.K_y: redo,
         pygame.K_s: editor.save_as if shift else editor.save,
         pygame.K_a: work.select_all,
         pygame.K_c: work.copy,
@@ -107,21 +124,43 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
     act = acts.get(event.key)
     if act is None:
         return False
-    if event.key != pygame.K_s:
-        editor.back(session)
+    if event.key in (pygame.K_c, pygame.K_v, pygame.K_d, pygame.K_a):
+        editor.look(session)
     act()
+    return True
+
+
+def _while_trying(editor: Keyed, event: pygame.event.Event, session: Session) -> bool:
+    """Change the run, or go back to building."""
+    first = TOOLS[0].name
+    if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER) and editor.hand.busy:
+        editor.hand.finish()
+    elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
+        editor.hand.cancel()
+    elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
+        editor.look(session)
+        editor.bench.delete()
+    elif event.key == pygame.K_ESCAPE and editor.tool == first:
+        editor.back(session)
+    elif event.key == pygame.K_ESCAPE and editor.hand.busy:
+        editor.hand.cancel()
+    elif event.key == pygame.K_ESCAPE:
+        editor.choose(first)
+    else:
+        return False
+    editor.go_on(session)
     return True
 
 
 def _while_building(editor: Keyed, event: pygame.event.Event) -> bool:
     if event.key in ARROWS:
-        editor.work.nudge(*ARROWS[event.key], FINE if event.mod & pygame.KMOD_ALT else 1.0)
+        editor.bench.nudge(*ARROWS[event.key], FINE if event.mod & pygame.KMOD_ALT else 1.0)
     elif event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
         editor.hand.finish()
     elif event.key == pygame.K_BACKSPACE and editor.hand.busy:
         editor.hand.cancel()
     elif event.key in (pygame.K_DELETE, pygame.K_BACKSPACE):
-        editor.work.delete()
+        editor.bench.delete()
     elif event.key == pygame.K_ESCAPE:
         editor.give_up()
     else:

@@ -72,6 +72,18 @@ def _around(
         points, closed = sketch.bodies[name].corners, sketch.bodies[name].outline.closed
     elif family == "joints" and name in sketch.joints:
         points = sketch.joints[name].path
+    return draw_around(surface, camera, points, color, closed=closed)
+
+
+def draw_around(
+    surface: pygame.Surface,
+    camera: Camera,
+    points: Sequence[XY],
+    color: Color = theme.TEXT,
+    *,
+    closed: bool,
+) -> XY | None:
+    """Draw a line through points of the plane [m], and return where it is on the stage [px]."""
     corners = camera.path(points)
     if not corners:
         return None

@@ -27,6 +27,8 @@ class Work:
 
     Attributes
     ----------
+    fixed
+        The fields of bodies that cannot be set here.
     draft
         The level's text, its undo and its file.
     text
@@ -46,6 +48,8 @@ class Work:
     news
         Another object whenever something else is to be shown.
     """
+
+    fixed: Collection[str] = ()
 
     def __init__(self) -> None:
         self.camera = Camera((1, 1))

@@ -24,6 +24,9 @@ DENSITY = 10.0
 SMALLEST = 1e-12
 """m, what is drawn smaller is a click, and no body."""
 
+DRAWN = 12
+"""The digits of a size that is drawn: it is a difference, whose last digits are rounding."""
+
 CLOSES = 0.1
 """The share of its size within which a stroke comes back to its beginning, and is closed."""
 
@@ -162,4 +165,4 @@ def _about(points: Sequence[XY], center: XY) -> list[list[float]]:
 def _size(value: float) -> float:
     if value <= SMALLEST:
         raise SandboxError("drag to give it a size")
-    return float(plain(value))
+    return float(f"{value:.{DRAWN}g}")

@@ -7,7 +7,7 @@ from contextlib import suppress
 from math import floor, isfinite, log10
 
 from sandbox.editing.layout import Json, plain
-from sandbox.editing.mending import accepted
+from sandbox.editing.mending import accepted, without_meaning
 from sandbox.editing.patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction
@@ -24,6 +24,8 @@ _DEGREES = re.compile(r"\s*(-?[\d.]+)\s*\*\s*deg\s*")
 
 def set_field(text: str, path: Path, typed: str) -> str:
     """Return a level in which a field says what was typed; nothing typed leaves the field out.
+
+    A parameter that only this field used goes with what it said.
 
     What is a number stands as it was typed; what is none is a formula, or a word where the field
     takes words; a list, an object, true and false are written as in JSON.
@@ -46,7 +48,7 @@ def set_field(text: str, path: Path, typed: str) -> str:
     changed = [_typed_in(text, path, token) for token in _readings(typed.strip())]
     if not typed.strip():
         changed = [_without(text, path)]
-    found = [(one, _mistakes(one)) for one in changed]
+    found = [_without_what_is_unused(one, _mistakes(one)) for one in changed]
     known = {(mistake.path, mistake.rule) for mistake in before}
     for one, mistakes in found:
         if all((mistake.path, mistake.rule) in known for mistake in mistakes):
@@ -125,6 +127,17 @@ def _without(text: str, path: Path) -> str:
     with suppress(PatchError):
         return remove(text, path)
     return text
+
+
+def _without_what_is_unused(
+    text: str, mistakes: tuple[Mistake, ...]
+) -> tuple[str, tuple[Mistake, ...]]:
+    """Return a text without the parameters and constants that it has too many, and its mistakes."""
+    paths = [tuple(mistake.path.split(".")) for mistake in mistakes]
+    if not paths or any(len(p) != 2 or p[0] not in ("parameters", "constants") for p in paths):
+        return text, mistakes
+    less = without_meaning(text)
+    return less, _mistakes(less)
 
 
 def _mistakes(text: str) -> tuple[Mistake, ...]:

@@ -22,8 +22,8 @@ from sandbox.model.quantities import TIME, base, quantity
 from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.over_time import over_time
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World

@@ -1,12 +1,16 @@
-"""A run that goes on with other parameters from where it stands; see `taking_over.py` for how."""
+"""A run that goes on from where it stands with other parameters, or with other parts.
+
+`taking_over.py` says how.
+"""
 
 from functools import partial
 
 from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
+from sandbox.model.level import Level
 from sandbox.physics.stepping.making import make_world
-from sandbox.physics.stepping.taking_over import take_over
+from sandbox.physics.stepping.taking_over import begin_late, take_over
 from sandbox.physics.stepping.world import World
 
 
@@ -26,7 +30,25 @@ def branch(world: World, values: Values) -> World:
     changed = [name for name in values if values[name] != world.values[name]]
     if changed and (why := obstacle(world.level, changed)):
         raise SandboxError(why)
-    begin = partial(take_over, now=world.snapshot, steps=world.steps, joints=world.scene.joints)
+    begin = partial(take_over, now=world.snapshot, steps=world.steps, before=world.scene)
     branched = make_world(world.level, values, world.stepping, begin)
     branched.disturbed = True
     return branched
+
+
+def alter(world: World, level: Level) -> World:
+    """Make a world that goes on, at the time of another and in its steps, from a level's start.
+
+    The level is the state of the other one, in which something was changed. That one stays as it
+    is. What is not changed goes on as in a branch.
+
+    Raises
+    ------
+    SimulationError
+        If the world cannot go on from there.
+    """
+    rows = {name: row for row, name in enumerate(world.level.bodies)}
+    begin = partial(begin_late, now=world.snapshot, steps=world.steps, rows=rows)
+    altered = make_world(level, level.defaults, world.stepping, begin)
+    altered.disturbed = True
+    return altered

@@ -43,15 +43,6 @@ def test_the_run_stands_at_its_start_while_building_and_comes_back_there(mine: B
     assert mine.editor.work.draft.text == text
 
 
-def test_to_change_something_while_it_runs_comes_back_to_the_start(mine: Builder) -> None:
-    mine.key(pygame.K_SPACE, " ")
-    mine.person.wait(0.2)
-    mine.key(pygame.K_3, "3")
-
-    assert mine.person.session.world.steps == 0
-    assert mine.editor.tool == "box"
-
-
 def test_the_run_is_that_of_what_was_built(mine: Builder) -> None:
     mine.key(pygame.K_2, "2")
     mine.drag((3, 2), (3.5, 2))

@@ -13,6 +13,8 @@ from sandbox.app.theme import Color
 from sandbox.model.effects import EFFECTS, Effects
 
 FIRST = "Draw something: take Disc or Box above, and drag on the stage."
+IN_RUN = "Throw things in with a tool, or click on a body to change it. Checks no longer hold then."
+NO_FORMULA = "The run was changed on the way: none of the level's checks holds for it any more."
 NOTHING_SELECTED = "Click on a body or joint on the stage to set its mass, length and so on."
 SELECTED = "Effects and suggested checks are shown while nothing is selected."
 NO_CHECKS = "No checks to suggest: they are for set-ups that have a closed form."
@@ -24,22 +26,37 @@ class Block(NamedTuple):
     """A heading or a text, and buttons below it, some of which are pressed."""
 
     text: str
-    color: Color | None = theme.DIM
-    """None for a heading"""
+    color: Color | None = None
+    """None for that of what is less important"""
     acts: tuple[Act, ...] = ()
     pressed: frozenset[str] = frozenset()
+    heading: bool = False
 
     @property
     def shape(self) -> tuple[object, ...]:
         """What must be built anew if it changes."""
-        return self.text, self.color, tuple(act.caption for act in self.acts)
+        return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
 
 
 def above(editor: Editor, session: Session) -> list[Block]:
     """Return what comes first: what is wrong, and what there is to decide."""
     found = []
     if editor.trying(session):
-        found.append(Block("This is the run. Esc goes back to building.", theme.NOTICE))
+        keep = Act(
+            "Keep as a level",
+            "build on with the present state as a level of its own",
+            partial(editor.keep_run, session),
+        )
+        found.append(Block("This is the run. Esc goes back to building.", theme.NOTICE, (keep,)))
+        if session.world.disturbed and session.original.checks:
+            found.append(Block(NO_FORMULA, theme.NOTICE))
+    elif (left := editor.trial.left(editor.work.draft.text)) is not None and not editor.refusal:
+        back = Act(
+            f"Back to the run at {left.t:.2f} s",
+            "take the run again that you left, to where it was (Ctrl Y right after Esc)",
+            partial(editor.come_back, session),
+        )
+        found.append(Block("", acts=(back,)))
     if editor.refusal:
         found.append(Block(f"It cannot run yet: {editor.refusal}", theme.FAILED))
     found += [Block(offer.told, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
@@ -50,8 +67,12 @@ def above(editor: Editor, session: Session) -> list[Block]:
 
 def subject(editor: Editor) -> list[Block]:
     """Return what is inspected, and what can be done with it as a whole."""
-    work = editor.work
-    title = Block(inspection.subject(work), None)
+    work = editor.bench
+    in_run = work is editor.trial.live
+    said = "The run" if in_run and not work.selected else inspection.subject(work)
+    title = Block(said, heading=True)
+    if not work.selected and in_run:
+        return [title, Block(IN_RUN), _switches(editor)]
     if not work.selected:
         drawn = any(body.outline.moves for body in work.sketch.bodies.values())
         return [
@@ -60,12 +81,17 @@ def subject(editor: Editor) -> list[Block]:
             *_suggested(editor),
             _switches(editor),
         ]
+    if in_run:
+        acts = (_taking_out(editor), Act("Select nothing", "(Esc)", partial(work.select, ())))
+        return [title, Block("", acts=acts)]
     leave = Act("Select nothing", "show the level again (Esc)", partial(work.select, ()))
     return [title, Block(SELECTED, acts=(leave,))]
 
 
 def arranging(editor: Editor) -> list[Block]:
     """Return what can be done with the bodies that are selected, among each other."""
+    if editor.bench is not editor.work:
+        return []
     acts = tuple(inspection.arrangements(editor.work))
     return [Block("Arrange:", acts=acts)] if acts else []
 
@@ -77,8 +103,12 @@ def _suggested(editor: Editor) -> list[Block]:
     return [Block(CHECKED if editor.work.document.get("checks") else NO_CHECKS)]
 
 
+def _taking_out(editor: Editor) -> Act:
+    return Act("Delete", "take it out of the run, and its joints (Delete)", editor.bench.delete)
+
+
 def _switches(editor: Editor) -> Block:
-    work = editor.work
+    work = editor.bench
     acts = (
         Act(
             name,

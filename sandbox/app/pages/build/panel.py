@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
@@ -18,10 +19,12 @@ from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.model import locating
+
+if TYPE_CHECKING:
+    from sandbox.app.widgets.field import Field
 
 Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
 
@@ -78,13 +81,14 @@ class BuildPage:
             return True
         act = next((act for button, act in self._acts if button is element), None)
         if act is not None:
+            self._editor.look(self._session)
             act.do()
             return True
         return self.palette.press(element) or self.inspector.turn(element)
 
     def _choose(self, line: Line, element: object) -> None:
         if element is line.slider:
-            inspection.parametrise(self._editor.work, line.entry)
+            inspection.parametrise(self._editor.bench, line.entry)
             return
         means = next(means for button, means in line.choices.items() if button is element)
         self._assign(line, means)
@@ -108,7 +112,8 @@ class BuildPage:
         return self._assign(line, line.shown)
 
     def _assign(self, line: Line, typed: str) -> bool:
-        entry, work = line.entry, self._editor.work
+        self._editor.look(self._session)
+        entry, work = line.entry, self._editor.bench
         why = inspection.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
@@ -124,10 +129,6 @@ class BuildPage:
 
     # fields, as the window goes through them
 
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        return self.inspector.focus(direction)
-
     def revert(self) -> None:
         """Let all fields say again what is the case, and ask for no name any more."""
         self._refused.clear()
@@ -140,12 +141,12 @@ class BuildPage:
 
     def update(self) -> None:
         """Show what is new; what stands there already is kept."""
-        selected = self._editor.work.selected
+        selected = self._editor.bench.selected
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
         self.palette.update()
-        rows, numbers = inspection.rows(self._editor.work), inspection.numbers(self._editor.work)
+        rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
             selected, self._editor.naming, [block.shape for part in blocks for block in part],
@@ -179,15 +180,15 @@ class BuildPage:
         self._put(above)
         self._put_name()
         self._put(below)
-        self._column.y += 2 * GAP
+        self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused)
         self._put(last)
-        self._sheet.end(self._column.y + GAP)
+        self._sheet.end(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
-            self._column.y += GAP
-            if block.color is None:
+            self._column.y += self._sheet.px(GAP)
+            if block.heading:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)
@@ -199,7 +200,7 @@ class BuildPage:
         if self._editor.naming:
             typed = before.get_text() if before is not None else str(self._editor.proposed)
             self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
-            self._column.y += HEIGHT + GAP
+            self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:
