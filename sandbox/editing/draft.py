@@ -103,6 +103,15 @@ class Draft:
         """What would be redone next, in words."""
         return self._undone[-1].said if self._undone else None
 
+    @property
+    def touched(self) -> bool:
+        """Whether it holds anything that its file does not: changes, or steps to take back."""
+        return self.changed or bool(self._done or self._undone)
+
+    def rest(self) -> None:
+        """Let go of what can be had again from its text."""
+        self._loaded = None
+
     def change(self, text: str, said: str, merge: str | None = None) -> None:
         """Go over to another text, by one step of undo.
 

@@ -35,5 +35,5 @@ def circle(constants: Mapping[str, Expression]) -> list[str]:
 
 def _ordered(constants: Mapping[str, Expression]) -> list[str]:
     """Return the names in an order in which each uses only those before it."""
-    uses = {name: constant.written & constants.keys() for name, constant in constants.items()}
+    uses = {name: sorted(c.written & constants.keys()) for name, c in constants.items()}
     return list(TopologicalSorter(uses).static_order())

@@ -55,7 +55,11 @@ class Drafts:
         return Draft(level.text, draft.path, level.text.encode())  # the file has mistakes now
 
     def add(self, draft: Draft) -> None:
-        """Keep a draft from now on."""
+        """Keep a draft from now on, and of the others those of which something would be lost."""
+        for other in [other for other in self._kept if other is not draft]:
+            other.rest()
+            if other.path is not None and not other.touched:
+                self._kept.pop(other).forget()
         self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest at the end
         self.outside, self._since = False, OFTEN
 

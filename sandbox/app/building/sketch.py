@@ -8,7 +8,6 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import lru_cache
 from itertools import pairwise
 from math import dist
 from typing import Any
@@ -18,6 +17,7 @@ import pygame
 from pydantic import TypeAdapter, ValidationError
 
 from sandbox.app import lines
+from sandbox.app.building.readings import Readings
 from sandbox.app.camera import Camera
 from sandbox.app.stage import bodies, grid, joints
 from sandbox.app.stage.outline import Outline, outlined
@@ -30,13 +30,12 @@ from sandbox.model.level import Body, View, place
 from sandbox.model.shapes import XY, evaluate
 from sandbox.model.wires import along
 
-KEPT = 5000
-"""How many parts are kept as they were read."""
-
 SIDEWAYS = 2000.0
 """m, how far a rail is drawn to each side."""
 
 _JOINT: TypeAdapter[Joint] = TypeAdapter(Joint)
+_body = Readings(Body.model_validate_json)
+_joint: Readings[Joint] = Readings(_JOINT.validate_json)
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +80,8 @@ class Sketch:
     """
 
     def __init__(self, document: Mapping[str, Any]) -> None:
+        _body.begin()
+        _joint.begin()
         parameters = dict(_numbers(_mapping(document, "parameters")))
         self.values = _with_constants(parameters, _mapping(document, "constants"))
         specs = {
@@ -174,22 +175,6 @@ def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) ->
         with suppress(SandboxError, ArithmeticError, LookupError):
             values[name] = constant(parameters)
     return values
-
-
-@lru_cache(maxsize=KEPT)
-def _body(text: str) -> Body | None:
-    try:
-        return Body.model_validate_json(text)
-    except ValidationError:
-        return None
-
-
-@lru_cache(maxsize=KEPT)
-def _joint(text: str) -> Joint | None:
-    try:
-        return _JOINT.validate_json(text)
-    except ValidationError:
-        return None
 
 
 def _view(text: str) -> View:

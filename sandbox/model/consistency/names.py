@@ -13,6 +13,9 @@ from sandbox.model.parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
 from sandbox.model.suggest import suggestion
 
+LONGEST_CIRCLE = 10
+"""How many constants of a circle are named; of a longer one only where it begins and ends."""
+
 
 def parameters_fit(level: Level) -> Iterator[Fault]:
     """Parameters have values in their ranges, and change something in the scene."""
@@ -73,7 +76,7 @@ def known_names(level: Level) -> Iterator[Fault]:
             if name == "t":
                 yield Fault(path, "the time 't' has no meaning here")
             else:
-                yield Fault(path, f"unknown parameter '{name}'{suggestion(name, known)}")
+                yield Fault(path, f"unknown parameter '{brief(name)}'{suggestion(name, known)}")
     yield from _taken_names(level)
 
 
@@ -89,7 +92,8 @@ def _taken_names(level: Level) -> Iterator[Fault]:
 def no_circle(level: Level) -> Iterator[Fault]:
     """No constant leads back to itself."""
     if found := circle(level.constants):
-        rule = f"leads back to itself: {' -> '.join(found)}; each may use only others"
+        shown = found if len(found) <= LONGEST_CIRCLE else [*found[:3], "…", *found[-2:]]
+        rule = f"leads back to itself: {' -> '.join(map(brief, shown))}; each may use only others"
         yield Fault(("constants", found[0]), rule)
 
 

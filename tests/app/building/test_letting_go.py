@@ -1,0 +1,64 @@
+"""Whoever builds for hours holds no more than what is shown, and what would be lost."""
+
+import json
+
+import pytest
+
+from sandbox.app.building.drafts import Drafts
+from sandbox.app.building.readings import Readings
+from sandbox.app.building.sketch import Sketch, _body
+from sandbox.model import catalog
+from sandbox.model.level import Body
+from sandbox.model.loading import load
+
+LEVELS = catalog.textbook()[:5]
+
+
+def disc(x: float) -> str:
+    return json.dumps({"shape": {"type": "disc", "radius": 1}, "position": [x, 0]})
+
+
+def test_a_level_that_was_only_looked_at_is_let_go() -> None:
+    drafts = Drafts()
+    for name in LEVELS:
+        last = drafts.of(load(catalog.find(name)))
+
+    assert list(drafts._kept) == [last]
+
+
+@pytest.mark.parametrize("undone", [False, True])
+def test_what_was_changed_stays_with_its_steps_but_is_not_held_as_a_level(undone: bool) -> None:
+    drafts = Drafts()
+    levels = [load(catalog.find(name)) for name in LEVELS]
+    first = drafts.of(levels[0])
+    first.change(first.text + "\n", "add a line")
+    assert first.level is not None
+    if undone:
+        first.undo()
+    for level in levels[1:]:
+        drafts.of(level)
+
+    assert first._loaded is None
+    assert drafts.of(levels[0]) is first
+    assert (first.redoes if undone else first.undoes) == "add a line"
+
+
+def test_parts_are_read_once_and_let_go_with_the_scene_after_next() -> None:
+    readings = Readings(Body.model_validate_json)
+    readings.begin()
+    one = readings(disc(1))
+    readings.begin()
+    assert readings(disc(1)) is one
+    assert readings("[]") is None
+
+    for x in range(100):  # a disc that is dragged
+        readings.begin()
+        readings(disc(x))
+    assert len(readings) == 2
+
+
+def test_a_scene_that_is_drawn_again_and_again_holds_its_own_parts() -> None:
+    for x in range(50):
+        Sketch({"bodies": {"disc": json.loads(disc(x)), "other": json.loads(disc(-1))}})
+
+    assert len(_body) == 3
