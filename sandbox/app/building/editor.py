@@ -319,13 +319,13 @@ class Editor:
             self.work.redo()
 
     def undoes(self, session: Session) -> str | None:
-        """What would be undone next, in words."""
+        """Return what would be undone next, in words."""
         if not self.trying(session):
             return self.work.draft.undoes
         return "the last change of the run" if self.trial.changed(session) else "the run"
 
     def redoes(self, session: Session) -> str | None:
-        """What would be done again next, in words."""
+        """Return what would be done again next, in words."""
         if self.trying(session):
             return "change the run" if self.trial.is_taken_back(session) else None
         if self.trial.is_undone(self.work.draft.text):

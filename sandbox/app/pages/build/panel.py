@@ -5,7 +5,7 @@ from collections.abc import Collection, Sequence
 from pathlib import Path
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
+from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building import inspection
@@ -46,6 +46,7 @@ class BuildPage:
         self._buttons: list[UIButton] = []
         self._acts: list[tuple[UIButton, Act]] = []
         self._name: Field | None = None
+        self._offered: dict[locating.Path, list[str]] = {}
         self._refused: dict[locating.Path, str] = {}
         self._selected: object = None
         self._shape: object = None
@@ -69,7 +70,18 @@ class BuildPage:
             return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
+        if event.type == UI_TEXT_ENTRY_CHANGED:
+            return "" if self._offer(event.ui_element) else None
         return None
+
+    def _offer(self, element: object) -> bool:
+        """Offer names for what is being typed, and return whether others than before."""
+        line = self.inspector.line(element)
+        if line is None or line.field is None:  # of before the page was built anew
+            return False
+        names = inspection.completions(self._editor.bench, line.entry, line.field.get_text())
+        before, self._offered = self._offered, {line.entry.path: names} if names else {}
+        return before != self._offered
 
     def _press(self, element: object) -> bool:
         line = self.inspector.line(element)
@@ -111,6 +123,7 @@ class BuildPage:
     def _assign(self, line: Line, typed: str) -> bool:
         self._editor.look(self._session)
         entry, work = line.entry, self._editor.bench
+        self._offered.clear()
         why = inspection.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
@@ -127,7 +140,12 @@ class BuildPage:
     # fields, as the window goes through them
 
     def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
+        """Take the name that is offered; else go on to the next field, or back, and return it."""
+        completed = self.inspector.complete() if direction > 0 else None
+        if completed is not None:
+            self._offered.clear()
+            self.update()
+            return self.inspector.focused
         return self.inspector.focus(direction)
 
     def revert(self) -> None:
@@ -146,12 +164,13 @@ class BuildPage:
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
+            self._offered.clear()
         self.palette.update()
         rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
             selected, self._editor.naming, [block.shape for part in blocks for block in part],
-            self.inspector.shape(rows, numbers), dict(self._refused),
+            self.inspector.shape(rows, numbers), dict(self._refused), dict(self._offered),
         )  # fmt: skip
         if shape != self._shape:
             self._shape = shape
@@ -182,7 +201,7 @@ class BuildPage:
         self._put_name()
         self._put(below)
         self._column.y += 2 * GAP
-        self.inspector.build(rows, numbers, self._refused)
+        self.inspector.build(rows, numbers, self._refused, dict(self._offered))
         self._put(last)
         self._sheet.end(self._column.y + GAP)
 
