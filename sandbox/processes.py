@@ -1,11 +1,13 @@
 """Work that is spread over processes, of which none outlives the one that has started it."""
 
 import os
+import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from itertools import islice
-from multiprocessing import get_context
+from multiprocessing import get_all_start_methods, get_context
 from multiprocessing.connection import Connection
+from multiprocessing.forkserver import ensure_running, set_forkserver_preload
 from threading import Thread
 from typing import TypeVar
 
@@ -16,6 +18,27 @@ Result = TypeVar("Result")
 
 AHEAD = 2
 """How many items each process has at a time: the one it is at, and the next."""
+
+METHOD = "forkserver" if "forkserver" in get_all_start_methods() else "spawn"
+"""How processes start: as copies of a server that does nothing but load modules, and so are there
+at once. On Windows each begins from nothing."""
+
+
+def prepare(*modules: str) -> None:
+    """Load modules for all processes to come, in their server, while this process goes on.
+
+    What a server has not loaded, because it was there already or is not had at all, each process
+    loads itself.
+    """
+    if METHOD != "forkserver":
+        return
+    set_forkserver_preload(list(modules))
+    # Ctrl-C is for this process alone: the others end with it, and have nothing to say
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        ensure_running()
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def spread(
@@ -35,7 +58,8 @@ def spread(
     jobs
         How many processes share them at the most; each is started when there is work for it.
     """
-    context = get_context("spawn")
+    prepare()
+    context = get_context(METHOD)
     ending, life = context.Pipe(duplex=False)
     pool = ProcessPoolExecutor(max(jobs, 1), context, _begin, (ending,))
     coming = enumerate(items)

@@ -93,8 +93,8 @@ def _value(part: Part, number: float, *, full: bool) -> Any:  # noqa: ANN401 (wh
             return list(BODIES[: max(part.get("minItems", 1), 1)])
         items = part.get("prefixItems") or [part["items"]] * part.get("minItems", 0)
         return [_value(item, number, full=full) for item in items]
-    if part["type"] == "boolean":
-        return False
+    if part["type"] == "boolean" or "pattern" in part:
+        return "named" if "pattern" in part else False
     if number and "over the parameters and x, y." in part.get("$comment", ""):
         return f"{number}*x"  # a potential that is the same everywhere gives no force
     return BODIES[0] if part.get(NAMES) == "body" else number

@@ -48,6 +48,8 @@ class Banner:
         if session.failure is not None:
             onwards = ", Space goes on, though it is no longer right" if session.doubted else ""
             return f"{session.failure} – R restarts{onwards}", theme.FAILED
+        if session.halted:
+            return f"{session.halted} – Space goes on all the same", theme.NOTICE
         if session.waiting:
             asked = wording.error(session.level.stepping.accuracy or 0.0)
             text = f"Looking for the cheapest setting with an error of {asked} …"

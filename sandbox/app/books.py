@@ -8,7 +8,7 @@ from sandbox.app.trail import Trail
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.stepping.world import World
 
 INSTANTS = 500

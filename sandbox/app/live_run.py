@@ -12,6 +12,7 @@ from sandbox.app.clock import Clock
 from sandbox.app.earlier import Earlier, Observed, kept
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
+from sandbox.app.limits import Limits
 from sandbox.app.milestones import Milestone
 from sandbox.app.pace import Pace
 from sandbox.app.trail import Trail
@@ -49,6 +50,8 @@ class LiveRun:
         Why it had to stop, or the next one could not be built; None if all is well.
     trying, advice
         Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
+    limits
+        Whether it takes more time or memory than it should.
     trail
         Where the bodies have been.
     history
@@ -97,6 +100,7 @@ class LiveRun:
         self._fork: World | None = None  # from which it branched off last
         self._recorder = Recorder(world, [*needed(original), *milestones.needed(world.level)])
         self._grading = Grading(self._recorder)
+        self.limits = Limits(self._recorder)
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
     @property
@@ -130,7 +134,8 @@ class LiveRun:
         self._follow(self.t)
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
-        if self.world.steps <= self.end and not self.world.disturbed:
+        graded = self.world.steps <= self.end and not self.world.disturbed
+        if graded and not self._recorder.full:
             self._recorder.note()
 
     def _follow(self, t: float) -> None:

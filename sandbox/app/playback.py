@@ -35,9 +35,17 @@ class Playback(RunView, ABC):
         Whether no time passes: somebody is to say first what will come of the run.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
+
+    Parameters
+    ----------
+    run
+        What is played.
+    watched
+        Whether a person waits for each step, and is asked where one takes long.
     """
 
-    def __init__(self, run: LiveRun) -> None:
+    def __init__(self, run: LiveRun, *, watched: bool) -> None:
+        self._watched = watched
         self.playing = False
         self.speed = 1.0
         self.locked = False
@@ -73,6 +81,7 @@ class Playback(RunView, ABC):
         """Play, or pause; go on with a run that had to stop, if it can."""
         if self.doubted:
             self.run.go_on()
+        self.run.limits.bear()
         self.playing = not self.playing and self.failure is None
 
     def pause(self) -> None:
@@ -99,6 +108,7 @@ class Playback(RunView, ABC):
         if self._stands or (self.failure is not None and step >= self.world.steps):
             return
         self.release()
+        self.run.limits.bear()
         self.sought = min(max(step, 0), self.end)
         if self.sought < self.world.steps:
             self._begin_again(self.sought)
@@ -126,7 +136,9 @@ class Playback(RunView, ABC):
         """Take steps towards the one that is sought, as far as the budget goes [s]."""
         deadline, playing = perf_counter() + budget, self.playing
         while self.sought is not None and self.failure is None:
-            if self.world.steps >= self.sought:
+            if self.halted:
+                self.sought = None
+            elif self.world.steps >= self.sought:
                 self.run.catch_up()
                 self.sought = None
                 self.run.release_what_is_held()
@@ -175,8 +187,11 @@ class Playback(RunView, ABC):
     def _advance(self) -> None:
         if self.failure is not None or self._stands:
             return
+        begun = perf_counter()
         self.run.advance()
-        if self.failure is not None or self.at_end:
+        if self._watched:
+            self.run.limits.stepped(perf_counter() - begun)
+        if self.failure is not None or self.at_end or self.halted:
             self.playing = False
 
     def grab(self, body: str, point: XY) -> None:

@@ -140,6 +140,11 @@ class RunView:
         return self.failure is not None and self.world.doubted
 
     @property
+    def halted(self) -> str:
+        """Why it has paused although nothing is wrong with it; empty if it has not."""
+        return self.run.limits.told
+
+    @property
     def trace(self) -> Trace:
         """What was recorded of the run so far."""
         return self.run.trace

@@ -40,8 +40,8 @@ class Session(Playback):
     level, values, rate
         What is played, and how; as the level says what is left out.
     patient
-        Whether an accuracy that the level asks for is waited for; else somebody has to `settle` it,
-        and no time passes before.
+        Whether an accuracy that the level asks for is waited for, and steps that take long; else
+        somebody has to `settle` it, and no time passes before.
 
     Raises
     ------
@@ -64,7 +64,7 @@ class Session(Playback):
         self.branches = False
         self.looking = Looking(level)
         begun = self._built(self.begun_as, (), level.defaults if values is None else values)
-        super().__init__(LiveRun(level, begun))
+        super().__init__(LiveRun(level, begun), watched=not patient)
         self._opened = self.level, self.values
 
     def _built(self, level: Level, beside: Sequence[Variant], values: Values) -> Beginning:

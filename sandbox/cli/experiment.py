@@ -11,6 +11,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
+from sandbox import processes
 from sandbox.cli import usage
 from sandbox.cli.accuracy import Choice, settled
 from sandbox.cli.usage import UsageError
@@ -22,6 +23,7 @@ from sandbox.model.parts import Fault
 if TYPE_CHECKING:
     from sandbox.experiments.executors import Executor
     from sandbox.experiments.plan import Plan
+    from sandbox.experiments.storage import Store
 
 
 class Asked(NamedTuple):
@@ -41,16 +43,31 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
         raise UsageError(f"--jobs {jobs}: must be from 1 to 1024")
     if jobs is not None and address is not None:
         raise UsageError("--jobs and --cluster: the cluster's workers say how many there are")
+    if address is None and (jobs or os.cpu_count() or 1) > 1:
+        processes.prepare("sandbox.experiments.running")
     with needed_for("an experiment", "experiment"):
         from sandbox.experiments import report
-        from sandbox.experiments.conduct import conduct
         from sandbox.experiments.storage import Store
     plan = _plan(asked)
     store = Store(usage.output_folder(output), plan)
     missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
-    done, began = 0, perf_counter()
     if missing < plan.runs:
         typer.echo(f"{output}: {plan.runs - missing:,} of {plan.runs:,} runs are done already")
+    began = perf_counter()
+    _run(plan, store, missing, jobs, address)
+    seconds = perf_counter() - began
+    typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
+    page = report.write(plan, store.results, output)
+    for line in page.told:
+        typer.echo(line)
+    typer.echo(f"{page.path}: the page of it")
+
+
+def _run(plan: "Plan", store: "Store", missing: int, jobs: int | None, address: str | None) -> None:
+    """Run what is missing of a plan; however that ends, tell what is kept."""
+    from sandbox.experiments.conduct import conduct
+
+    done = 0
     try:
         with _executor(jobs, address, missing) as executor, _progress(missing) as bar:
 
@@ -60,16 +77,17 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
                 bar(rows)
 
             conduct(plan, store, executor, tell)
+    except SystemExit:  # Ctrl-C, or a request to end
+        typer.echo(f"ended: {_kept(plan, missing - done)}", err=True)
+        raise
     except SandboxError as error:
-        kept = plan.runs - missing + done
-        hint = f"; {kept:,} of {plan.runs:,} runs are kept, and the same command goes on from there"
-        raise type(error)(f"{error}{hint}") if type(error) is SandboxError else error from error
-    seconds = perf_counter() - began
-    typer.echo(f"{store.results}: {plan.runs:,} runs" + (f" in {seconds:.3g} s" if missing else ""))
-    page = report.write(plan, store.results, output)
-    for line in page.told:
-        typer.echo(line)
-    typer.echo(f"{page.path}: the page of it")
+        told = f"{error}; {_kept(plan, missing - done)}"
+        raise type(error)(told) if type(error) is SandboxError else error from error
+
+
+def _kept(plan: "Plan", missing: int) -> str:
+    kept = f"{plan.runs - missing:,} of {plan.runs:,} runs are kept"
+    return f"{kept}, and the same command goes on from there"
 
 
 def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> None:

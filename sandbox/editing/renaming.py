@@ -11,11 +11,15 @@ from sandbox.editing.spans import Spans
 from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.level import NAME, Level
+from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.locating import Path
+from sandbox.model.naming import NAME
 from sandbox.model.parts import expressions
 from sandbox.model.quantities import quantity
+
+PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}
+"""In which part of a level that is found which a mention names; all others name bodies."""
 
 
 def rename(text: str, path: Path, name: str) -> str:
@@ -66,7 +70,7 @@ def _told(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, 
         texts = [(path, value)]
         if not isinstance(value, str):
             texts = [((*path, index), item) for index, item in enumerate(value)]
-        of = "parameters" if mention.of == "parameter" else "bodies"
+        of = PARTS.get(mention.of, "bodies")
         for place, text in texts:
             if mention.of == "quantity":
                 if part != "parameters" and (new := _quantity(text, level, old, name)) != text:

@@ -21,6 +21,9 @@ from sandbox.model.expressions import Array
 MOST_LISTED = 10_000
 """How many values may be listed one by one."""
 
+SPELT = 20
+"""How many listed values are told one by one."""
+
 FORMS = (
     "must be FROM:TO:COUNT, FROM:TO:COUNT:log, a list with commas, LOW..HIGH, LOW..HIGH:log"
     " or MEAN±SD"
@@ -56,6 +59,12 @@ class Grid:
         """The first and the last value."""
         return self.low, self.high
 
+    def told(self, unit: str) -> str:
+        """Return in words which values these are."""
+        values = "one value" if self.count == 1 else f"{self.count:,} values"
+        ratios = ", with equal ratios" if self.scale == "log" else ""
+        return f"{self.low:g} to {self.high:g}{_in(unit)}, {values}{ratios}"
+
 
 @dataclass(frozen=True, slots=True)
 class Listed:
@@ -71,6 +80,14 @@ class Listed:
     def at(self, index: int) -> float | str:
         """Return one of the values, from 0."""
         return self.values[index]
+
+    def told(self, unit: str) -> str:
+        """Return in words which values these are; of many only the ends."""
+        named = [v if isinstance(v, str) else f"{v:g}" for v in self.values]
+        if len(named) > SPELT:
+            named = [named[0], named[1], "…", f"{named[-1]}{_in(unit)}"]
+            return f"{', '.join(named)}, {self.count:,} values"
+        return f"{', '.join(named)}{_in(unit)}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +110,14 @@ class Uniform:
         """The smallest and the largest value."""
         return self.low, self.high
 
+    def told(self, unit: str) -> str:
+        """Return in words how values are drawn."""
+        likely = "logarithm" if self.scale == "log" else "value"
+        return (
+            f"drawn from {self.low:g} to {self.high:g}{_in(unit)}, each {likely} as likely as any"
+            " other"
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class Normal:
@@ -111,6 +136,16 @@ class Normal:
     def ends(self) -> tuple[float, float]:
         """Values that are not rare."""
         return self.mean - self.deviation, self.mean + self.deviation
+
+    def told(self, unit: str) -> str:
+        """Return in words how values are drawn."""
+        spread = f"{self.mean:g} ± {self.deviation:g}"
+        return f"drawn from a normal distribution, {f'({spread}) {unit}' if unit else spread}"
+
+
+def _in(unit: str) -> str:
+    """Return a unit as it stands behind a number."""
+    return f" {unit}" if unit else ""
 
 
 Drawn = Uniform | Normal

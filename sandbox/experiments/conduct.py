@@ -5,14 +5,20 @@ from time import perf_counter
 
 from sandbox.experiments.executors import Executor
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.running import Done, Task, run, together
+from sandbox.experiments.running import Done, Task, pack, run, together
 from sandbox.experiments.storage import Store
 
 FIRST = 8
-"""How many rows the first batches have, of which nobody knows what they cost."""
+"""How many rows the first batches have at the most, of which nobody knows what they cost."""
+
+SHARES = 8
+"""How many first batches each process could have at the least, of the rows that there are."""
 
 GROWTH = 8
 """How many times as many rows a batch may have as one of which the cost is known."""
+
+LAST = 0.05
+"""s, how long the last batches take, so that all processes end at about the same time."""
 
 SHORTEST, LONGEST = 0.5, 20.0
 """s, how long a batch is to take at the beginning, and after a quarter of an hour: as much is lost
@@ -31,44 +37,51 @@ Tell = Callable[[int], None]
 class Pace:
     """How many rows a batch has.
 
+    They become smaller towards the end, in proportion to what is left (C. D. Polychronopoulos and
+    D. J. Kuck, "Guided self-scheduling", 1987). Runs that go together cost as much in a small batch
+    as in a large one: their batches are all of a size, as few as the processes can share evenly.
+
     Parameters
     ----------
     jobs
         How many batches are worked on at a time.
-    least
-        How many rows a batch is to have at the least, while as many are left.
+    rows
+        How many rows there are.
+    together
+        How many runs go together; 1 where each runs alone.
     """
 
-    def __init__(self, jobs: int, least: int = 1) -> None:
-        self._jobs, self._began, self._least = jobs, perf_counter(), least
+    def __init__(self, jobs: int, rows: int, together: int = 1) -> None:
+        self._jobs, self._began, self._left = jobs, perf_counter(), rows
         self._largest, self._cost = 0, 0.0
+        rounds = -(-rows // (jobs * together))
+        self._even = -(-rows // (jobs * rounds)) if together > 1 and rows else 0
 
     def note(self, done: Done) -> None:
         """Take note of what a batch has cost."""
         rows = done.stop - done.start
-        cost = done.seconds / rows
+        cost = max(done.seconds / rows, 1e-9)
         self._cost = cost if rows > 2 * self._largest else (self._cost + cost) / 2
         self._largest = max(self._largest, rows)
 
-    def rows(self, left: int) -> int:
+    def rows(self) -> int:
         """Return how many rows the next batch has, of those that are left."""
-        fewest = min(self._least, -(-left // self._jobs))
         if not self._largest:
-            return max(min(FIRST, left), fewest)
+            return self._even or max(min(FIRST, self._left // (SHARES * self._jobs)), 1)
+        if self._even:
+            return max(min(self._even, int(LONGEST / self._cost)), 1)
         length = min(max((perf_counter() - self._began) / SHARE, SHORTEST), LONGEST)
-        rows = min(int(length / max(self._cost, 1e-9)), GROWTH * self._largest, MOST)
-        least = int(SHORTEST / max(self._cost, 1e-9))  # so that all end at about the same time
-        return max(min(rows, max(left // (2 * self._jobs), least)), fewest)
+        share = max(self._left // (2 * self._jobs), int(LAST / self._cost))
+        return max(min(int(length / self._cost), GROWTH * self._largest, share, MOST), 1)
 
     def tasks(self, plan: Plan, missing: Iterable[tuple[int, int]]) -> Iterator[Task]:
         """Yield what is missing of a plan, each as large as it may be when it is asked for."""
-        spans = list(missing)
-        left = sum(stop - start for start, stop in spans)
-        for start, stop in spans:
+        packed = pack(plan)
+        for start, stop in missing:
             while start < stop:
-                end = min(start + self.rows(left), stop)
-                yield Task(plan, start, end)
-                left -= end - start
+                end = min(start + self.rows(), stop)
+                yield Task(packed, start, end)
+                self._left -= end - start
                 start = end
 
 
@@ -82,9 +95,10 @@ def conduct(plan: Plan, store: Store, executor: Executor, tell: Tell) -> None:
     """
     if store.complete:
         return
-    pace, rows = Pace(executor.jobs, together(plan)), 0
-    for done in executor.results(run, pace.tasks(plan, store.missing())):
-        store.add(done.start, done.stop, done.rows)
+    missing, rows = list(store.missing()), 0
+    pace = Pace(executor.jobs, sum(stop - start for start, stop in missing), together(plan))
+    for done in executor.results(run, pace.tasks(plan, missing)):
+        store.add(done.start, done.stop, done.columns)
         pace.note(done)
         rows += done.stop - done.start
         tell(rows)

@@ -18,7 +18,8 @@ from sandbox.model.base import Model
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import brief
 from sandbox.model.files import read_ordinary
-from sandbox.model.level import Finite, Name
+from sandbox.model.level import Finite
+from sandbox.model.naming import Name
 from sandbox.model.parts import Fault
 from sandbox.model.suggest import suggestion
 

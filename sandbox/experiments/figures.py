@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from sandbox.experiments.analysis import Sensitivity
 from sandbox.experiments.axes import Grid, Listed, Uniform
@@ -14,7 +15,7 @@ from sandbox.experiments.plan import Plan
 from sandbox.experiments.results import Results
 from sandbox.experiments.table import axis_unit, closed_form
 from sandbox.model.expressions import Array
-from sandbox.reporting.plots import COLOURS, MARKERS, style
+from sandbox.reporting.plots import COLOURS, FRAME, MARKERS, style
 
 FAMILY = 8
 """How many curves may stand in one picture; of more a heat map is made."""
@@ -132,18 +133,11 @@ def _heat_map(
     plan: Plan, found: Results, measure: Measure, names: tuple[str, str], here: Array
 ) -> Figure:
     x, y = (np.unique(found.columns[name][here]) for name in names)
-    cells = np.full((len(y), len(x)), np.nan)
-    counts = np.zeros(cells.shape)
     at = tuple(
         np.searchsorted(values, found.columns[name][here])
         for name, values in ((names[1], y), (names[0], x))
     )
-    value = found.number(measure.text)[here]
-    known = np.isfinite(value)
-    sums = np.zeros(cells.shape)
-    np.add.at(sums, (at[0][known], at[1][known]), value[known])
-    np.add.at(counts, (at[0][known], at[1][known]), 1)
-    cells = np.divide(sums, counts, out=cells, where=counts > 0)
+    cells = _cells(found.number(measure.text)[here], at, (len(y), len(x)))
     with style():
         figure = Figure(figsize=(6.4, 5), layout="constrained")
         axes = figure.subplots()
@@ -157,7 +151,30 @@ def _heat_map(
         _label(axes.set_ylabel, names[1], axis_unit(plan, names[1]))
         bar = figure.colorbar(drawn, ax=axes)
         _label(bar.set_label, measure.text, measure.unit)
+        if (form := found.columns.get(closed_form(measure.text))) is not None and not words:
+            _contours(axes, places, _cells(form[here], at, cells.shape), bar.get_ticks())
     return figure
+
+
+def _cells(value: Array, at: Sequence[NDArray[np.intp]], shape: tuple[int, ...]) -> Array:
+    """Return the mean of what fell into each cell: (Y, X); not a number where nothing did."""
+    known = np.isfinite(value)
+    where = at[0][known], at[1][known]
+    sums, counts = np.zeros(shape), np.zeros(shape)
+    np.add.at(sums, where, value[known])
+    np.add.at(counts, where, 1)
+    return np.divide(sums, counts, out=np.full(shape, np.nan), where=counts > 0)
+
+
+def _contours(
+    axes: Axes, places: Sequence[Array | NDArray[np.intp]], form: Array, levels: Array
+) -> None:
+    """Draw where the closed form has the values that are marked at the scale."""
+    known = form[np.isfinite(form)]
+    inside = [level for level in levels if (known > level).any() and (known < level).any()]
+    if inside:
+        axes.contour(*places, form, inside, colors=FRAME, linewidths=1)
+        axes.set_title("lines: the closed form, at the marks of the scale", loc="left")
 
 
 def _scales(axes: Axes, plan: Plan, names: tuple[str, str]) -> None:
@@ -174,7 +191,13 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
     with style():
         figure = Figure(figsize=(6.4, 3.6) if single is None else (6.4, 6), layout="constrained")
         first, *second = figure.subplots(1 if single is None else 2, squeeze=False).ravel()
-        first.hist(known, bins=min(BINS, max(len(known) // 8, 8)), color=COLOURS[0], alpha=0.8)
+        _, edges, _ = first.hist(
+            known, min(BINS, max(len(known) // 8, 8)), color=COLOURS[0], alpha=0.8, label="measured"
+        )
+        if (form := found.columns.get(closed_form(measure.text))) is not None:
+            outline = {"histtype": "step", "color": "black", "linewidth": 1}
+            first.hist(form[np.isfinite(form)], edges, label="closed form", **outline)
+            first.legend()
         _label(first.set_xlabel, measure.text, measure.unit)
         first.set_ylabel("runs")
         first.grid(visible=True)

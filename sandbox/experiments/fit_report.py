@@ -69,8 +69,9 @@ def _picture(level: Level, data: Data, found: Fit, name: str) -> Figure:
                 data.t, values, uncertainty, fmt="o", markersize=3, color=COLOURS[0], label="data"
             )
             axes.grid(visible=True)
-        above.set_ylabel(f"{name} [{quantity(name, level).unit}]")
-        below.set_ylabel("left over")
+        unit = quantity(name, level).unit
+        above.set_ylabel(f"{name} [{unit}]")
+        below.set_ylabel(f"left over [{unit}]")
         below.set_xlabel("t [s]")
         above.legend()
     return figure

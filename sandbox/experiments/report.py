@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from sandbox.experiments import analysis, figures, results
+from sandbox.experiments.draws import Method
 from sandbox.experiments.plan import Plan
 from sandbox.experiments.storage import DESCRIPTION, RESULTS, description
 from sandbox.experiments.table import axis_unit, closed_form, error
@@ -16,6 +17,14 @@ from sandbox.reporting.pages import environment
 from sandbox.reporting.svg import inline
 
 PAGE = "report.html"
+
+METHODS: Mapping[Method, str] = {
+    "random": "drawn independently",
+    "latin-hypercube": "drawn as a Latin hypercube",
+    "sobol": "drawn from Sobol's sequence",
+    "sobol-indices": "drawn in Saltelli's scheme for Sobol's indices",
+}
+"""How a page calls the ways of drawing."""
 
 SHOWN = 5
 """How many reasons of failures are told."""
@@ -57,7 +66,9 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
         sensitivities=sensitivities,
         remarks=told,
         pictures=[(inline(p.figure, p.told), p) for p in drawn],
-        axes=[(name, plan.experiment.vary[name], axis_unit(plan, name)) for name in plan.axes],
+        axes=[(name, axis.told(axis_unit(plan, name))) for name, axis in plan.axes.items()],
+        method=METHODS[plan.experiment.method],
+        compared=any(summary.error is not None for summary in summaries),
         description=json.dumps(description(plan)["experiment"], indent=2, ensure_ascii=False),
         made=description(plan)["made with"],
         files=(RESULTS, DESCRIPTION),
@@ -85,7 +96,12 @@ def _number(value: float | None) -> str:
     return f"{value:.6g}".replace("-", "−")
 
 
+def _error(value: float | None) -> str:
+    return "–" if value is None else f"{value:.1e}".replace("-", "−")
+
+
 _FILTERS: Mapping[str, Callable[..., str]] = {
     "number": _number,
+    "error": _error,
     "count": lambda value: f"{value:,}",
 }

@@ -1,28 +1,27 @@
 """Some rows of an experiment, run and measured: the same bits wherever, and in whatever company."""
 
+import pickle
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from itertools import groupby
 from time import perf_counter
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from sandbox.experiments.observables import Observable, holds_at
 from sandbox.experiments.plan import Plan, Row
-from sandbox.experiments.table import Cell, columns, schema
+from sandbox.experiments.table import Cell, columns
 from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.ensemble.flight import Flight, accepts, suits
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace, count_steps
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.world import World
-
-if TYPE_CHECKING:
-    import pyarrow as pa
 
 TOGETHER = 400
 """How many runs go on together where they can: from there on a step of one costs as good as no
@@ -35,7 +34,8 @@ LARGEST = 8_000_000
 class Task(NamedTuple):
     """Some rows to be run."""
 
-    plan: Plan
+    plan: bytes
+    """as `pack` returns it"""
     start: int
     stop: int
 
@@ -45,7 +45,8 @@ class Done(NamedTuple):
 
     start: int
     stop: int
-    rows: "pa.RecordBatch"
+    columns: list[list[Cell]]
+    """in the order of the table's: (R,) each"""
     seconds: float
 
 
@@ -67,18 +68,24 @@ class _Run(NamedTuple):
     failure: str | None
 
 
+def pack(plan: Plan) -> bytes:
+    """Return a plan as tasks carry it: what was read of it once serves all of its tasks."""
+    return pickle.dumps(plan)
+
+
+@lru_cache(maxsize=1)
+def _unpacked(plan: bytes) -> Plan:
+    found: Plan = pickle.loads(plan)
+    return found
+
+
 def run(task: Task) -> Done:
     """Run some rows."""
-    import pyarrow as pa
-
     began = perf_counter()
-    plan = task.plan
+    plan = _unpacked(task.plan)
     cells = list(measured(plan, task.start, task.stop))
     columns = [list(column) for column in zip(*cells, strict=True)]
-    layout = schema(plan)
-    arrays = [pa.array(c, f.type) for c, f in zip(columns, layout, strict=True)]
-    rows = pa.RecordBatch.from_arrays(arrays, schema=layout)
-    return Done(task.start, task.stop, rows, perf_counter() - began)
+    return Done(task.start, task.stop, columns, perf_counter() - began)
 
 
 def measured(plan: Plan, start: int, stop: int) -> Iterator[list[Cell]]:

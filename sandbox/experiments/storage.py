@@ -9,13 +9,13 @@ report.html        the page of it
 import json
 import platform
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sandbox.experiments.plan import Plan
-from sandbox.experiments.table import schema
+from sandbox.experiments.table import Cell, schema
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.files import make_folder, write_atomically
 from sandbox.version import __version__
@@ -92,8 +92,8 @@ class Store:
         if begin < self._plan.runs:
             yield begin, self._plan.runs
 
-    def add(self, start: int, stop: int, rows: "pa.RecordBatch") -> None:
-        """Keep what came of some rows.
+    def add(self, start: int, stop: int, columns: Sequence[Sequence[Cell]]) -> None:
+        """Keep what came of some rows, column by column.
 
         Raises
         ------
@@ -103,8 +103,10 @@ class Store:
         import pyarrow as pa
         import pyarrow.parquet as pq
 
+        layout = schema(self._plan)
+        arrays = [pa.array(c, f.type) for c, f in zip(columns, layout, strict=True)]
         sink = pa.BufferOutputStream()
-        pq.write_table(pa.Table.from_batches([rows]), sink)
+        pq.write_table(pa.Table.from_arrays(arrays, schema=layout), sink)
         write_atomically(self._parts / f"{start}-{stop}.parquet", sink.getvalue().to_pybytes())
 
     def finish(self) -> None:

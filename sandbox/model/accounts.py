@@ -11,6 +11,7 @@ from sandbox.model.effects.contract import Book
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
+from sandbox.model.switches import switched
 
 
 def potentials(level: Level) -> tuple[str, ...]:
@@ -19,12 +20,14 @@ def potentials(level: Level) -> tuple[str, ...]:
 
 
 def works(level: Level) -> tuple[str, ...]:
-    """Return what puts energy in, or takes it out: effects, kinematic bodies, joints."""
+    """Return what puts energy in, or takes it out: effects, kinematic bodies, joints, switches."""
     found = [*_effects(level, "work"), *_forces(level, "work")]
     if any(body.type == "kinematic" for body in level.bodies.values()):
         found.append("bodies")
     if any(drives(joint, level) for joint in level.joints.values()):
         found.append("joints")
+    if switched(level):
+        found.append("events")
     return tuple(dict.fromkeys(found))
 
 

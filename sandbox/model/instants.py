@@ -69,7 +69,8 @@ class LandingEvent(Model):
     """m"""
 
 
-def _kind(at: object) -> str | None:
+def kind_of(at: object) -> str | None:
+    """Return which kind of instant is said, None if that is not told."""
     if isinstance(at, Mapping):
         return str(at["event"]) if "event" in at else None
     return str(getattr(at, "event", "a number"))
@@ -82,6 +83,6 @@ Instant = Annotated[
     | Annotated[CrossingEvent, Tag("crossing")]
     | Annotated[ApexEvent, Tag("apex")]
     | Annotated[LandingEvent, Tag("landing")],
-    Discriminator(_kind),
+    Discriminator(kind_of),
 ]
 """A time [s], or an event."""

@@ -39,6 +39,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
+from sandbox.model.happenings import MOST_EVENTS, Event, cut
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -71,12 +72,9 @@ from sandbox.model.joints import (
 from sandbox.model.landscape import Landscape
 from sandbox.model.locating import Path
 from sandbox.model.mention import Mention, QuantityName
+from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
-
-NAME = r"[A-Za-z][A-Za-z0-9_]{0,30}"
-Name = Annotated[str, Field(pattern=f"^{NAME}$")]
-"""What bodies, joints and parameters are called: a letter, then letters, digits or _."""
 
 
 def _version(value: object) -> object:
@@ -298,6 +296,8 @@ class Level(Model):
     """what moves, and what others move against"""
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
     """what ties bodies together"""
+    events: Annotated[Mapping[Name, Event], Field(max_length=MOST_EVENTS)] = {}
+    """what happens on the way and changes what acts: something is cut, or switched"""
     stepping: Stepping = Stepping()
     """how time advances"""
     duration: Duration = Duration(10)
@@ -361,9 +361,9 @@ def is_direct(level: Level) -> bool:
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no body that moves with another exact joint.
 
-    Where contacts are solved directly none is alone.
+    Where contacts are solved directly none is alone, nor is one that some event cuts.
     """
-    if not isinstance(level.joints[name], Pulley) or is_direct(level):
+    if not isinstance(level.joints[name], Pulley) or is_direct(level) or name in cut(level.events):
         return False
     joint = level.joints[name]
     first, *pegs, last = points(joint)

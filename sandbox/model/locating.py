@@ -32,6 +32,7 @@ class Value(NamedTuple):
 class _Container:
     """An object or list that is being read."""
 
+    path: Path
     step: str | int | None
     """The key or index of the value that comes next; None where a key comes next."""
     keys: set[str] = field(default_factory=set)
@@ -51,29 +52,31 @@ def values(text: str) -> Iterator[Value]:
         JSON that is known to be well formed, but for repeated keys and NaN or Infinity.
     """
     opened: list[_Container] = []
+    inner: _Container | None = None
     start, repeated = -1, False
     for match in TOKEN.finditer(text):
         token = match[0]
         if token in "}]":
             opened.pop()
-            _advance(opened)
-        elif opened and opened[-1].step is None:
-            key = json.loads(token)
-            start, repeated = match.start(), key in opened[-1].keys
-            opened[-1].keys.add(key)
-            opened[-1].step = key
+            inner = opened[-1] if opened else None
+            _advance(inner)
+        elif inner and inner.step is None:
+            inner.step = key = token[1:-1] if "\\" not in token else json.loads(token)
+            start, repeated = match.start(), key in inner.keys
+            inner.keys.add(key)
         else:
-            path = tuple(container.step for container in opened if container.step is not None)
-            keyed = bool(opened) and isinstance(opened[-1].step, str)
+            step = inner.step if inner else None
+            path = (*inner.path, step) if inner and step is not None else ()
+            keyed = isinstance(step, str)
             yield Value(path, start if keyed else match.start(), token, keyed and repeated)
             if token in "{[":
-                opened.append(_Container(None if token == "{" else 0))
+                inner = _Container(path, None if token == "{" else 0)
+                opened.append(inner)
             else:
-                _advance(opened)
+                _advance(inner)
 
 
-def _advance(opened: list[_Container]) -> None:
+def _advance(inner: _Container | None) -> None:
     """Go on to the next member of the innermost container."""
-    if opened:
-        step = opened[-1].step
-        opened[-1].step = step + 1 if isinstance(step, int) else None
+    if inner:
+        inner.step = inner.step + 1 if isinstance(inner.step, int) else None

@@ -23,12 +23,12 @@ class Mention:
     ----------
     of
         A body, a couple of two different bodies, a list in which none stands twice, a quantity,
-        or a parameter.
+        a parameter, a list of joints, or one of forces that events switch.
     acted_on
         Whether something acts on the body, so that it must be one that forces move.
     """
 
-    of: Literal["body", "couple", "bodies", "quantity", "parameter"]
+    of: Literal["body", "couple", "bodies", "quantity", "parameter", "joints", "forces"]
     acted_on: bool = False
 
     def __get_pydantic_json_schema__(
@@ -57,3 +57,9 @@ QuantityName = Annotated[str, Mention("quantity")]
 
 ParameterName = Annotated[str, Mention("parameter")]
 """A parameter of the level."""
+
+JointNames = Annotated[tuple[str, ...], Mention("joints")]
+"""Joints of the level."""
+
+ForceNames = Annotated[tuple[str, ...], Mention("forces")]
+"""Effects of the level that are forces, or forces in them that have a name."""

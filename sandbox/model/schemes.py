@@ -28,6 +28,7 @@ def unsmooth(level: Level) -> str | None:
 
 
 def _obstacles(level: Level) -> Iterator[str]:
+    yield from (f"the event '{brief(name)}', at which forces jump" for name in level.events)
     for effect in level.effects.told:
         if "fourth-order" in effect.excludes:
             yield f"the effect '{effect.name}'"

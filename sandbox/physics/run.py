@@ -95,11 +95,11 @@ def simulate(
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
             closer = Closer(world) if books else None
-            steps, patience = count_steps(world, duration), Patience(world)
+            steps, patience = count_steps(world, duration), Patience()
             if until is None:
                 recorder.require(steps + 1)
             for taken in range(steps):
-                patience.advance()
+                patience.advance(world)
                 recorder.require(taken + 2)
                 recorder.note()
                 if closer:

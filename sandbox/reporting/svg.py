@@ -22,12 +22,17 @@ def inline(figure: Figure, label: str) -> Markup:
     text = text.replace("xlink:href", "href").replace("#000000", "currentColor")
     text = text.replace("fill: #ffffff", "fill: none")
     text = re.sub(r" transform=\"rotate\(-0 [^\"]*\"", "", text)
-    text = re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", text)
+    text = re.sub(r"<[^>]*>", lambda tag: _rounded(tag[0]), text)  # never what a label says
     used = set(re.findall(r"#([mp][0-9a-f]{10})\b", text))
     text = re.sub(r" id=\"([^\"]*)\"", lambda name: name[0] if name[1] in used else "", text)
     text = re.sub(r">\s+<", "><", re.sub(r"\s*\n", " ", text))
     text = re.sub(r"<svg[^>]*?(viewBox=\"[^\"]*\")[^>]*>", _opening(label), text, count=1)
     return Markup(text)  # matplotlib has escaped what it wrote
+
+
+def _rounded(tag: str) -> str:
+    """Return an element's tag with places to a hundredth of a point."""
+    return re.sub(r"-?\d+\.\d{3,}", lambda number: f"{float(number[0]):.2f}", tag)
 
 
 def _opening(label: str) -> str:

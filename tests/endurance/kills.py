@@ -27,9 +27,11 @@ from unittest.mock import patch
 import typer
 
 from sandbox import interrupts
+from sandbox.app import picture  # noqa: F401 (imported before anything is forked)
 from sandbox.app.progress import Progress
 from sandbox.cli import commands as sandbox_commands
-from sandbox.experiments import conduct, storage  # noqa: F401 (imported before anything is forked)
+from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
+from sandbox.experiments import conduct, storage  # noqa: F401 (as above)
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
@@ -39,7 +41,7 @@ from validation import cases, cli
 from validation.report import command, parts  # noqa: F401 (as above)
 
 LEVEL = "newton/atwood"
-FEW = (LEVEL, "energy/loop", "kinematics/free-fall")
+FEW = (LEVEL, "newton/incline", "kinematics/free-fall")
 LENGTHS = ("0.5", "1")  # s, of runs that take turns
 LINGERS = 10.0  # s, within which what a killed process has started must end
 EVERY = 50

@@ -1,18 +1,21 @@
 """One letter wrong in every text of every level: `python -m tests.endurance.typos`.
 
-Every key and every text that a level holds is tried with a letter too few, one too many and one
+Every key and every text in the file of a level is tried with a letter too few, one too many and one
 wrong, a letter at random each time. What comes of it must be a level, or mistakes that have a place
-in the file; a body that is named wrong must be told at its own place.
+in the file; a body that is named wrong must be told at its own place. All processors share the
+work.
 """
 
+import gc
 import json
+import os
+import re
 import string
 from collections import Counter
 from collections.abc import Iterator
-from copy import deepcopy
 from itertools import islice
 from random import Random
-from typing import Any
+from typing import NamedTuple
 
 import typer
 
@@ -20,10 +23,44 @@ from sandbox.model import catalog
 from sandbox.model.consistency.mentions import named_bodies
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
-from validation.fuzz.mutation import places
+from sandbox.model.locating import TOKEN, values
+from sandbox.processes import spread
 
 TOLD, HARMLESS, OTHER = "told", "harmless", "another body"
 ANSWERS = (TOLD, HARMLESS, OTHER)
+COLON = re.compile(r"\s*:")
+BATCH = 500
+"""How many typos a process tries before it reports."""
+
+EVERY = 20
+"""How many reports are told as one."""
+
+
+class Typo(NamedTuple):
+    """A text of a file, written otherwise."""
+
+    path: str
+    """Where it stands, as messages say it; empty for a key."""
+    start: int
+    end: int
+    instead: str
+    """With its quotes."""
+
+
+class Batch(NamedTuple):
+    """What one process tries at a time: typos of one level, from one number on."""
+
+    level: str
+    first: int
+    part: int
+    seed: int
+
+
+class Report(NamedTuple):
+    """What came of a batch, and each typo that was not answered."""
+
+    seen: Counter[str]
+    failed: list[str]
 
 
 def wrong(text: str, random: Random) -> Iterator[str]:
@@ -34,46 +71,18 @@ def wrong(text: str, random: Random) -> Iterator[str]:
     yield text[:at] + letter + text[at + 1 :]
 
 
-Typo = tuple[int, bool, str]
-"""The number of a place, whether its key is misspelt, and what is written instead."""
-
-
-def typos(data: Any, random: Random) -> Iterator[Typo]:  # noqa: ANN401 (whatever JSON holds)
-    """Yield what may be misspelt in a level."""
-    for number, (part, key) in enumerate(places(data)):
-        for text in wrong(key, random) if isinstance(key, str) else ():
-            if text not in part:
-                yield number, True, text
-        said = part[key]
-        for text in wrong(said, random) if isinstance(said, str) and said else ():
-            yield number, False, text
-
-
-def misspelt(data: Any, typo: Typo) -> Any:  # noqa: ANN401 (whatever JSON holds)
-    """Return the level with a typo in it."""
-    number, of_key, text = typo
-    made = deepcopy(data)
-    part, key = next(islice(places(made), number, None))
-    part[text if of_key else key] = part.pop(key) if of_key else text
-    return made
-
-
-def _path(data: Any, number: int) -> str:  # noqa: ANN401
-    """Return the path of the place of that number."""
-    left = number
-
-    def walk(part: Any, path: tuple[str, ...]) -> str | None:  # noqa: ANN401
-        nonlocal left
-        keys = range(len(part)) if isinstance(part, list) else part
-        for key in keys if isinstance(part, dict | list) else ():
-            if left == 0:
-                return ".".join((*path, str(key)))
-            left -= 1
-            if found := walk(part[key], (*path, str(key))):
-                return found
-        return None
-
-    return walk(data, ()) or ""
+def typos(text: str, random: Random) -> Iterator[Typo]:
+    """Yield what may be misspelt in the text of a level."""
+    paths = {value.start: ".".join(map(str, value.path)) for value in values(text)}
+    key = -1  # where the key stands whose value comes next
+    for match in TOKEN.finditer(text):
+        start, end = match.span()
+        of_key = COLON.match(text, end) is not None
+        path = "" if of_key else paths.get(start) or paths.get(key, "")
+        key = start if of_key else -1
+        said = json.loads(match[0]) if match[0].startswith('"') else ""
+        for instead in wrong(said, random) if said else ():
+            yield Typo(path, start, end, json.dumps(instead, ensure_ascii=False))
 
 
 def _answered(text: str, body: str) -> str:
@@ -83,6 +92,8 @@ def _answered(text: str, body: str) -> str:
     except LevelError as error:
         if error.__cause__ is not None:
             return "not foreseen"
+        if any(mistake.line is None for mistake in error.mistakes[:-1]):
+            return "told nowhere"
         there = not body or body in {mistake.path for mistake in error.mistakes}
         return TOLD if there else "told elsewhere"
     except Exception as error:  # noqa: BLE001 (that is what is looked for)
@@ -90,21 +101,45 @@ def _answered(text: str, body: str) -> str:
     return OTHER if body else HARMLESS
 
 
-def main(part: int = 1, seed: int = 0) -> None:
+def _chosen(level: str, text: str, part: int, seed: int) -> Iterator[Typo]:
+    return islice(typos(text, Random(f"{seed}-{level}")), 0, None, part)
+
+
+def attempt(batch: Batch) -> Report:
+    """Try some typos of a level."""
+    level, first, part, seed = batch
+    text, report = catalog.find(level).read_text(encoding="utf-8"), Report(Counter(), [])
+    bodies = {".".join(map(str, path)) for path, _ in named_bodies(parse(text))}
+    gc.freeze()  # what is there by now is not looked through again for what is lost
+    for typo in islice(_chosen(level, text, part, seed), first, first + BATCH):
+        misspelt = text[: typo.start] + typo.instead + text[typo.end :]
+        outcome = _answered(misspelt, typo.path if typo.path in bodies else "")
+        report.seen[outcome] += 1
+        if outcome not in ANSWERS:
+            said = f"{text[typo.start : typo.end]} as {typo.instead}"
+            report.failed.append(f"{level}: character {typo.start}: {said}: {outcome}")
+    return report
+
+
+def _batches(part: int, seed: int) -> Iterator[Batch]:
+    """Yield everything to be tried, the largest levels last: each of their typos takes long."""
+    texts = {name: catalog.find(name).read_text(encoding="utf-8") for name in catalog.names()}
+    for level, text in sorted(texts.items(), key=lambda item: len(item[1])):
+        for first in range(0, sum(1 for _ in _chosen(level, text, part, seed)), BATCH):
+            yield Batch(level, first, part, seed)
+
+
+def main(part: int = 1, seed: int = 0, jobs: int = 0) -> None:
     """Try every level, or each so many-th place of it, and tell what came of it."""
     seen, failed = Counter[str](), 0
-    for name in catalog.names():
-        text = catalog.find(name).read_text(encoding="utf-8")
-        data, random = json.loads(text), Random(f"{seed}-{name}")
-        bodies = {".".join(map(str, path)) for path, _ in named_bodies(parse(text))}
-        for typo in islice(typos(data, random), 0, None, part):
-            path = "" if typo[1] else _path(data, typo[0])
-            outcome = _answered(json.dumps(misspelt(data, typo)), path if path in bodies else "")
-            seen[outcome] += 1
-            if outcome not in ANSWERS:
-                failed += 1
-                typer.echo(f"{name}: {typo}: {outcome}", err=True)
-        typer.echo(f"{name}: {seen.total():,} tried so far")
+    done = spread(attempt, _batches(part, seed), jobs or os.cpu_count() or 1)
+    for number, (_, report) in enumerate(done, 1):
+        seen += report.seen
+        failed += len(report.failed)
+        for each in report.failed:
+            typer.echo(each, err=True)
+        if number % EVERY == 0:
+            typer.echo(f"{seen.total():,} tried so far")
     told = ", ".join(f"{count:,} {kind}" for kind, count in sorted(seen.items()))
     typer.echo(f"{seen.total():,} typos: {told}")
     raise typer.Exit(failed > 0)

@@ -1,45 +1,36 @@
 """A cluster of several machines, here of two workers on this one, comes to the same bits."""
 
-import socket
-import subprocess
-import sys
+import os
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from distributed import Client
 
-from sandbox.experiments.executors import cluster
-from sandbox.experiments.storage import RESULTS
+from sandbox.experiments.conduct import conduct
+from sandbox.experiments.executors import Here, cluster
+from sandbox.experiments.plan import Plan
+from sandbox.experiments.storage import RESULTS, Store
 from sandbox.model.errors import SandboxError
-from tests.elsewhere import ROOT
+from tests.experiments.machines import Machines
 from tests.experiments.making import RANGE, plan, table
 
-THROW = "kinematics/projectile"
+THROW, END = "kinematics/projectile", "ball.position.x@end"
+
+
+@pytest.fixture
+def machines() -> Iterator[Machines]:
+    made = Machines()
+    yield made
+    made.end()
 
 
 @pytest.fixture(scope="module")
 def address() -> Iterator[str]:
-    """Yield the address of a scheduler with two workers, started as the documents say."""
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    place = f"tcp://127.0.0.1:{port}"
-    scheduler = ["scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    worker = ["worker", place, "--nworkers", "2", "--nthreads", "1", "--no-dashboard",
-              "--memory-limit", "0"]  # fmt: skip
-    both = [
-        subprocess.Popen(
-            [sys.executable, "-m", "distributed.cli.dask_" + command[0], *command[1:]],
-            cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        )
-        for command in (scheduler, worker)
-    ]  # fmt: skip
-    try:
-        yield place
-    finally:
-        for process in reversed(both):
-            process.terminate()
-            process.wait(30)
+    made = Machines()
+    yield made.address
+    made.end()
 
 
 @pytest.mark.filterwarnings("ignore")  # whatever Dask says of itself
@@ -61,3 +52,43 @@ def test_a_cluster_that_is_not_there_is_a_sentence(monkeypatch: pytest.MonkeyPat
         cluster("tcp://127.0.0.1:9"),
     ):
         pass
+
+
+def drag(count: int = 60) -> Plan:
+    return plan("newton/projectile-with-drag", {"angle": f"20:80:{count}"}, END, duration=0.3)
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_what_a_lost_worker_was_at_is_done_by_another(tmp_path: Path, address: str) -> None:
+    found, killed = drag(), list[int]()
+    table(found, tmp_path / "here")
+    store = Store(tmp_path / "there", found)
+    with cluster(address, workers=2) as there, Client(address, set_as_default=False) as client:
+        workers = list(client.run(os.getpid).values())
+
+        def kill(_: int) -> None:
+            if not killed:
+                killed.append(workers[0])
+                os.kill(workers[0], signal.SIGKILL)
+
+        conduct(found, store, there, kill)
+    assert killed
+    assert store.results.read_bytes() == (tmp_path / "here" / RESULTS).read_bytes()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_a_scheduler_that_goes_away_is_a_sentence_and_what_was_done_is_kept(
+    tmp_path: Path, machines: Machines
+) -> None:
+    found = drag()
+    store = Store(tmp_path / "there", found)
+    with (
+        pytest.raises(SandboxError, match=r"the cluster at tcp.* has (failed|gone)"),
+        cluster(machines.address, workers=2) as there,
+    ):
+        conduct(found, store, there, lambda _: machines.scheduler.kill())
+    [(begin, end)] = store.missing()
+    assert 0 < begin < end == found.runs
+    conduct(found, store, Here(), lambda _: None)
+    table(found, tmp_path / "here")
+    assert store.results.read_bytes() == (tmp_path / "here" / RESULTS).read_bytes()

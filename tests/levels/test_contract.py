@@ -14,8 +14,8 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Joint, Spring
 from sandbox.model.level import Level
 from sandbox.physics.measuring.grading import grade
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import needed
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build, simulate
 from tests.elsewhere import PATIENCE, ROOT
 from tests.levels.playing import Played, fingerprint, play

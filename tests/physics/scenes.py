@@ -10,7 +10,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 

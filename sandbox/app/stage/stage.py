@@ -219,7 +219,8 @@ class Stage:
         snapshot, paths = world.snapshot, world.scene.joints.paths
         springs = world.scene.joints.springs
         for row, (name, joint) in enumerate(world.level.joints.items()):
-            if isinstance(joint, joints.IN_FRONT) is not in_front:
+            there = world.scene.joints.holds(name, float(snapshot.t))
+            if isinstance(joint, joints.IN_FRONT) is not in_front or not there:
                 continue
             spring = springs.get(name)
             ends = spring.span(snapshot) if spring else None

@@ -11,6 +11,7 @@ from sandbox.cli.commands import (
     describe,
     effects,
     experiment,
+    frames,
     generate,
     migrate,
     new,
@@ -38,6 +39,7 @@ COMMANDS = (
     replay,
     generate,
     tour,
+    frames,
 )
 """In the order of the help; a command is called as its module."""
 

@@ -9,6 +9,7 @@ from sandbox.model.consistency import (
     bodies,
     challenge,
     effects,
+    events,
     joints,
     names,
     sizes,
@@ -23,6 +24,7 @@ _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.no_circle,
     names.known_bodies,
     names.known_quantities,
+    events.known_parts,
 )
 
 _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
@@ -56,6 +58,9 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     surfaces.belts_fit,
     effects.effects_used,
     effects.turned_apart,
+    events.names_apart,
+    events.events_act,
+    events.drifts_cut_once,
     effects.rotation_used,
     stepping.scheme_fits,
     stepping.accuracy_alone,

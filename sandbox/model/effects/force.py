@@ -6,6 +6,7 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import Coordinate, ForceOverTime
 from sandbox.model.effects.contract import Effect
 from sandbox.model.mention import ActedOn
+from sandbox.model.naming import Name
 from sandbox.model.shapes import Point
 
 
@@ -21,6 +22,8 @@ class Force(Model):
         pull="applied force",
     )
 
+    name: Name | None = None
+    """what events call it that switch it on or off"""
     body: ActedOn
     """what it acts on"""
     force: tuple[ForceOverTime, ForceOverTime]

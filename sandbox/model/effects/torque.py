@@ -6,6 +6,7 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import TorqueOfTurning
 from sandbox.model.effects.contract import Effect
 from sandbox.model.mention import ActedOn, BodyName
+from sandbox.model.naming import Name
 
 
 class Torque(Model):
@@ -19,6 +20,8 @@ class Torque(Model):
         strength=("torque",),
     )
 
+    name: Name | None = None
+    """what events call it that switch it on or off"""
     body: ActedOn
     """what it acts on"""
     torque: TorqueOfTurning

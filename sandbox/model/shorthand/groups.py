@@ -18,8 +18,9 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import Angle, Coordinate
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint
-from sandbox.model.level import MAX_BODIES, Body, Name
+from sandbox.model.level import MAX_BODIES, Body
 from sandbox.model.locating import Path
+from sandbox.model.naming import Name
 from sandbox.model.shapes import Point
 from sandbox.model.shorthand.notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS

@@ -31,6 +31,7 @@ from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.jerks import reached
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.events.acting import Acted
 from sandbox.physics.events.impact_response import Collided
 from sandbox.physics.events.slip import Stop
 from sandbox.physics.forces.law import Law, Turn
@@ -125,6 +126,8 @@ class Ledger:
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._mass))
         begun, slack = before, self._slack[0] | self._slack[1]
+        if len(slack) > len(pulls.tension):  # some were cut, and no rope was caught by that
+            slack = np.zeros(len(pulls.tension), dtype=bool)
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
             self._book(kick, ended - begun, pulls._replace(tension=tension), contacts, slack)
@@ -265,6 +268,8 @@ class Ledger:
     def _drifted(self) -> Array:
         """Book what cut the last drift, and return the velocities that it ended with: (n, 3)."""
         step = self._step
+        if step.acted:
+            return self._act(step.acted)
         if step.stop:
             return self._stop(step.stop)
         return self._cut(step.impacts) if step.impacts else self._velocity
@@ -297,6 +302,20 @@ class Ledger:
         if "supports" in self._impulses:
             self._impulses["supports"] += stop.given
         return stop.begun
+
+    def _act(self, happened: Acted) -> Array:
+        """Book what events did in the last drift; return the velocities that it ended with."""
+        self._go_on(happened.begun, happened.lifted)
+        self._put_in({"events": happened.switched})
+        rest = happened.given
+        for law, worked, pushed in zip(self._laws, happened.worked, happened.pushed, strict=True):
+            self._do(law, worked)
+            if law.effect.name in self._impulses:
+                self._impulses[law.effect.name] += pushed
+            rest = rest - pushed
+        if "supports" in self._impulses:
+            self._impulses["supports"] += rest
+        return happened.begun
 
     def _go_on(self, begun: Array, lifted: float) -> None:
         """Stand in the middle of the last drift as if it had not been cut.

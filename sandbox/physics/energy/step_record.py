@@ -13,6 +13,7 @@ from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
+    from sandbox.physics.events.acting import Acted
     from sandbox.physics.events.impact_response import Collided
     from sandbox.physics.events.slip import Stop
 
@@ -49,6 +50,8 @@ class StepRecord(NamedTuple):
         What located impacts did in its drift; None if there were none.
     stop
         What the end of slipping did in its drift; None if none ended.
+    acted
+        What events did in its drift; None if none happened.
     jump
         (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
     """
@@ -67,6 +70,7 @@ class StepRecord(NamedTuple):
     hold: tuple[int, XY] | None
     impacts: "Collided | None" = None
     stop: "Stop | None" = None
+    acted: "Acted | None" = None
     jump: Array | None = None
 
     @property

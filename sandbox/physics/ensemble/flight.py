@@ -16,8 +16,8 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.quantities import Quantity, quantity
 from sandbox.physics.engine.batch import Booleans, Integers
 from sandbox.physics.joints.exact.many import ManyJoints
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.motion import Instant, kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
@@ -46,7 +46,8 @@ def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
     """
     still = all(body.type != "kinematic" for body in level.bodies.values())
     simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
-    return simple and still and all(_known(quantity(name, level)) for name in names)
+    calm = still and not level.events
+    return simple and calm and all(_known(quantity(name, level)) for name in names)
 
 
 _EFFECTS = {"gravity", "rotation"}

@@ -42,10 +42,19 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     for effect in effects.told:
         if not effect.is_law:
             continue
-        for law in part_of(effect, "laws")(getattr(effects, effect.name), given):
+        for law in _laws_of(effect, getattr(effects, effect.name), given):
             _require(effect, law)
             (turns if effect.turns else forces).append(law)
     return tuple(forces), tuple(turns)
+
+
+def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa: ANN401
+    make = part_of(effect, "laws")
+    if not given.switches:
+        return make(said, given)
+    from sandbox.physics.forces.switching import switched_laws
+
+    return switched_laws(make, said, effect.name, given)
 
 
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:

@@ -9,7 +9,7 @@ which makes it from what a level says of the effect: a `Law`, or, of an effect t
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.state.motion import Motion
+
+if TYPE_CHECKING:
+    from sandbox.physics.forces.switch import Switches
 
 
 class Law(Protocol):
@@ -72,6 +75,8 @@ class Given(NamedTuple):
         How the masses change.
     step
         How long a kick lasts [s].
+    switches
+        What events switch: forces that have a name, whole effects, springs.
     """
 
     level: Level
@@ -80,6 +85,7 @@ class Given(NamedTuple):
     mass: Array
     share: Share
     step: float
+    switches: "Switches" = {}  # noqa: RUF012 (nobody writes to it)
 
     def row(self, body: str) -> int:
         """Return the row of a body."""

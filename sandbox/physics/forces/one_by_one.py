@@ -6,6 +6,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.physics.forces.declared import part_of
 from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.switching import SwitchedLaw
 
 
 def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
@@ -14,5 +15,7 @@ def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
         if effect.is_law and not effect.turns:
             make, said = part_of(effect, "laws"), getattr(effects, effect.name)
             for entry in said if isinstance(said, tuple) else (said,):
+                named = given.switches.get(getattr(entry, "name", None) or "")
+                switch = named or given.switches.get(effect.name)
                 for law in make((entry,) if isinstance(said, tuple) else entry, given):
-                    yield entry, law
+                    yield entry, SwitchedLaw(law, switch) if switch else law

@@ -1,6 +1,7 @@
 """A spring with a damper, between two points."""
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import ELASTIC
 from sandbox.physics.state.anchor import Anchor, Plane
 from sandbox.physics.state.motion import Motion
+
+if TYPE_CHECKING:
+    from sandbox.physics.forces.switch import Switch
 
 NODES = 40
 """At how many places a law is looked at to know what it stores."""
@@ -59,6 +63,7 @@ class SpringForce:
     pushes_only: bool = False
     law: Law | None = None  # f
     slope: float = 0.0  # N/m, the steepest of f, as far as it is stretched at the start
+    switch: "Switch | None" = None  # off once it is cut
 
     @property
     def effect(self) -> Effect:
@@ -79,7 +84,8 @@ class SpringForce:
         (a, _), (b, _) = (end.find(motion) for end in self.ends)
         stretch = self._stretch(np.abs(b - a))
         energy = self.stiffness * stretch**2 / 2
-        return np.asarray(energy + self.law.energy(stretch) if self.law else energy)
+        energy = np.asarray(energy + self.law.energy(stretch) if self.law else energy)
+        return energy * self.switch.at(motion.t) if self.switch else energy
 
     def span(self, motion: Motion) -> tuple[Plane, Plane]:
         """Return where it begins and ends [m]: one that has let go keeps its length l0."""
@@ -126,6 +132,8 @@ class SpringForce:
             pull = pull + self.damping * ((moves_b - moves_a) * direction.conj()).real
         if self.pushes_only:
             pull = np.where(stretch < 0, np.minimum(pull, 0.0), 0.0)
+        if self.switch:
+            pull = pull * self.switch.at(motion.t)
         return pull, direction, (arm_a, arm_b)
 
     def _stretch(self, length: Array) -> Array:

@@ -124,8 +124,8 @@ class _Assembly:
             refuse_too_many((*rows, *others), inverse_mass[0])
             joints.together = ExactJoints(rows, others, batch, *inverse_mass, origin)
         assert joints.solids
-        for a, b in _welded(level):
-            joints.solids.join(a, b)
+        for name, a, b in _welded(level):
+            joints.solids.join(a, b, name)
         return joints
 
     def _weld_where_they_are(self, a: str, b: str) -> None:
@@ -230,11 +230,11 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
     return Anchor(None, complex(*evaluate(end, values)))
 
 
-def _welded(level: Level) -> Iterator[tuple[str, str]]:
-    """Yield the pairs of bodies that are welded from the start."""
-    for joint in level.joints.values():
+def _welded(level: Level) -> Iterator[tuple[str, str, str]]:
+    """Yield the joints that weld two bodies from the start, and these."""
+    for name, joint in level.joints.items():
         if isinstance(joint, Weld) and len(held := tuple(bodies_of(joint))) == 2:
-            yield held[0], held[1]
+            yield name, held[0], held[1]
 
 
 def _string(

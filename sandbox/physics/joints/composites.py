@@ -22,14 +22,34 @@ class Solids:
         (k, 2), those that were joined, as numbers.
     """
 
-    def __init__(self, bodies: Mapping[str, pymunk.Body]) -> None:
-        self.pairs: Integers = np.empty((0, 2), dtype=np.intp)
-        self._bodies = bodies
-        self._parts = {name: {name} for name in bodies}
-        self._numbers = {name: number for number, name in enumerate(bodies, 1)}
+    pairs: Integers
 
-    def join(self, a: str, b: str) -> bool:
-        """Make two bodies parts of one solid, and tell whether they were not yet."""
+    def __init__(self, bodies: Mapping[str, pymunk.Body]) -> None:
+        self._bodies = bodies
+        self._numbers = {name: number for number, name in enumerate(bodies, 1)}
+        self._by: list[tuple[str, str, str]] = []
+        self._begin()
+
+    def _begin(self) -> None:
+        """Let every body be by itself."""
+        self.pairs = np.empty((0, 2), dtype=np.intp)
+        self._parts = {name: {name} for name in self._bodies}
+
+    def part(self, joint: str) -> None:
+        """Take apart what a joint has made one, as far as no other joint does."""
+        if not any(joint == by for _, _, by in self._by):
+            return
+        joined, self._by = [entry for entry in self._by if entry[2] != joint], []
+        for name in {name for parts in self._parts.values() if len(parts) > 1 for name in parts}:
+            for shape in self._bodies[name].shapes:
+                shape.filter = shape.filter._replace(group=0)
+        self._begin()
+        for a, b, by in joined:
+            self.join(a, b, by)
+
+    def join(self, a: str, b: str, by: str = "") -> bool:
+        """Make two bodies parts of one solid, by a joint; tell whether they were not yet."""
+        self._by.append((a, b, by))
         if b in self._parts[a]:
             return False
         joined = self._numbers[a] - 1, self._numbers[b] - 1

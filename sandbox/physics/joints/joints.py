@@ -53,6 +53,8 @@ class Joints:
         Tells which of the pairs that stick have met; None if none do.
     weld
         Welds two bodies, by name, where they are.
+    cut
+        When joints were cut, by name [s].
     """
 
     paths: "dict[str, tuple[Anchor, ...]]" = field(default_factory=dict)
@@ -67,6 +69,7 @@ class Joints:
     solids: "Solids | None" = None
     touches: "Touches | None" = None
     weld: Callable[[str, str], None] | None = None
+    cut: dict[str, float] = field(default_factory=dict)
 
     @property
     def joined(self) -> Integers:
@@ -122,6 +125,10 @@ class Joints:
         if self.together:
             self.together.refit(t)
 
+    def holds(self, name: str, t: float) -> bool:
+        """Whether a joint is there at a time [s]."""
+        return not t >= self.cut.get(name, np.inf)
+
     def parting(self) -> tuple[str, float]:
         """Return which of those solved together is furthest off, and by how much [m, rad]."""
         return self.together.parting() if self.together else ("", 0.0)
@@ -133,6 +140,8 @@ class Joints:
     def _tension(self, name: str, motion: Motion) -> float:
         if name in self.strings:
             return self.strings[name].tension
+        if name in self.cut:
+            return 0.0
         if name in self.own:
             return self.own[name].tension
         if name in self.springs:
@@ -146,6 +155,8 @@ class Joints:
         torque = np.zeros(len(self.paths))
         if self.twists:
             for i, name in enumerate(self.paths):
+                if name in self.cut:
+                    continue
                 if name in self.own:
                     torque[i] = self.own[name].torque
                 elif self.together:

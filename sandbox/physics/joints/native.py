@@ -67,6 +67,12 @@ class OwnJoint:
         """Set how long the next kicks last [s]."""
         self._kick = kick
 
+    def leave(self) -> None:
+        """Leave the space."""
+        space = self._linear.a.space or self._linear.b.space
+        assert space
+        space.remove(*self.constraints)
+
     def refit(self) -> None:
         """Take the present length as a rod's or a rope's, as after a body was put elsewhere."""
         joint = self._linear

@@ -50,7 +50,9 @@ class FreeBodies:
         self._world, self._scene, level = world, world.scene, world.level
         self._names = list(world.scene.bodies)
         scene = world.scene
-        given = Given(level, world.values, self._names, scene.mass, scene.share, world.dt)
+        given = Given(
+            level, world.values, self._names, scene.mass, scene.share, world.dt, scene.switches
+        )
         self._laws = list(one_by_one(level.effects, given))
         self._own = {
             name: tuple(bodies_of(joint))

@@ -22,8 +22,8 @@ from sandbox.model.quantities import TIME, base, quantity
 from sandbox.physics.energy.closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.over_time import over_time
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import Pair, World
@@ -196,6 +196,11 @@ class Recorder:
         self._count += 1
         if len(self._fresh) == self._many:
             self._measure()
+
+    @property
+    def full(self) -> bool:
+        """Whether so many instants are noted that memory should hold no more."""
+        return self._count >= self._most
 
     def require(self, count: int) -> None:
         """Refuse to record so many instants, if they are more than memory should hold.

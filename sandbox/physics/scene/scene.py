@@ -4,8 +4,8 @@ What a level does not declare is not made: without contact no shape joins the sp
 rotation every moment is infinite, without friction or restitution the coefficients are zero.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -17,17 +17,16 @@ from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
 from sandbox.physics.forces.declared import Gravity, Law, Turn, gravity, laws, mass_share
 from sandbox.physics.forces.law import Given
-from sandbox.physics.forces.variable_mass import MassFlows, Share
+from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.scene.parts import Made, Pairs
-from sandbox.physics.state.motion import Reading
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.hollow_contacts import Hollows
     from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.static_friction import Sticking
-    from sandbox.physics.forces.spring import SpringForce
+    from sandbox.physics.forces.switch import Switches
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +69,10 @@ class Scene:
         The laws that need a hook: all but the springs that pymunk pulls.
     turns
         What turns velocities, and does no work.
+    switches
+        Of the forces that events switch, by name.
+    happened
+        The events that were, and when [s].
     """
 
     space: pymunk.Space
@@ -91,6 +94,8 @@ class Scene:
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
     turns: tuple[Turn, ...]
+    switches: "Switches"
+    happened: dict[str, float] = field(default_factory=dict)
 
 
 def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
@@ -116,11 +121,21 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs.hollows)
-    given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate)
+    switches: Switches = {}
+    if level.events:
+        from sandbox.physics.scene.switches import make_switches
+
+        switches = make_switches(level, joints)
+    given = Given(level, values, list(bodies), mass, share, 1 / stepping.rate, switches)
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
     direct, sequence = _solvers(made, pairs)
-    _check_rate(made, forces, turns)
+    hooked: Iterable[Law] = forces
+    if joints.springs or forces or turns:
+        from sandbox.physics.scene.springs import check_rate, hooked_springs
+
+        check_rate(made, forces, turns)
+        hooked = (*forces, *hooked_springs(made, share))
     return Scene(
         space=space,
         bodies=bodies,
@@ -139,8 +154,9 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         hollows=pairs.hollows,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
-        hooked=(*forces, *_hooked(joints.springs, list(bodies.values()), level, stepping, share)),
+        hooked=tuple(hooked),
         turns=turns,
+        switches=switches,
     )
 
 
@@ -199,55 +215,3 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
     from sandbox.physics.scene.touching import make_direct, make_sequence
 
     return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)
-
-
-def _check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
-    """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
-    joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
-    drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
-    if not (joints.springs or drags or turns):
-        return
-    from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
-
-    start = Reading(np.zeros(()), made.batch.state())
-    reach = _reach(stepping, held=bool(joints.together))
-    check_springs(joints.springs, inverse_mass, start.angle, stepping.rate, reach)
-    names = list(made.bodies)
-    for turn in turns:
-        check_turn(turn, names, start, stepping.rate)
-    for law in drags:
-        check_drag(law, names, start, joints, inverse_mass, stepping.rate)
-
-
-def _reach(stepping: Stepping, *, held: bool) -> float:
-    """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
-    if stepping.scheme != "fourth-order":
-        return 2.0
-    from sandbox.physics.scene.compositions import fourth_order
-
-    return fourth_order(held=held).reach
-
-
-def _hooked(
-    springs: "Mapping[str, SpringForce]",
-    bodies: Sequence[pymunk.Body],
-    level: Level,
-    stepping: Stepping,
-    share: Share,
-) -> "Iterator[SpringForce]":
-    """Leave plain springs to pymunk, and yield the others.
-
-    Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
-    flows, masses are known only in the hook; and pymunk's pulls are those of leapfrog.
-    """
-    space, flows = bodies[0].space, isinstance(share, MassFlows)
-    simple = stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
-    moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
-    for spring in springs.values():
-        held = any(end.body is not None and moves[end.body] for end in spring.ends)
-        if simple and space and held and not (spring.damping or spring.pushes_only or spring.law):
-            from sandbox.physics.joints.native import pull_by_pymunk
-
-            pull_by_pymunk(spring, bodies, space)
-        else:
-            yield spring

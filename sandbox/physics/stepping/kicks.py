@@ -132,7 +132,9 @@ class Kicks:
             yield
         self._joints.time(self.clock.dt, self.clock.dt)
 
-    def settle(self, ahead: float, start: Array, length: float, drift: float) -> Array:
+    def settle(
+        self, ahead: float, start: Array, length: float, drift: float, *, at_step: bool = False
+    ) -> Array:
         """Kick bodies that are held until nothing changes, and return their velocities: (n, 3).
 
         Parameters
@@ -143,8 +145,11 @@ class Kicks:
             (n, 3), the velocities before the kick [m/s, rad/s].
         length, drift
             How long it is, and the drift that would follow [s].
+        at_step
+            Whether the velocities before it are those right there, as at a step, and not half a
+            kick old. So they are at the last step.
         """
-        ends, at_step = drift / self.clock.dt, ahead == 0
+        ends, at_step = drift / self.clock.dt, at_step or ahead == 0
         kick = Kick(self.clock, ahead, length, drift, ends, start=start, at_step=at_step)
         self._joints.time(length, drift)
         if self._hook:

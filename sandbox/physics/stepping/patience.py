@@ -15,25 +15,35 @@ HINT = "let it have fewer bodies that touch or are joined, or fewer 'iterations'
 
 
 class Patience:
-    """Lets a world take steps, but for two in a row that take too long.
+    """Is lost where two steps in a row take too long.
 
     A single one may have been held up by the machine, or by whoever has stopped the process.
+
+    Parameters
+    ----------
+    longest
+        How long a step may take [s].
     """
 
-    def __init__(self, world: World) -> None:
-        self._world, self._took = world, 0.0
+    def __init__(self, longest: float = LONGEST) -> None:
+        self._longest, self._took = longest, 0.0
 
-    def advance(self) -> None:
-        """Take a step.
+    def lost(self, seconds: float) -> bool:
+        """Take note of how long a step took [s], and return whether it was one too many."""
+        before, self._took = self._took, seconds
+        return min(before, seconds) > self._longest
+
+    def advance(self, world: World) -> None:
+        """Let a world take a step.
 
         Raises
         ------
         SimulationError
             If the run had to stop, or this is the second step in a row that has taken too long.
         """
-        before, started = self._took, perf_counter()
-        self._world.advance()
-        self._took = perf_counter() - started
-        if min(before, self._took) > LONGEST:
-            told = f"a step takes {self._took:.0f} s, and {LONGEST:g} s are the most"
-            raise SimulationError("", self._world.t, told, hint=HINT)
+        started = perf_counter()
+        world.advance()
+        took = perf_counter() - started
+        if self.lost(took):
+            told = f"a step takes {took:.0f} s, and {self._longest:g} s are the most"
+            raise SimulationError("", world.t, told, hint=HINT)

@@ -8,19 +8,17 @@ the old world have half a kick of the old forces in them, so to hand these on wo
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.joints.cutting import let_go
+from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
-if TYPE_CHECKING:
-    from sandbox.physics.joints.joints import Joints
 
-
-def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> None:
+def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
     """Put a scene that has not begun into a state.
 
     Parameters
@@ -31,11 +29,12 @@ def take_over(setup: Setup, now: Snapshot, steps: int, joints: "Joints") -> None
         The state of the old one.
     steps
         How many it has taken: time goes on from there.
-    joints
-        Those of the old one: what has been welded since its start stays welded.
+    before
+        That of the old one: what has been welded, cut or switched since its start stays so.
     """
     setup.scene.batch.set_state(_states(now))
-    _weld(setup, joints)
+    _weld(setup, before)
+    _happen(setup, before)
     _begin_at(setup, steps)
 
 
@@ -78,9 +77,19 @@ def _begin_at(setup: Setup, steps: int) -> None:
         scene.direct.go_on(clock.after(0))
 
 
-def _weld(setup: Setup, before: "Joints") -> None:
+def _happen(setup: Setup, before: Scene) -> None:
+    """Cut and switch what events have cut and switched before."""
+    scene = setup.scene
+    scene.happened.update(before.happened)
+    for name, t in before.joints.cut.items():
+        let_go(scene.joints, name, t)
+    for name, switch in before.switches.items():
+        scene.switches[name].thrown[:] = switch.thrown
+
+
+def _weld(setup: Setup, before: Scene) -> None:
     """Weld those bodies, where they are, that have stuck to each other before."""
     joints, names = setup.scene.joints, list(setup.scene.bodies)
-    for a, b in before.joined[len(joints.joined) :].tolist():
+    for a, b in before.joints.joined[len(joints.joined) :].tolist():
         if joints.solids and joints.weld and joints.solids.join(names[a], names[b]):
             joints.weld(names[a], names[b])

@@ -16,7 +16,7 @@ from sandbox.model.mention import NAMES
 from sandbox.model.quantities import quantities
 from sandbox.model.schemes import unsmooth
 from sandbox.physics.joints.pulls import pulls_of
-from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved
 from tests.physics.scenes import GRAVITY, disc, level

@@ -21,6 +21,12 @@ BALL = {"ball": disc((0, 1)), "floor": floor(-1)}
 IN_SEQUENCE = {**CONTACT, "restitution": {"impacts": "sequence"}}
 
 CALLS: dict[str, Callable[[], Level]] = {
+    "events that act": lambda: level(
+        {"ball": disc((1, 0))},
+        GRAVITY,
+        joints={"rod": {"type": "rod", "ends": [[0, 0], "ball"]}},
+        events={"go": {"at": 0.01, "cut": ["rod"]}},
+    ),
     "force laws": orbit,
     "motions of kinematic bodies": lambda: level(
         {"ball": disc(), "plate": {**floor(-1), "type": "kinematic", "motion": {"turn": "t"}}},

@@ -13,6 +13,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
+from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
@@ -36,7 +37,8 @@ def curve(
     if chosen is None:
         card.text(NOTHING, 14, theme.DIM)
         return card.drawn(), pygame.Rect(0, 0, 0, 0)
-    card.text(chosen.measure, 13, theme.BODIES[0])
+    unit = unit_of(session.level, chosen)
+    card.text(f"{chosen.measure} [{unit}]" if unit else chosen.measure, 13, theme.BODIES[0])
     _told(card, session.level, chosen, mouse)
     card.y += GAP
     field = pygame.Rect(0, card.y, width, HEIGHT)
@@ -47,6 +49,14 @@ def curve(
     card.text(f"against {_named(session.level, chosen.parameter)}", 12, theme.DIM)
     _progress(card, exploring)
     return card.drawn(), field
+
+
+def unit_of(level: Level, chosen: Chosen) -> str:
+    """Return the unit of what is measured; empty where it has none, or cannot be measured."""
+    try:
+        return parse(chosen.measure, level, until=False).unit
+    except MeasureError:
+        return ""
 
 
 def span_of(width: int, level: Level, chosen: Chosen) -> Scale:

@@ -36,6 +36,9 @@ class Exploring:
         self._work = Background()
         self._chosen: dict[str, Chosen] = {}
         self._scene: object = None
+        self._measures: tuple[Level, list[str]] | None = (
+            None  # of the level that was looked at last
+        )
         self._forget()
 
     def _forget(self) -> None:
@@ -60,9 +63,12 @@ class Exploring:
         if not level.parameters:
             return None
         found = self._chosen.get(session.original.title)
-        if found and found.parameter in level.parameters and found.measure in measures(session):
+        if self._measures is None or self._measures[0] is not level:
+            self._measures = level, measures(session)
+        offered = self._measures[1]
+        if found and found.parameter in level.parameters and found.measure in offered:
             return found
-        return Chosen(next(iter(level.parameters)), measures(session)[0])
+        return Chosen(next(iter(level.parameters)), offered[0])
 
     def choose(
         self, session: Session, parameter: str | None = None, measure: str | None = None

@@ -17,7 +17,7 @@ from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
 from sandbox.physics.accuracy.study import Trust
 from sandbox.physics.measuring.grading import applies
-from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph

@@ -13,8 +13,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
-from sandbox.physics.measuring.meter import Meter
 from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.metering.meter import Meter
 
 
 def path_for(session: Session, suffix: str) -> Path:

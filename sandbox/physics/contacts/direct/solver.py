@@ -17,6 +17,7 @@ in three parts: to the step, with what rests and what is joined; the impact, all
 velocities, with Newton's law of restitution; and on from the step.
 """
 
+from math import nan
 from typing import NamedTuple
 
 import numpy as np
@@ -178,6 +179,12 @@ class Direct:
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
         self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+
+    def relay(self) -> None:
+        """Begin anew with other joints, where bodies are."""
+        self._laid, self._until = None, nan
+        self._known.forget()
+        self._change = self._calm.jump
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""

@@ -160,6 +160,19 @@ class ExactJoints:
         self.bodies = self._equations.bodies(self.place())
         self._struck = True
 
+    def drop(self, name: str) -> None:
+        """Let go of what a joint holds."""
+        stay = np.array([joint != name for joint in self._joints], dtype=bool)
+        old = self._equations
+        rows = [row for row in old.rows if row.joint != name]
+        others = [equation for equation in old.others if equation.joint != name]
+        self._length, self._taut = self._length[stay], self._taut[stay]
+        self.tension, self.added = self.tension[stay], self.added[stay]
+        self._past = []  # the others hold with other forces from now on
+        self._lay_out(rows, others)
+        self._warm_start = self._cold
+        self.bodies = self._equations.bodies(self.place())
+
     @property
     def plain(self) -> bool:
         """Whether all are sums of lengths that stay as they are, and are solved together."""

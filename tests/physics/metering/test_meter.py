@@ -6,7 +6,7 @@ import pytest
 from sandbox.model.level import Level
 from sandbox.model.quantities import QuantityError, quantities
 from sandbox.physics.measuring import recording
-from sandbox.physics.measuring.meter import Meter
+from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build, simulate
 from tests.physics.scenes import GRAVITY, G, atwood, box, disc, fixed, level, run
 

@@ -3,18 +3,36 @@
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from math import nan
+from typing import Protocol
 
 import numpy as np
 
-from sandbox.model.expressions import Array
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
 from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
+from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.motion import kinetic_energy
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.world import World
 
 Measurement = Callable[[Snapshot], Array]
+
+
+class Measured(Protocol):
+    """What quantities are measured of."""
+
+    @property
+    def level(self) -> Level:
+        """What says which there are."""
+
+    @property
+    def values(self) -> Values:
+        """Its parameters."""
+
+    @property
+    def scene(self) -> Scene:
+        """The masses, the laws and the joints of what moves."""
 
 
 class Meter:
@@ -22,8 +40,8 @@ class Meter:
 
     Parameters
     ----------
-    world
-        Whose masses, moments and force laws count.
+    run
+        Whose masses, moments and force laws count, such as a world.
     names
         The quantities to measure, such as `ball.position.x`.
 
@@ -33,15 +51,15 @@ class Meter:
         If the level has no such quantity, or only a ledger knows it.
     """
 
-    def __init__(self, world: World, names: Iterable[str]) -> None:
-        scene = world.scene
-        self._bodies, self._values = world.level.bodies, world.values
+    def __init__(self, run: Measured, names: Iterable[str]) -> None:
+        scene = run.scene
+        self._bodies, self._values = run.level.bodies, run.values
         self._rows = {name: i for i, name in enumerate(scene.bodies)}
-        self._columns = {name: i for i, name in enumerate(world.level.joints)}
+        self._columns = {name: i for i, name in enumerate(run.level.joints)}
         self._joints = scene.joints
         self._mass, self._moment, self._share = scene.mass, scene.moment, scene.share
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
-        self.quantities = {name: quantity(name, world.level) for name in names}
+        self.quantities = {name: quantity(name, run.level) for name in names}
         self._measurements = {name: self._bind(q) for name, q in self.quantities.items()}
 
     def __call__(self, snapshot: Snapshot) -> dict[str, Array]:

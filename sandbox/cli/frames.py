@@ -1,0 +1,77 @@
+"""`frames`: how long the window's frames take."""
+
+import json
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import typer
+from rich.console import Console
+from rich.progress import track
+
+from sandbox.cli import usage
+from sandbox.cli.columns import aligned
+from sandbox.cli.render import go_headless
+from sandbox.model import catalog
+from sandbox.model.files import write_atomically
+
+if TYPE_CHECKING:
+    from sandbox.app.frames import Frames
+
+LEAST, MOST = 480, 8000  # px, of a window's width and height
+HELD = 0.98
+"""The share of real time from which on a level runs in it: the first frames are slower."""
+
+_HEADER = ("level", "first picture", "a frame", "99 of 100 below", "speed", "")
+
+
+def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | None) -> int:
+    """Measure levels, show the table, write it if asked to, and return the exit status."""
+    window = _size(size)
+    if json_file is not None:
+        usage.output_file(json_file)
+    for name in names:
+        catalog.find(name)
+    go_headless()
+    from sandbox.app.frames import frames
+
+    console = Console(stderr=True)
+    levels = track(list(names) or catalog.names(), "Playing", console=console, transient=True)
+    found = [frames(name, window, seconds) for name in levels]
+    for line in aligned([_HEADER, *_rows(found)]):
+        typer.echo(line)
+    if json_file is not None:
+        content = {"size": window, "seconds": seconds, "levels": [asdict(each) for each in found]}
+        write_atomically(json_file, f"{json.dumps(content, indent=2)}\n".encode())
+    return int(any(_counts(each) and not each.smooth for each in found))
+
+
+def _size(text: str) -> tuple[int, int]:
+    """Return a width and a height [px]."""
+    match = re.fullmatch(r"(\d{3,4})x(\d{3,4})", text)
+    if match is None or not all(LEAST <= int(part) <= MOST for part in match.groups()):
+        raise usage.UsageError(
+            f"--size {text}: a width and a height in pixels from {LEAST} to {MOST}"
+        )
+    return int(match[1]), int(match[2])
+
+
+def _counts(found: "Frames") -> bool:
+    """Whether a level runs in real time, so that its frames must be in time, too."""
+    return found.speed >= HELD
+
+
+def _rows(found: "Sequence[Frames]") -> Iterator[tuple[str, ...]]:
+    """Yield the table's rows, the slowest first."""
+    for each in sorted(found, key=lambda frames: -frames.late):
+        verdict = "smooth" if each.smooth else "not smooth" if _counts(each) else "too slow to run"
+        yield (
+            each.level,
+            f"{each.opened:.2f} s",
+            f"{each.median * 1e3:.1f} ms",
+            f"{each.late * 1e3:.1f} ms",
+            f"{each.speed:.2f}×",
+            verdict,
+        )

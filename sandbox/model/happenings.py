@@ -1,0 +1,67 @@
+"""What happens once in a run and changes what acts: a body is let go, a string cut, a force set in.
+
+A joint is there until it is cut. A force that some event switches on is off until then; any other
+is on from the start.
+"""
+
+from collections.abc import Mapping
+from typing import Annotated, Literal, NamedTuple
+
+from pydantic import Discriminator, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
+from sandbox.model.mention import ForceNames, JointNames
+
+Direction = Literal["up", "down", "either"]
+
+Trigger = Annotated[
+    Annotated[Expression, Tag("a number")]
+    | Annotated[CrossingEvent, Tag("crossing")]
+    | Annotated[ApexEvent, Tag("apex")]
+    | Annotated[LandingEvent, Tag("landing")],
+    Discriminator(kind_of),
+]
+"""A time [s], or what is seen at once: a quantity that crosses a value."""
+
+MOST_EVENTS = 200
+"""How many events a level may have."""
+
+
+class Event(Model):
+    """Something that happens once, at its own time within a step, and changes what acts."""
+
+    at: Trigger
+    """a time [s], or when a quantity crosses a value for the first time"""
+    cut: JointNames = ()
+    """the joints that let go"""
+    on: ForceNames = ()
+    """the effects, or the named forces, that set in; they are off until then"""
+    off: ForceNames = ()
+    """the effects, or the named forces, that end"""
+
+
+class Crossing(NamedTuple):
+    """When an event happens: as a quantity crosses a value, which way."""
+
+    quantity: str
+    value: float
+    direction: Direction
+
+
+def crossing(at: Trigger, values: Values) -> Crossing:
+    """Return what an event waits for; a time is a crossing of `t`."""
+    match at:
+        case ApexEvent(body=body):
+            return Crossing(f"{body}.velocity.y", 0.0, "down")
+        case LandingEvent(body=body, height=height):
+            return Crossing(f"{body}.position.y", height(values), "down")
+        case CrossingEvent(quantity=quantity, value=value, direction=direction):
+            return Crossing(quantity, value(values), direction)
+    return Crossing("t", at(values), "up")
+
+
+def cut(events: Mapping[str, Event]) -> frozenset[str]:
+    """Return the joints that some event cuts."""
+    return frozenset(name for event in events.values() for name in event.cut)

@@ -1,0 +1,9 @@
+"""What bodies, joints, parameters and events may be called."""
+
+from typing import Annotated
+
+from pydantic import Field
+
+NAME = r"[A-Za-z][A-Za-z0-9_]{0,30}"
+Name = Annotated[str, Field(pattern=f"^{NAME}$")]
+"""A letter, then letters, digits or _."""

@@ -1,0 +1,31 @@
+"""Which forces of a level events switch, and which could be."""
+
+from collections.abc import Iterator, Mapping
+
+from sandbox.model.happenings import cut
+from sandbox.model.level import Level
+
+
+def switched(level: Level) -> Mapping[str, bool]:
+    """Return the forces of a level that events switch, and whether they are on at the start.
+
+    Springs that are cut are among them.
+    """
+    found = dict.fromkeys(cut(level.events) & _springs(level), True)
+    for event in level.events.values():
+        found.update((name, True) for name in event.off if name not in found)
+    found.update((name, False) for event in level.events.values() for name in event.on)
+    return found
+
+
+def _springs(level: Level) -> frozenset[str]:
+    return frozenset(name for name, joint in level.joints.items() if joint.kind.force)
+
+
+def switchable(level: Level) -> Iterator[str]:
+    """Yield what can be switched: effects that are laws, and forces that have a name."""
+    for effect, _, one in level.effects.said:
+        if effect.is_law and not effect.changes_mass:
+            yield effect.name
+            if name := getattr(one, "name", None):
+                yield name

@@ -1,0 +1,86 @@
+"""Forces that events switch: a law that acts while its switch is on."""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+
+from sandbox.model.effects.contract import Effect
+from sandbox.model.expressions import Array
+from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.switch import Switch, Switches
+from sandbox.physics.state.motion import Motion
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedLaw:
+    """A law that acts while its switch is on; what it stores then is gone when it is off."""
+
+    law: Law
+    switch: Switch
+
+    @property
+    def effect(self) -> Effect:
+        """What declares the law."""
+        return self.law.effect
+
+    def add(self, motion: Motion, wrench: Array) -> None:
+        """Add force and torque of the law where it is on."""
+        acts = self.switch.at(motion.t)
+        if acts.any():
+            given = np.zeros_like(wrench)
+            self.law.add(motion, given)
+            wrench += given * acts[..., None, None]
+
+    def potential_energy(self, motion: Motion) -> Array:
+        """Return what the law stores where it is on."""
+        return self.law.potential_energy(motion) * self.switch.at(motion.t)[..., None]
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedTurn:
+    """What turns velocities while its switch is on."""
+
+    turn: Turn
+    switch: Switch
+
+    @property
+    def effect(self) -> Effect:
+        """What declares it."""
+        return self.turn.effect
+
+    def rate(self, motion: Motion) -> Array:
+        """Return how fast it turns velocities where it is on."""
+        return self.turn.rate(motion) * self.switch.at(motion.t)[..., None]
+
+
+def switched_laws(
+    make: Callable[..., Iterable[Law | Turn]],
+    said: Any,  # noqa: ANN401 (whatever an effect says)
+    name: str,
+    given: Given,
+) -> Iterator[Law | Turn]:
+    """Yield the laws of an effect; what events switch acts while it is on."""
+    for part, switch in _parts(said, name, given.switches):
+        for law in make(part, given):
+            yield _switched(law, switch) if switch else law
+
+
+def _parts(said: Any, name: str, switches: Switches) -> Iterator[tuple[Any, Switch | None]]:  # noqa: ANN401
+    """Yield what a level says of an effect, apart where it is switched apart."""
+    whole = switches.get(name)
+    if not isinstance(said, tuple):
+        yield said, whole
+        return
+    own = [one for one in said if getattr(one, "name", None) in switches]
+    if rest := tuple(one for one in said if one not in own):
+        yield rest, whole
+    for one in own:
+        yield (one,), switches[one.name]
+
+
+def _switched(law: Law | Turn, switch: Switch) -> Law | Turn:
+    if hasattr(law, "rate"):
+        return SwitchedTurn(cast("Turn", law), switch)
+    return SwitchedLaw(law, switch)

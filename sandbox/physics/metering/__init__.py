@@ -1,0 +1,1 @@
+"""Named quantities, read from states."""

@@ -1,0 +1,60 @@
+"""Which springs pymunk pulls, and whether the rate is high enough for springs and other forces."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import pymunk
+
+from sandbox.model.level import Stepping
+from sandbox.physics.forces.law import Law, Turn
+from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.variable_mass import MassFlows, Share
+from sandbox.physics.scene.parts import Made
+from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
+from sandbox.physics.state.motion import Reading
+
+
+def check_rate(made: Made, forces: Sequence[Law], turns: Sequence[Turn]) -> None:
+    """Refuse a rate that is too low for the springs, for the drags, or for what turns."""
+    joints, inverse_mass, stepping = made.joints, made.inverse_mass, made.stepping
+    drags = [law for law in forces if law.effect.sees_velocity and not stepping.is_stock]
+    if not (joints.springs or drags or turns):
+        return
+    start = Reading(np.zeros(()), made.batch.state())
+    reach = _reach(stepping, held=bool(joints.together))
+    check_springs(joints.springs, inverse_mass, start.angle, stepping.rate, reach)
+    names = list(made.bodies)
+    for turn in turns:
+        check_turn(turn, names, start, stepping.rate)
+    for law in drags:
+        check_drag(law, names, start, joints, inverse_mass, stepping.rate)
+
+
+def _reach(stepping: Stepping, *, held: bool) -> float:
+    """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
+    if stepping.scheme != "fourth-order":
+        return 2.0
+    from sandbox.physics.scene.compositions import fourth_order
+
+    return fourth_order(held=held).reach
+
+
+def hooked_springs(made: Made, share: Share) -> Iterator[SpringForce]:
+    """Leave plain springs to pymunk, and yield the others.
+
+    Where bodies touch, what pulls them apart from contacts must be known by itself; where matter
+    flows, masses are known only in the hook; and pymunk's pulls are those of leapfrog.
+    """
+    level, bodies = made.level, list(made.bodies.values())
+    space, flows = bodies[0].space, isinstance(share, MassFlows)
+    simple = made.stepping.scheme == "leapfrog" and not (level.effects.contact or flows)
+    moves = [body.body_type == pymunk.Body.DYNAMIC for body in bodies]
+    for spring in made.joints.springs.values():
+        held = any(end.body is not None and moves[end.body] for end in spring.ends)
+        plain = not (spring.damping or spring.pushes_only or spring.law or spring.switch)
+        if simple and space and held and plain:
+            from sandbox.physics.joints.native import pull_by_pymunk
+
+            pull_by_pymunk(spring, bodies, space)
+        else:
+            yield spring

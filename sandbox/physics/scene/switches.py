@@ -1,0 +1,16 @@
+"""The switches of a scene: of what its level's events cut and switch."""
+
+from dataclasses import replace
+
+from sandbox.model.level import Level
+from sandbox.model.switches import switched
+from sandbox.physics.forces.switch import Switch, Switches
+from sandbox.physics.joints.joints import Joints
+
+
+def make_switches(level: Level, joints: Joints) -> Switches:
+    """Make the switches of what events switch, and give springs that are cut theirs."""
+    switches = {name: Switch(first) for name, first in switched(level).items()}
+    for name in switches.keys() & joints.springs.keys():
+        joints.springs[name] = replace(joints.springs[name], switch=switches[name])
+    return switches
