@@ -82,7 +82,7 @@ class Editor:
     @property
     def news(self) -> object:
         """Another object whenever something else is to be shown."""
-        return self.work.news, self.trial.live.news, self.bench
+        return self.bench.news
 
     def show(self) -> None:
         """Let the page be drawn anew."""

@@ -17,15 +17,20 @@ from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.edits.transforms import Side
 from sandbox.editing.patches import put
 from sandbox.editing.renaming import rename
+from sandbox.editing.snapping import flat_turn, snap_body
 from sandbox.editing.suggest.scene import Suggestion
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.joints import Joint
 from sandbox.model.level import Body, Level
+from sandbox.model.loading import parse
 from sandbox.model.locating import Path
 from sandbox.model.parts import expressions
 from sandbox.model.variants import DEFAULTS
 
 NAMED = "what it is called: a letter, then letters, digits or _; all mentions of it follow"
+
+NEAR = 80.0
+"""px, how near something must be for a body to be laid flat on it."""
 
 MOST_NAMES = 6
 """How many names are offered while one is typed."""
@@ -119,8 +124,13 @@ def completions(work: Work, entry: Entry, typed: str) -> list[str]:
 
 def numbers(work: Work) -> frozenset[Path]:
     """Return what can be made a parameter: what is said, and is no formula of others yet."""
-    level = None if work.fixed else work.draft.level
-    return frozenset(p for p, e in expressions(level) if not e.names) if level else frozenset()
+    if work.fixed or work.draft.level is None:
+        return frozenset()
+    return work.once(_numbers)
+
+
+def _numbers(level: Level) -> frozenset[Path]:
+    return frozenset(path for path, expression in expressions(level) if not expression.names)
 
 
 def parametrise(work: Work, entry: Entry) -> None:
@@ -239,11 +249,26 @@ def arrangements(work: Work) -> list[Act]:
         ),
         _arranging(work, "Spread upwards", "the same gaps, upwards", partial(_spread, names, "y")),
     ]
+    flat = [] if len(names) > 1 else [_flat(work, names[0])]
     return [
-        *(several if len(names) > 1 else ()),
+        *(several if len(names) > 1 else flat),
         _arranging(work, "Mirror across", "left becomes right", partial(_mirror, names, "x")),
         _arranging(work, "Mirror upright", "top becomes bottom", partial(_mirror, names, "y")),
     ]
+
+
+def _flat(work: Work, name: str) -> Act:
+    tip = "turn and move it so that a side of it lies on what is nearest"
+    return _arranging(work, "Lay flat", tip, partial(_lay_flat, name, NEAR / work.camera.scale))
+
+
+def _lay_flat(name: str, reach: float, text: str, level: Level) -> str:
+    turned = transforms.turn(text, level, [name], flat_turn(level, name, reach))
+    lying = parse(turned)
+    found = snap_body(lying, [name], (0.0, 0.0), reach)
+    if found.kind != "contact":
+        raise SandboxError(f"nothing that '{name}' could lie on is near; move it closer")
+    return transforms.move(turned, lying, [name], found.point)
 
 
 def _arranging(work: Work, caption: str, tip: str, edit: Callable[[str, Level], str]) -> Act:
