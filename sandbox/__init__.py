@@ -25,3 +25,8 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401 (as different as what is aske
     from sandbox import api
 
     return getattr(api, name)
+
+
+def __dir__() -> list[str]:
+    """Return what can be asked for, so that an editor or a notebook can complete it."""
+    return sorted({*globals(), *__all__})

@@ -30,6 +30,7 @@ def test_every_example_of_the_page_gives_what_it_says() -> None:
 
 
 def test_all_that_is_offered_is_there_and_nothing_else() -> None:
+    assert set(sandbox.__all__) <= set(dir(sandbox))  # so that a notebook completes them
     for name in sandbox.__all__:
         assert getattr(sandbox, name) is getattr(api, name, sandbox.__version__)
     with pytest.raises(AttributeError, match="'sandbox' has no attribute 'lod'"):

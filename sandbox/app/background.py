@@ -13,6 +13,8 @@ from multiprocessing.reduction import ForkingPickler
 from threading import Thread, Timer
 from typing import Any
 
+from sandbox.app import theme
+
 LIMIT = 120.0  # s, how long a process may live
 POLITE = 5  # by how much its priority is lower, where there are priorities
 
@@ -45,7 +47,7 @@ class Background:
     def start(self, work: Work, *arguments: object) -> None:
         """Begin a piece of work, in place of what is under way."""
         self.cancel()
-        task = ForkingPickler.dumps((work, arguments))
+        task = ForkingPickler.dumps((work, arguments, theme.used()))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
         orders, order = SpawnContext().Pipe(duplex=False)
         self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
@@ -92,7 +94,8 @@ def _run(sender: Connection, orders: Connection) -> None:
     if hasattr(os, "nice"):
         os.nice(POLITE)
     try:
-        work, arguments = orders.recv()
+        work, arguments, look = orders.recv()
+        theme.use(look)  # pictures that it draws look like the window
         for finding in work(*arguments):
             sender.send(finding)
     except BrokenPipeError:

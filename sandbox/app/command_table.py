@@ -10,7 +10,7 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels.foot import NEXT
-from sandbox.app.panels.layout import ROOM
+from sandbox.app.panels.layout import room
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.widgets.opening import SMALLEST
@@ -33,6 +33,7 @@ class CommandTable:
             **self._of_the_run(),
             **self._of_the_view(),
             **self._of_the_window(),
+            **self._of_the_look(),
             **{each.name: partial(self._switch, each.name) for each in OVERLAYS},
             **self._of_pages(),
         }
@@ -55,6 +56,8 @@ class CommandTable:
             "slower": partial(self._with_session, Session.slower),
             "restart": self._restart,
             "reload": self._space.reload,
+            "undo": partial(self._take_back, again=False),
+            "redo": partial(self._take_back, again=True),
             "next level": partial(self._go_to_neighbour, 1),
             "previous level": partial(self._go_to_neighbour, -1),
         }
@@ -83,6 +86,15 @@ class CommandTable:
             "open file": self._ask_for_file,
         }
 
+    def _of_the_look(self) -> Mapping[str, Callable[[], None]]:
+        comfort = self._space.comfort
+        return {
+            "larger": lambda: self._tell(comfort.resize(1)),
+            "smaller": lambda: self._tell(comfort.resize(-1)),
+            "usual size": lambda: self._tell(comfort.choose(size=None)),
+            "next theme": lambda: self._tell(comfort.next_theme()),
+        }
+
     def _of_pages(self) -> Mapping[str, Callable[[], None]]:
         """Return what opens the pages, and what they understand."""
         opening = {page.command: partial(self.turn_to, page.command) for page in PAGES}
@@ -103,6 +115,18 @@ class CommandTable:
         else:
             self._space.session.restart()
 
+    def _take_back(self, *, again: bool) -> None:
+        """Undo the last change of the run, or do it again; what is built has an undo of its own."""
+        space = self._space
+        if space.session is None or space.maker is not None:
+            return
+        again = again or bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        try:
+            act = space.undoing.redo if again else space.undoing.undo
+            self._tell(act(space.session))
+        except SandboxError as error:
+            self._tell(str(error))
+
     def _go_to_neighbour(self, direction: int) -> None:
         path = self._space.files.neighbour(self._space.path, direction)
         if path is not None:
@@ -120,9 +144,11 @@ class CommandTable:
 
     def _has_room(self, column: str) -> bool:
         """Whether the window is wide enough for a column; if it is not, say so."""
-        enough = self._space.surface.width >= ROOM[column]
+        space = self._space
+        least = room(column, space.pen.scale, beside=space.panels.side is not None)
+        enough = space.surface.width >= least
         if not enough:
-            self._tell(f"Make the window wider for that: {ROOM[column]} px are enough.")
+            self._tell(f"Make the window wider for that: {least} px are enough.")
         return enough
 
     def _show_checks(self) -> None:
@@ -149,16 +175,15 @@ class CommandTable:
             return
         self.turn_to(page)
         try:
-            answer = asked.act(Desk(space.session, space.workers.all, space.load))
+            answer = asked.act(Desk(space.session, space.workers.all, space.load, space.comfort))
         except SandboxError as error:
             answer = str(error)
         if answer is not None:
             self._tell(answer)
 
     def _next_field(self) -> None:
-        if self._space.panels.side is not None:
-            backwards = pygame.key.get_mods() & pygame.KMOD_SHIFT
-            self._space.panels.side.focus(-1 if backwards else 1)
+        panels, backwards = self._space.panels, pygame.key.get_mods() & pygame.KMOD_SHIFT
+        panels.focus.go(panels.manager, panels.layout, -1 if backwards else 1)
 
     def _find(self) -> None:
         """Look for a level, also where the list of them was hidden."""
@@ -180,10 +205,12 @@ class CommandTable:
         self._space.help = not self._space.help
 
     def _leave(self) -> None:
-        """Close the help, let go of a field, show all levels, put the tape away; else quit."""
+        """Close the help, let go of a widget, show all levels, put the tape away; else quit."""
         space = self._space
         if space.help:
             space.help = False
+        elif not space.panels.typing and space.panels.focus.leave():
+            return
         elif space.panels.typing or space.panels.sought:
             space.panels.let_go()
         elif space.panels.home.open and not space.empty:

@@ -19,7 +19,7 @@ BINDINGS: tuple[Binding, ...] = (
 def command(event: pygame.event.Event) -> str | None:
     """Return what a pressed key calls for."""
     if event.mod & CONTROL:
-        return next((b.command for b in BINDINGS if b.control == event.key), None)
+        return next((b.command for b in BINDINGS if event.key in b.controls), None)
     if event.mod & pygame.KMOD_ALT:
         return None
     for binding in BINDINGS:

@@ -7,6 +7,7 @@ worlds but the time to which they have come.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
+from sandbox.app import theme
 from sandbox.app.clock import Clock
 from sandbox.app.grading import Grading, Reading
 from sandbox.app.theme import Color
@@ -51,8 +52,13 @@ class Variant:
     """what it is, in a few words"""
     level: Level
     """the same bodies, with other effects or another stepping"""
-    color: Color
-    """of its outlines and trails"""
+    lane: int
+    """which of the colours of what runs beside"""
+
+    @property
+    def color(self) -> Color:
+        """Of its outlines and trails."""
+        return theme.LANES[self.lane]
 
 
 class Companion:

@@ -31,6 +31,8 @@ class Events:
             space.open_level(event.file)
         elif self._change(event):
             return
+        elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():
+            self.handle(event)
         elif event.type == pygame.KEYDOWN:
             self._key(event)
         elif not space.panels.manager.process_events(event) and not self._at_home(event):
@@ -53,7 +55,9 @@ class Events:
         return True
 
     def _key(self, event: pygame.event.Event) -> None:
-        space, typing = self._space, self._space.panels.typing
+        space, panels, typing = self._space, self._space.panels, self._space.panels.typing
+        if panels.focus.key(panels.manager, panels.layout, event):
+            return
         if not typing and self._at_home(event):
             return
         chosen, maker, session = command(event), space.maker, space.session

@@ -14,8 +14,8 @@ class Binding:
     text: str
     keys: tuple[int, ...] = ()
     characters: str = ""
-    control: int | None = None
-    """a key that calls for it together with Ctrl, or Cmd"""
+    controls: tuple[int, ...] = ()
+    """keys that call for it together with Ctrl, or Cmd"""
 
 
 CONTROL = pygame.KMOD_CTRL | pygame.KMOD_META
@@ -31,7 +31,9 @@ PLAYING = (
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
     Binding("home", "F2 or ⌫", "all levels as cards, and back", (pygame.K_F2, pygame.K_BACKSPACE)),
     Binding("find", "/", "find a level", (), "/"),
-    Binding("next field", "Tab", "next parameter; then ↑ and ↓ change it", (pygame.K_TAB,)),
+    Binding(
+        "next field", "Tab", "next field or button; ↑ ↓ change, Enter presses", (pygame.K_TAB,)
+    ),
 )
 
 SHOWING = (
@@ -44,11 +46,21 @@ SHOWING = (
     Binding("energy", "E", "energy as a graph, as bars, or folded", (), "eE"),
 )
 
+LARGER = (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)  # the second is + with Shift
+SMALLER = (pygame.K_MINUS, pygame.K_KP_MINUS)
+USUAL = (pygame.K_0, pygame.K_KP_0)
+
 WINDOW = (
     Binding("page down", "Page down", "scroll the panel down", (pygame.K_PAGEDOWN,)),
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
-    Binding("open file", "Ctrl O", "open a level of your own", control=pygame.K_o),
+    Binding("open file", "Ctrl O", "open a level of your own", controls=(pygame.K_o,)),
+    Binding("undo", "Ctrl Z", "undo a change of the run", controls=(pygame.K_z,)),
+    Binding("redo", "Ctrl Y", "do it again (also Ctrl Shift Z)", controls=(pygame.K_y,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
+    Binding("larger", "Ctrl +", "larger text", controls=LARGER),
+    Binding("smaller", "Ctrl −", "smaller text", controls=SMALLER),
+    Binding("usual size", "Ctrl 0", "text as large as suits the screen", controls=USUAL),
+    Binding("next theme", "Ctrl T", "dark, light, or high contrast", controls=(pygame.K_t,)),
     Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
     Binding("leave", "Esc", "close this, leave a field or a search, or quit", (pygame.K_ESCAPE,)),
 )
@@ -65,8 +77,11 @@ MOUSE = (
     ("drop a file", "open a level of your own"),
 )
 
-AT_HOME = frozenset({"home", "find", "levels", "open file", "help", "leave"})
+COMFORT = frozenset({"larger", "smaller", "usual size", "next theme"})
+"""The commands that only change how the window looks."""
+
+AT_HOME = COMFORT | {"next field", "home", "find", "levels", "open file", "help", "leave"}
 """The commands that are carried out beside the cards; any other goes back to the stage first."""
 
-WHILE_TYPING = frozenset({"next field", "leave"})
+WHILE_TYPING = COMFORT | {"next field", "leave", "undo", "redo"}
 """The commands whose keys still act while a number is being typed."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import lines, signs, theme
 from sandbox.app.pages.page import Row
 from sandbox.app.text import Pen
 
@@ -37,11 +37,11 @@ def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
     x, y = box.x + PADDING, box.y + PADDING
-    for (color, _), text in zip(told, texts, strict=True):
+    for place, ((color, _), text) in enumerate(zip(told, texts, strict=True)):
         ends = (x, y + height // 2), (x + SWATCH, y + height // 2)
         if color is None:
             lines.stroke(surface, theme.ACCENT, *ends, 3)
         else:
-            lines.dashed(surface, color, ends)
+            lines.dashed(surface, color, ends, *signs.dash(place - 1))
         surface.blit(text, (x + SWATCH + 10, y))
         y += height

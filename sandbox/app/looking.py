@@ -1,7 +1,7 @@
 """The body that a person looks at, and the forces on it at the step that is shown."""
 
-from collections.abc import Sequence
-from itertools import count
+from collections.abc import Mapping, Sequence
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 from sandbox.app import theme
@@ -23,13 +23,6 @@ _NAMES = (
     *(effect.called for effect in EFFECTS.values() if effect.is_force),
     *(kind.pull for kind in KINDS.values()),
 )
-_FREE = count()
-COLORS: dict[str, Color] = {
-    name: theme.ACTING.get(name) or theme.BODIES[next(_FREE) % len(theme.BODIES)]
-    for name in dict.fromkeys(_NAMES)
-}
-"""Of forces, by what they are called."""
-
 
 FAINT = 1e-9
 """The share of the strongest force below which one is nothing but rounding, or as good as that."""
@@ -80,7 +73,13 @@ class Looking:
 
 def color(acting: Acting) -> Color:
     """Return the colour of a force."""
-    return COLORS.get(acting.name, theme.BODIES[0])
+    return colors().get(acting.name, theme.BODIES[0])
+
+
+def colors() -> Mapping[str, Color]:
+    """Return the colours of forces, by what they are called."""
+    free = cycle(theme.BODIES)
+    return {name: theme.ACTING.get(name) or next(free) for name in dict.fromkeys(_NAMES)}
 
 
 def text(acting: Acting, found: FreeBody) -> str:

@@ -209,7 +209,11 @@ class Session(Playback):
         self._take_up(LiveRun(self.original, begun))
 
     def play_as(
-        self, level: Level, beside: Sequence[Variant] = (), changes: Changes = NONE
+        self,
+        level: Level,
+        beside: Sequence[Variant] = (),
+        changes: Changes = NONE,
+        values: Values | None = None,
     ) -> None:
         """Start anew with another form of the level, and with other runs beside it.
 
@@ -221,13 +225,15 @@ class Session(Playback):
             What runs beside it.
         changes
             The effects in which it differs from the original.
+        values
+            Its parameters; the present ones if left out.
 
         Raises
         ------
         SandboxError
             If one of them cannot be run; then all stays as it was.
         """
-        begun = self._built(level, beside, self.values)
+        begun = self._built(level, beside, self.values if values is None else values)
         self.begun_as, self.changes = level, changes
         self._take_up(LiveRun(self.original, begun))
 

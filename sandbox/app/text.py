@@ -7,7 +7,8 @@ from unicodedata import category, normalize
 
 import pygame
 
-from sandbox.app.theme import STAGE, TEXT, Color
+from sandbox.app import theme
+from sandbox.app.theme import Color
 
 NO_LETTER = "\U0010ffff"
 
@@ -29,20 +30,43 @@ def typed(text: str) -> str:
 
 
 class Pen:
-    """Writes text. Make one a window, after `pygame.font.init()`."""
+    """Writes text. Make one a window, after `pygame.font.init()`.
 
-    def __init__(self) -> None:
-        self.font = lru_cache(maxsize=32)(_font)
+    Attributes
+    ----------
+    scale
+        How many times larger than usual all is written, and what words stand in.
+    """
+
+    def __init__(self, scale: float = 1.0) -> None:
         self._lacking = lru_cache(maxsize=500)(self._lacks)
-        self.spare = lru_cache(maxsize=8)(_spare)
+        self.renew(scale)
+
+    def renew(self, scale: float) -> None:
+        """Write at another scale, and in the colours of the theme that is in use now."""
+        self.scale = scale
+        self._fonts = lru_cache(maxsize=32)(_font)
+        self._spare_fonts = lru_cache(maxsize=8)(_spare)
         self.write = lru_cache(maxsize=600)(self._write)
         self.outlined = lru_cache(maxsize=200)(self._outlined)
 
+    def px(self, length: float) -> int:
+        """Return how long at this scale is what has some length at the usual one [px]."""
+        return round(length * self.scale)
+
+    def font(self, size: int, bold: bool) -> pygame.font.Font:
+        """Return the font of a size that is meant at the usual scale."""
+        return self._fonts(self.px(size), bold)
+
+    def spare(self, size: int) -> pygame.font.Font:
+        """Return the font for what the other has not."""
+        return self._spare_fonts(self.px(size))
+
     def _write(
-        self, text: str, size: int = 14, color: Color = TEXT, bold: bool = False
+        self, text: str, size: int = 14, color: Color | None = None, bold: bool = False
     ) -> pygame.Surface:
         """Return a line of text on a transparent surface."""
-        font, text = self.font(size, bold), legible(text)
+        font, text, color = self.font(size, bold), legible(text), color or theme.TEXT
         if text.isascii():
             return font.render(text, True, color)
         runs = groupby(text, key=self._lacking)
@@ -60,17 +84,17 @@ class Pen:
 
     def _lacks(self, letter: str) -> bool:
         """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
-        font = self.font(16, False)
-        shown, box = (_drawn(font, text, TEXT) for text in (letter, NO_LETTER))
+        font = _font(16, False)
+        shown, box = (_drawn(font, text, theme.TEXT) for text in (letter, NO_LETTER))
         return shown.size == box.size and shown.get_buffer().raw == box.get_buffer().raw
 
     def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
-        """Return a line of text with a dark rim, legible on anything."""
-        light, dark = self.write(text, size), self.write(text, size, STAGE)
-        line = pygame.Surface((light.width + 2, light.height + 2), pygame.SRCALPHA)
+        """Return a line of text with a rim, legible on anything."""
+        inner, rim = self.write(text, size), self.write(text, size, theme.STAGE)
+        line = pygame.Surface((inner.width + 2, inner.height + 2), pygame.SRCALPHA)
         for place in ((0, 0), (2, 0), (0, 2), (2, 2), (1, 0), (0, 1), (2, 1), (1, 2)):
-            line.blit(dark, place)
-        line.blit(light, (1, 1))
+            line.blit(rim, place)
+        line.blit(inner, (1, 1))
         return line
 
     def height(self, size: int = 14, bold: bool = False) -> int:
@@ -99,7 +123,7 @@ class Pen:
         text: str,
         width: int,
         size: int = 14,
-        color: Color = TEXT,
+        color: Color | None = None,
         bold: bool = False,
     ) -> list[pygame.Surface]:
         """Return the lines of a wrapped text."""

@@ -1,74 +1,98 @@
-"""Colours, after Okabe and Ito's palette, which no common colour blindness confuses."""
+"""Colours of the theme that is in use; each theme declares all of them in a file of `themes`.
 
+The dark ones are after Okabe and Ito's palette, which no common colour blindness confuses.
+"""
+
+import json
 from collections.abc import Mapping
+from functools import cache
 from importlib.resources import files
-from pathlib import Path
+from typing import Any, Literal, get_args
 
 Color = tuple[int, int, int]
 
-STAGE: Color = (13, 18, 26)
-PANEL: Color = (22, 29, 40)
-RAISED: Color = (32, 42, 57)
-EDGE: Color = (44, 57, 76)
-GRID: Color = (24, 33, 46)
-GRID_STRONG: Color = (37, 50, 69)
-AXIS: Color = (70, 89, 117)
-FLAME: Color = (255, 140, 60)
-FLAME_CORE: Color = (255, 224, 130)
-TEXT: Color = (232, 238, 246)
-DIM: Color = (145, 160, 181)
-ACCENT: Color = (86, 180, 233)
-STRING: Color = (226, 220, 205)
-SPRING: Color = (190, 176, 224)
-SURFACE: Color = (58, 71, 91)
-SURFACE_EDGE: Color = (128, 146, 172)
-GHOST: Color = (240, 228, 66)
-ARROW: Color = (64, 224, 170)
-ACROSS: Color = (96, 205, 240)
-UPWARDS: Color = (178, 156, 255)
-ACCELERATION: Color = (255, 150, 90)
-RESULTANT: Color = (255, 214, 80)
-FORCES: tuple[Color, ...] = ((255, 128, 96), (232, 140, 200), (150, 200, 120))
+Name = Literal["dark", "light", "contrast"]
+"""Of a theme, as its file is called."""
+NAMES: tuple[Name, ...] = get_args(Name)
+"""In the order in which they are offered."""
+DARK: Name = "dark"
+"""The theme that is in use before another is chosen."""
 
-ACTING: Mapping[str, Color] = {
-    "weight": (178, 156, 255),
-    "normal force": (86, 180, 233),
-    "friction": (255, 128, 96),
-    "tension": (240, 200, 120),
-    "rod force": (240, 200, 120),
-    "reaction": (226, 170, 110),
-    "spring force": (150, 200, 120),
-    "drag": (232, 140, 200),
-    "applied force": (64, 200, 170),
-    "magnetic force": (120, 150, 255),
-    "impact": (255, 80, 80),
-    "hand": (255, 255, 255),
-}
+STAGE: Color
+PANEL: Color
+RAISED: Color
+EDGE: Color
+GRID: Color
+GRID_STRONG: Color
+AXIS: Color
+TEXT: Color
+DIM: Color
+ACCENT: Color
+NOTICE: Color
+PASSED: Color
+FAILED: Color
+WAITING: Color
+FLAME: Color
+FLAME_CORE: Color
+STRING: Color
+SPRING: Color
+SURFACE: Color
+SURFACE_EDGE: Color
+GHOST: Color
+ARROW: Color
+ACROSS: Color
+UPWARDS: Color
+ACCELERATION: Color
+RESULTANT: Color
+KINETIC: Color
+POTENTIAL: Color
+TOTAL: Color
+FORCES: tuple[Color, ...]
+ACTING: Mapping[str, Color]
 """Of the forces on a body, by what they are called; others have one of those of bodies."""
-
-LANES: tuple[Color, ...] = (GHOST, (255, 112, 67), (232, 140, 200))
+LANES: tuple[Color, ...]
 """Of what runs beside the level that is played."""
+BODIES: tuple[Color, ...]
 
-KINETIC: Color = (230, 159, 0)
-POTENTIAL: Color = (86, 180, 233)
-TOTAL: Color = (214, 222, 233)
+_used = DARK
 
-PASSED: Color = (45, 200, 150)
-FAILED: Color = (255, 112, 67)
-WAITING: Color = (145, 160, 181)
-NOTICE: Color = (240, 200, 90)
 
-BODIES: tuple[Color, ...] = (
-    (86, 180, 233),
-    (230, 159, 0),
-    (204, 121, 167),
-    (0, 178, 130),
-    (213, 110, 50),
-    (170, 150, 235),
-)
+def use(name: Name) -> None:
+    """Let the colours be those of another theme from now on; what was drawn stays as it is."""
+    global _used
+    _used = name
+    globals().update({key.upper(): value for key, value in palette(name).items()})
 
-JSON = Path(str(files("sandbox.app") / "theme.json"))
-"""The look of the widgets."""
+
+def used() -> Name:
+    """Return the name of the theme that is in use."""
+    return _used
+
+
+def title(name: Name) -> str:
+    """Return what a theme is called where one is chosen."""
+    return str(_read(name)["title"])
+
+
+@cache
+def palette(name: Name) -> Mapping[str, Any]:
+    """Return the colours of a theme: one each, or several that are numbered or named.
+
+    `fading` is how far colours fade: the less, the stronger they stay; 1 for as far as is asked.
+    """
+    return {key: _colors(value) for key, value in _read(name).items() if key != "title"}
+
+
+def widgets(scale: float) -> dict[str, Any]:
+    """Return the look of pygame_gui's widgets: colours of the theme in use, and scaled sizes."""
+    look = json.loads((_FOLDER / "widgets.json").read_text(encoding="utf-8"))
+    declared = _read(_used)
+    for part in look.values():
+        colours, misc, font = (part.get(kind, {}) for kind in ("colours", "misc", "font"))
+        colours.update({key: declared[name] for key, name in colours.items()})
+        misc.update({key: _scaled(misc[key], scale) for key in _LENGTHS & set(misc)})
+        font.update({key: _scaled(font[key], scale) for key in {"size"} & set(font)})
+    return dict(look)
 
 
 def mix(a: Color, b: Color, share: float) -> Color:
@@ -77,7 +101,57 @@ def mix(a: Color, b: Color, share: float) -> Color:
     return red, green, blue
 
 
+def faded(color: Color, share: float) -> Color:
+    """Return what is left of a colour that fades into the stage."""
+    now = palette(_used)
+    return mix(now["stage"], color, share ** now["fading"])
+
+
 def parse(text: str) -> Color:
     """Return the colour of a level's "#rrggbb"."""
     red, green, blue = bytes.fromhex(text[1:])
     return red, green, blue
+
+
+def luminance(color: Color) -> float:
+    """Return how bright a colour is, from 0 to 1, as WCAG 2 defines it."""
+    shares = (part / 255 for part in color)
+    red, green, blue = (s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(a: Color, b: Color) -> float:
+    """Return how well two colours are told apart: from 1 for equal ones to 21 (WCAG 2)."""
+    dark, bright = sorted((luminance(a), luminance(b)))
+    return (bright + 0.05) / (dark + 0.05)
+
+
+_FOLDER = files("sandbox.app") / "themes"
+_LENGTHS = {
+    "list_item_height", "padding", "rect_width", "shape_corner_radius", "sliding_button_width",
+    "text_horiz_alignment_padding",
+}  # fmt: skip
+
+
+@cache
+def _read(name: str) -> Mapping[str, Any]:
+    return dict(json.loads((_FOLDER / f"{name}.json").read_text(encoding="utf-8")))
+
+
+def _colors(declared: object) -> object:
+    """Return the colours of a declaration, in the same shape."""
+    if isinstance(declared, dict):
+        return {name: _colors(each) for name, each in declared.items()}
+    if isinstance(declared, list):
+        return tuple(map(_colors, declared))
+    if isinstance(declared, float):
+        return declared
+    return parse(str(declared))
+
+
+def _scaled(lengths: str, scale: float) -> str:
+    """Scale lengths that are parted by commas [px]."""
+    return ",".join(str(round(float(each) * scale)) for each in lengths.split(","))
+
+
+use(DARK)

@@ -61,6 +61,7 @@ class Window(Workspace):
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._events.handle(event)
+        self.dress()
         if self._watch.changed(self.path, seconds) and self.path is not None:
             self.reload_changed(self.path)
         if self.session is not None:
@@ -70,6 +71,7 @@ class Window(Workspace):
         self.banner.update(seconds)
         if self.session is not None:
             self._events.leave_fields()
+            self.undoing.follow(self.session, seconds)
             self._play(self.session, seconds)
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self.banner.tell(text)

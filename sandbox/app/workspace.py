@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pygame
 
+from sandbox.app import theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
@@ -14,9 +15,11 @@ from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.panels import Panels
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen, legible
+from sandbox.app.undoing import Undoing
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping
@@ -50,12 +53,16 @@ class Workspace:
         Whether the help is shown.
     open
         Whether the window is still wanted.
+    undoing
+        What can be taken back of what was changed of the run.
     files
         The levels that can be chosen.
     workers, advising
         What is found out in the background.
     load
         What a frame takes.
+    comfort
+        How a person wants it to look.
     pen
         Writes on the surface.
     """
@@ -67,15 +74,19 @@ class Workspace:
         self.surface = pygame.display.set_mode(size, pygame.RESIZABLE)
         self.session: Session | None = None
         self.path: Path | None = None
-        self.pen = Pen()
+        self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
+        self._followed = self.comfort.chosen
+        theme.use(self._followed.theme)
+        self.pen = Pen(self.comfort.scale)
         self.stage = Stage(self.pen, size)
         self.hand = Hand(self.stage)
         self.workers, self.load = Workers(PAGES), Load()
         self.advising = Advising()
-        self.panels = Panels(self.pen, size, self.workers, self.load)
+        self.panels = Panels(self.pen, size, self.workers, self.load, self.comfort)
         self.banner = Banner()
         self.help, self.open = False, True
         self.files = LevelFiles()
+        self.undoing = Undoing()
         self._settings: Mapping[str, float] = {}
         self._accuracy: float | None = None  # that was asked for when it was opened
         self._refused: SandboxError | None = None
@@ -96,6 +107,19 @@ class Workspace:
     def empty(self) -> bool:
         """Whether there is neither a level nor a reason why it cannot be opened."""
         return self.session is None and self._refused is None
+
+    def dress(self) -> None:
+        """Look as a person has chosen since the last time."""
+        chosen = self.comfort.chosen
+        if chosen is self._followed:
+            return
+        self._followed = chosen
+        theme.use(chosen.theme)
+        self.pen.renew(self.comfort.scale)
+        self.panels.renew(self.surface.size)
+        if self.session is not None:
+            self.stage.use(self.session.world)
+        self.lay_out()
 
     def lay_out(self) -> None:
         """Build everything around the stage for the window as large as it is now."""

@@ -11,7 +11,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import progress, recent
+from sandbox.app import preferences, progress, recent, theme
 from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
@@ -37,6 +37,7 @@ def _nothing_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let nobody's files and pictures be read or written but those of the test itself."""
     monkeypatch.setattr(recent, "file", lambda: tmp_path / "recent" / "recent.json")
+    monkeypatch.setattr(preferences, "file", lambda: tmp_path / "settings" / "settings.json")
     monkeypatch.setattr(pictures, "folder", lambda: tmp_path / "pictures")
 
 
@@ -54,4 +55,5 @@ def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> I
     pygame.event.clear()
     yield Person(window)
     window.close()
+    theme.use(theme.DARK)
     pygame.display.quit()

@@ -18,14 +18,17 @@ def test_every_command_of_the_window_has_exactly_one_line_in_the_table(person: P
 
 
 def test_no_key_has_two_meanings() -> None:
-    keys = Counter(key for binding in BINDINGS for key in (*binding.keys, *binding.characters))
+    keys: Counter[object] = Counter(
+        key for binding in BINDINGS for key in (*binding.keys, *binding.characters)
+    )
+    keys.update(("Ctrl", key) for binding in BINDINGS for key in binding.controls)
 
     assert [key for key, meanings in keys.items() if meanings > 1] == []
 
 
 def test_every_command_has_a_key_and_says_what_it_does() -> None:
     silent = [
-        b.command for b in BINDINGS if not (b.keys or b.characters or b.control) or not b.text
+        b.command for b in BINDINGS if not (b.keys or b.characters or b.controls) or not b.text
     ]
 
     assert silent == []

@@ -25,7 +25,7 @@ def test_every_label_of_a_parameter_is_written_whole(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pygame.display.set_mode((1280, 800))
-    manager = UIManager((1280, 800), theme.JSON)
+    manager = UIManager((1280, 800), theme.widgets(1.0))
     container = UIScrollingContainer(pygame.Rect(0, 0, WIDTH, 740), manager)
     written: list[str] = []
     write = pen.write

@@ -29,7 +29,7 @@ from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from sandbox.model.level import Level
 
@@ -58,6 +58,8 @@ class Editor:
         The bodies and joints that are to blame for that.
     naming
         Whether a person is asked under which name to save.
+    complete
+        Takes the first name that the page offers, and tells whether one is.
     """
 
     def __init__(self) -> None:
@@ -66,6 +68,7 @@ class Editor:
         self.tool = TOOLS[0].name
         self.refusal, self.naming = "", False
         self.culprits: frozenset[str] = frozenset()
+        self.complete: Callable[[], bool] = bool
         self._tools: Mapping[Work, Mapping[str, Tool]] = {
             bench: {kind.name: kind.make(bench) for kind in TOOLS}
             for bench in (self.work, self.trial.live)
@@ -353,6 +356,8 @@ class Editor:
             if self.refusal:
                 self.work.tell(f"It cannot run yet: {self.refusal}")
             return bool(self.refusal)
+        if command == "next field":
+            return self.complete()
         if command == "reload":
             self.reload()
         return command == "reload"
@@ -426,7 +431,6 @@ class Editor:
         if self.trying(session):
             return False
         surface.blit(self._picture.of(work, pen), (0, 0))
-        painting.draw_selected(surface, work.sketch, work.selected, camera)
         painting.draw_culprits(surface, work.sketch, self.culprits, camera)
         if self._spot is not None and self.tool not in ("select", "delete"):
             painting.caught(surface, camera, pen, self._spot.snapped)

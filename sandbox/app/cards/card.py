@@ -23,10 +23,11 @@ class Card:
         self.pen = pen
         self.width = width
         self.y = 0
+        self.indent = pen.px(INDENT)
         self._parts: list[tuple[pygame.Surface, tuple[int, int]]] = []
 
     def text(
-        self, text: str, size: int = 14, color: Color = theme.TEXT, bold: bool = False,
+        self, text: str, size: int = 14, color: Color | None = None, bold: bool = False,
         indent: int = 0,
     ) -> None:  # fmt: skip
         """Add a wrapped paragraph."""
@@ -43,25 +44,25 @@ class Card:
         line = pygame.Surface((self.width, 1))
         line.fill(theme.EDGE)
         self.put(line, 0)
-        self.y += 8
+        self.y += self.pen.px(8)
         self.text(text, 14, theme.ACCENT, bold=True)
         self.y += 4
 
     def columns(self, cells: Sequence[tuple[str, Color]], size: int) -> None:
         """Add a row of what was measured, what was expected, and the error; smaller if it must."""
-        x = float(INDENT)
+        x = float(self.indent)
         for (text, color), share in zip(cells, COLUMNS, strict=True):
-            room = share * (self.width - INDENT)
+            room = share * (self.width - self.indent)
             images = (self.pen.write(text, s, color) for s in range(size, SMALLEST, -1))
             fitting = (image for image in images if image.width + GAP <= room)
             self.put(next(fitting, self.pen.write(text, SMALLEST, color)), round(x))
             x += room
         self.y += self.pen.height(size)
 
-    def drawn(self, background: Color = theme.PANEL) -> pygame.Surface:
+    def drawn(self, background: Color | None = None) -> pygame.Surface:
         """Return the card as it stands."""
         surface = pygame.Surface((self.width, max(self.y, 1)))
-        surface.fill(background)
+        surface.fill(background or theme.PANEL)
         surface.blits(self._parts)
         return surface
 
@@ -80,12 +81,12 @@ def label(pen: Pen, width: int, text: str) -> pygame.Surface:
     return card.drawn()
 
 
-def bar(width: int, share: float, color: Color) -> pygame.Surface:
+def bar(width: int, share: float, color: Color, height: int = 10) -> pygame.Surface:
     """Draw a bar from the middle: to the right if positive, to the left if negative."""
-    image = pygame.Surface((width, 10))
+    image = pygame.Surface((width, height))
     image.fill(theme.RAISED)
     middle = width // 2
     length = round(min(abs(share), 1.0) * middle)
-    image.fill(color, (middle if share >= 0 else middle - length, 0, length, 10))
-    image.fill(theme.AXIS, (middle, 0, 1, 10))
+    image.fill(color, (middle if share >= 0 else middle - length, 0, length, height))
+    image.fill(theme.AXIS, (middle, 0, 1, height))
     return image

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 import pygame
 
 from sandbox.app import theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.grading import Reading
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -14,12 +14,6 @@ from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
 TOUCHED = "A hand has touched this run, or changed it on the way: no formula describes it."
-_COLORS: dict[str, Color] = {
-    "passed": theme.PASSED,
-    "failed": theme.FAILED,
-    "waiting": theme.WAITING,
-    "not applicable": theme.WAITING,
-}
 
 
 def checks(
@@ -47,7 +41,7 @@ def checks(
             card.y += GAP
             _check(card, reading, splits.get(index))
     if left_out:
-        card.text(f"and {left_out} more", 12, theme.DIM, indent=INDENT)
+        card.text(f"and {left_out} more", 12, theme.DIM, indent=card.indent)
     return card.drawn()
 
 
@@ -63,14 +57,14 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
 def _check(card: Card, reading: Reading, split: Split | None) -> None:
     result = reading.result
     check = result.check
-    color = _COLORS[result.verdict]
-    card.put(_badge(result.verdict, color), 0, 2)
+    color = _color(result.verdict)
+    card.put(_badge(card.pen, result.verdict, color), 0, card.pen.px(2))
     _check_title(card, check)
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
-        card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=INDENT)
+        card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=card.indent)
     elif reading.measured is None:
-        card.text(f"waiting for {wording.moment(check)}", 12, color, indent=INDENT)
+        card.text(f"waiting for {wording.moment(check)}", 12, color, indent=card.indent)
     elif reading.expected is None or result.error is None:
         ahead = reading.expected
         expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
@@ -88,24 +82,30 @@ def _check(card: Card, reading: Reading, split: Split | None) -> None:
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
         if split is not None:
             off = wording.quantity(split.off, result.unit, 1)
-            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=INDENT)
+            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=card.indent)
     if result.verdict == "failed" and result.t is not None:
         worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
-        card.text(worst, 12, color, indent=INDENT)
+        card.text(worst, 12, color, indent=card.indent)
+
+
+def _color(verdict: str) -> Color:
+    return {"passed": theme.PASSED, "failed": theme.FAILED}.get(verdict, theme.WAITING)
 
 
 def _check_title(card: Card, check: Check) -> None:
     """Write what is checked, and beside it, where there is room, the quantity's name."""
-    lines = card.pen.paragraph(check.label or check.quantity, card.width - INDENT, 14, bold=True)
+    lines = card.pen.paragraph(
+        check.label or check.quantity, card.width - card.indent, 14, bold=True
+    )
     name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)
     for line in lines:
-        card.put(line, INDENT)
+        card.put(line, card.indent)
         card.y += line.height
-    if lines[-1].width + name.width + 12 <= card.width - INDENT:
+    if lines[-1].width + name.width + 12 <= card.width - card.indent:
         card.put(name, card.width - name.width, -lines[-1].height + 2)
 
 
-def _badge(verdict: str, color: Color) -> pygame.Surface:
+def _badge(pen: Pen, verdict: str, color: Color) -> pygame.Surface:
     """Draw a verdict as a sign, for it must not be told by its colour alone."""
     sign = pygame.Surface((17, 17), pygame.SRCALPHA)
     if verdict in ("passed", "failed"):
@@ -122,4 +122,4 @@ def _badge(verdict: str, color: Color) -> pygame.Surface:
         pygame.draw.lines(sign, color, False, [(8, 4), (8, 8), (11, 10)], 2)
     else:
         pygame.draw.line(sign, color, (5, 8), (11, 8), 2)
-    return sign
+    return pygame.transform.smoothscale_by(sign, pen.scale) if pen.scale != 1 else sign

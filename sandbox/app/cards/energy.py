@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import graph, theme, wording
 from sandbox.app.books import Energies
 from sandbox.app.cards.card import Card, bar
 from sandbox.app.text import Pen
@@ -16,7 +16,7 @@ NUMBER = 92  # px, right of it
 
 
 def energy(
-    pen: Pen, width: int, start: Energies, now: Energies, graph: pygame.Surface
+    pen: Pen, width: int, start: Energies, now: Energies, drawn: pygame.Surface
 ) -> pygame.Surface:
     """Draw the energies above a graph of them, and what has become of their sum."""
     card = Card(pen, width)
@@ -27,8 +27,8 @@ def energy(
         ("total", now.total, theme.TOTAL),
     )
     _legend(card, rows)
-    card.put(graph, 0)
-    card.y += graph.height + 3
+    card.put(drawn, 0)
+    card.y += drawn.height + 3
     text = pen.write(_change(start, now), 13)
     card.put(pen.write("change", 13, theme.DIM), 0)
     card.put(text, width - text.width)
@@ -52,7 +52,7 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
     card = Card(pen, width)
     card.heading("Energy")
     note = pen.write("half a step ahead" if ahead else "", 12, theme.DIM)
-    card.put(note, LABEL, -note.height - 4)
+    card.put(note, card.pen.px(LABEL), -note.height - 4)
     rows = [
         ("kinetic", books.kinetic, theme.KINETIC),
         *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),
@@ -66,8 +66,9 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         card.put(pen.write(name, 13, theme.DIM), 0)
         text = pen.write(wording.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
-        length = max(width - LABEL - NUMBER, 20)
-        card.put(bar(length, value / scale if scale else 0.0, color), LABEL, 5)
+        length = max(width - pen.px(LABEL) - pen.px(NUMBER), 20)
+        drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
+        card.put(drawn, pen.px(LABEL), pen.px(5))
         card.y += pen.height(13) + 1
     return card.drawn()
 
@@ -83,6 +84,8 @@ def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
     """Add the energies beside each other, in the colours of their lines."""
     pen, column = card.pen, card.width // len(rows)
     for i, (name, value, color) in enumerate(rows):
-        card.put(pen.write(name, 12, color), i * column)
+        word = pen.write(name, 12, color)
+        card.put(word, i * column)
+        card.put(graph.sample(i, (pen.px(18), word.height)), i * column + word.width + pen.px(5))
         card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
     card.y += pen.height(12) + pen.height(13)

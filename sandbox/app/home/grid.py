@@ -67,24 +67,29 @@ class Grid:
         return min(found, key=lambda i: abs(self.cards[i][1].x - here.x))
 
 
-def lay_out(width: int, sections: Iterable[tuple[str, Sequence[Entry]]]) -> Grid:
+def lay_out(
+    width: int, sections: Iterable[tuple[str, Sequence[Entry]]], scale: float = 1.0
+) -> Grid:
     """Put cards in rows on a sheet of some width [px], a heading above those of each section."""
-    room = max(width - 2 * MARGIN, 1)
-    columns = min(max((room + GAP) // (NARROWEST + GAP), 1), MOST)
-    each = (room - (columns - 1) * GAP) // columns
+    margin, gap, narrowest, words, heading = (
+        round(length * scale) for length in (MARGIN, GAP, NARROWEST, WORDS, HEADING)
+    )
+    room = max(width - 2 * margin, 1)
+    columns = min(max((room + gap) // (narrowest + gap), 1), MOST)
+    each = (room - (columns - 1) * gap) // columns
     picture = each, round(each / ASPECT)
     cards: list[tuple[Entry, Rect]] = []
     headings: list[Heading] = []
-    y = GAP // 2
+    y = gap // 2
     for text, levels in sections:
         headings.append(Heading(text, len(levels), y))
-        y += HEADING
+        y += heading
         for i, level in enumerate(levels):
-            x = MARGIN + i % columns * (each + GAP)
-            place = Rect(x, y + i // columns * (picture[1] + WORDS + GAP), each, picture[1] + WORDS)
+            x = margin + i % columns * (each + gap)
+            place = Rect(x, y + i // columns * (picture[1] + words + gap), each, picture[1] + words)
             cards.append((level, place))
-        y += -(-len(levels) // columns) * (picture[1] + WORDS + GAP) + GAP // 2
-    return Grid(tuple(cards), tuple(headings), picture, y + GAP)
+        y += -(-len(levels) // columns) * (picture[1] + words + gap) + gap // 2
+    return Grid(tuple(cards), tuple(headings), picture, y + gap)
 
 
 def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[Entry]]]:

@@ -60,6 +60,13 @@ class Home:
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
 
+    def renew(self) -> None:
+        """Lay out and draw all anew, in the present theme and scale."""
+        self._short.cache_clear()
+        self.thumbnails.cancel()
+        self.thumbnails.forget()
+        self._laid_out = None
+
     def leave(self) -> None:
         """Show them no more."""
         self.open = False
@@ -93,7 +100,7 @@ class Home:
         self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
     ) -> None:
         path = self.focus.path if again and self.focus is not None else self._here
-        self._area, self._grid = area, lay_out(area.width, sections(found, sought))
+        self._area, self._grid = area, lay_out(area.width, sections(found, sought), self._pen.scale)
         self.thumbnails.resize(self._grid.picture)
         places = {level.path: i for i, (level, _) in enumerate(self._grid.cards)}
         self._focus = places.get(path, 0) if path is not None and not sought.strip() else 0
@@ -105,8 +112,8 @@ class Home:
         """Scroll as far as it takes to see the card with the focus, and the heading above it."""
         if self._grid.cards:
             place = self._grid.cards[self._focus][1]
-            highest = place.bottom + MARGIN - self._area.height
-            self._scroll_to(min(max(self._top, highest), place.y - HEADING))
+            highest = place.bottom + self._pen.px(MARGIN) - self._area.height
+            self._scroll_to(min(max(self._top, highest), place.y - self._pen.px(HEADING)))
 
     def _scroll_to(self, top: float) -> None:
         self._top = min(max(top, 0.0), max(self._grid.height - self._area.height, 0.0))
@@ -173,7 +180,7 @@ class Home:
         surface.fill(theme.STAGE, area)
         for heading in self._grid.headings:
             y = self._area.y + heading.y - round(self._top)
-            if area.top - HEADING < y < area.bottom:
+            if area.top - self._pen.px(HEADING) < y < area.bottom:
                 self._draw_heading(surface, heading.text, heading.count, y)
         for i in range(len(self._grid.cards)):
             if self.place(i).colliderect(area):
@@ -183,11 +190,11 @@ class Home:
 
     def _draw_heading(self, surface: pygame.Surface, text: str, count: int, y: int) -> None:
         title = self._pen.write(text, 17, theme.ACCENT, True)
-        x = self._area.x + MARGIN
-        surface.blit(title, (x, y + 12))
+        x = self._area.x + self._pen.px(MARGIN)
+        surface.blit(title, (x, y + self._pen.px(12)))
         if count:
             told = self._pen.write(str(count), 13, theme.DIM)
-            surface.blit(told, (x + title.width + 10, y + 16))
+            surface.blit(told, (x + title.width + 10, y + self._pen.px(16)))
 
     def _draw_card(self, surface: pygame.Surface, index: int) -> None:
         level, place = self._grid.cards[index][0], self.place(index)
@@ -209,17 +216,19 @@ class Home:
 
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
         earned = self._progress.stars(level.title)
-        right = below.right - PADDING
+        right = below.right - self._pen.px(PADDING)
         if earned or level.chapter == catalog.CHALLENGES:
             for i in reversed(range(STARS)):
-                right -= 2 * RADIUS + 2
+                right -= 2 * self._pen.px(RADIUS) + 2
                 color = theme.NOTICE if i < earned else theme.EDGE
-                surface.blit(_star(color), (right, below.y + 8))
-            right -= PADDING // 2
-        x, pen = below.x + PADDING, self._pen
-        surface.blit(pen.write(self._short(level.title, right - x, 14), 14), (x, below.y + 4))
-        told = self._short(level.summary, below.width - 2 * PADDING, 12)
-        surface.blit(pen.write(told, 12, theme.DIM), (x, below.y + 24))
+                surface.blit(_star(color, self._pen.px(RADIUS)), (right, below.y + self._pen.px(8)))
+            right -= self._pen.px(PADDING) // 2
+        x, pen = below.x + self._pen.px(PADDING), self._pen
+        surface.blit(
+            pen.write(self._short(level.title, right - x, 14), 14), (x, below.y + self._pen.px(4))
+        )
+        told = self._short(level.summary, below.width - 2 * self._pen.px(PADDING), 12)
+        surface.blit(pen.write(told, 12, theme.DIM), (x, below.y + self._pen.px(24)))
 
     def _shortened(self, text: str, room: int, size: int) -> str:
         return self._pen.shorten(text[:200], max(room, 1), size)
@@ -234,9 +243,9 @@ class Home:
 
 
 @cache
-def _star(color: theme.Color) -> pygame.Surface:
+def _star(color: theme.Color, radius: int) -> pygame.Surface:
     """Draw a star with five points, one of them up; large at first, so that its edges are soft."""
-    large = 4 * RADIUS
+    large = 4 * radius
     drawn = pygame.Surface((2 * large, 2 * large), pygame.SRCALPHA)
     drawn.fill((*color, 0))
     pygame.draw.polygon(drawn, color, lines.star((large, large), large))

@@ -8,11 +8,12 @@ import pygame
 
 from sandbox.app.keys import Binding
 from sandbox.app.load import Load
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet, below
+from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 
 Row = tuple[Color | None, str]
@@ -83,6 +84,7 @@ class Desk(NamedTuple):
     session: Session
     workers: Sequence[Worker]
     load: Load
+    comfort: Comfort
 
     def worker(self, kind: type[W]) -> W:
         """Return the worker of a kind."""
@@ -123,7 +125,8 @@ class PageCommand(NamedTuple):
         shown = f"Shift {letter}" if letter.isupper() else letter.upper()
         if self.control is not None:
             shown += f" or Ctrl {pygame.key.name(self.control).upper()}"
-        return Binding(self.name, shown, self.text, (), letter, self.control)
+        controls = () if self.control is None else (self.control,)
+        return Binding(self.name, shown, self.text, (), letter, controls)
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,7 +214,7 @@ class CardPanel:
         self, sheet: Sheet, session: Session, card: Callable[[Pen, int, Session], pygame.Surface]
     ) -> None:
         self._sheet, self._session, self._card = sheet, session, card
-        self._image = sheet.image(self._drawn(), MARGIN // 2)
+        self._image = sheet.image(self._drawn(), self._sheet.margin // 2)
         self.update()
 
     def process(self, _event: pygame.event.Event) -> str | None:

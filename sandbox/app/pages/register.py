@@ -14,6 +14,7 @@ from sandbox.app.pages import (
     momentum,
     predict,
     race,
+    settings,
     share,
     table,
 )
@@ -35,6 +36,7 @@ PAGES: tuple[Page, ...] = (
     race.PAGE,
     accuracy.PAGE,
     share.PAGE,
+    settings.PAGE,
 )
 """In the order of their tabs; the first is shown first."""
 

@@ -37,17 +37,18 @@ class Controls:
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self._manager, self._pen, self._rect = manager, pen, rect
         self._buttons: dict[str, UIButton] = {}
-        x = MARGIN
+        px = pen.px
+        x = px(MARGIN)
         for command, text, width in LEFT:
             x = self._button(command, text, x, width)
         self._speed = pygame.Rect(0, 0, 0, 0)
-        if rect.width >= TIGHT:
-            x = self._button("slower", "−", x + GAP, 32)
-            self._speed = pygame.Rect(x, 0, SPEED, 0)
-            x = self._button("faster", "+", x + SPEED, 32)
-        shown = (*self._overlays(), *WAYS) if rect.width >= ROOMY else WAYS[-1:]
-        right = rect.width - MARGIN + GAP - sum(width + GAP for _, _, width in shown)
-        self._clock = pygame.Rect(x + 12, rect.y, right - x - 28, rect.height)
+        if rect.width >= px(TIGHT):
+            x = self._button("slower", "−", x + px(GAP), 32)
+            self._speed = pygame.Rect(x, 0, px(SPEED), 0)
+            x = self._button("faster", "+", x + px(SPEED), 32)
+        shown = (*self._overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
+        right = rect.width - px(MARGIN - GAP) - sum(px(width) + px(GAP) for _, _, width in shown)
+        self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
         for command, text, width in shown:
             right = self._button(command, text, right, width)
@@ -55,16 +56,20 @@ class Controls:
     def _overlays(self) -> list[tuple[str, str, int]]:
         """Return the overlays that have buttons, their captions and the buttons' widths."""
         captions = [(each.name, each.caption) for each in OVERLAYS if each.caption]
-        return [(name, text, self._pen.write(text).width + PADDING) for name, text in captions]
+        return [
+            (name, text, round(self._pen.write(text).width / self._pen.scale) + PADDING)
+            for name, text in captions
+        ]
 
     def _button(self, command: str, text: str, x: int, width: int) -> int:
         """Make a button, and return where the next one begins."""
-        place = pygame.Rect(x, self._rect.y + (self._rect.height - HEIGHT) // 2, width, HEIGHT)
+        width, height = self._pen.px(width), self._pen.px(HEIGHT)
+        place = pygame.Rect(x, self._rect.y + (self._rect.height - height) // 2, width, height)
         self._buttons[command] = UIButton(
             place, text, self._manager, tool_tip_text=tip(command),
             object_id=ObjectID(class_id="@main") if command == "play" else None,
         )  # fmt: skip
-        return x + width + GAP
+        return x + width + self._pen.px(GAP)
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Return the command whose button was pressed, if one was."""
@@ -77,7 +82,7 @@ class Controls:
         """Return which part of the run was clicked on or dragged to, from 0 to 1; None if none."""
         track = self._track
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-            self._seeking = track.inflate(8, REACH).collidepoint(event.pos)
+            self._seeking = track.inflate(8, self._pen.px(REACH)).collidepoint(event.pos)
         elif event.type == pygame.MOUSEBUTTONUP:
             self._seeking = False
         if not self._seeking or event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEMOTION):
@@ -88,7 +93,8 @@ class Controls:
     def _track(self) -> pygame.Rect:
         """The bar that shows how much of the run is over."""
         area = self._clock
-        return pygame.Rect(area.x, area.centery + 8, area.width, 5)
+        px = self._pen.px
+        return pygame.Rect(area.x, area.centery + px(8), area.width, px(5))
 
     def button(self, command: str) -> UIButton:
         """Return the button of a command."""
@@ -112,7 +118,7 @@ class Controls:
             return
         if self._speed.width:
             speed = self._pen.write(f"{session.speed:g}×", 15, bold=True)
-            center = self._speed.centerx - GAP // 2, self._rect.centery
+            center = self._speed.centerx - self._pen.px(GAP) // 2, self._rect.centery
             surface.blit(speed, speed.get_rect(center=center))
         self._draw_clock(surface, session)
 
@@ -120,11 +126,11 @@ class Controls:
         area, pen = self._clock, self._pen
         middle = area.centery
         now = pen.write(f"t = {wording.seconds(session.t)}", 15, bold=True)
-        surface.blit(now, (area.x, middle - 20))
-        room = area.width - now.width - 10
+        surface.blit(now, (area.x, middle - pen.px(20)))
+        room = area.width - now.width - pen.px(10)
         notes = (pen.write(text, 13, color) for text, color in _notes(session))
         if note := next((note for note in notes if note.width <= room), None):
-            surface.blit(note, (area.right - note.width, middle - 18))
+            surface.blit(note, (area.right - note.width, middle - pen.px(18)))
         track = self._track
         pygame.draw.rect(surface, theme.RAISED, track, border_radius=2)
         share = min(session.t / session.duration, 1.0)
@@ -132,10 +138,10 @@ class Controls:
             done = pygame.Rect(track.topleft, (round(track.width * share), track.height))
             pygame.draw.rect(surface, theme.ACCENT, done, border_radius=2)
         knob = track.x + track.width * share, float(track.centery)
-        pygame.draw.aacircle(surface, theme.ACCENT, knob, KNOB)
+        pygame.draw.aacircle(surface, theme.ACCENT, knob, pen.px(KNOB))
         if session.sought is not None:
             goal = track.x + track.width * session.sought / session.end, float(track.centery)
-            pygame.draw.aacircle(surface, theme.NOTICE, goal, KNOB, 2)
+            pygame.draw.aacircle(surface, theme.NOTICE, goal, pen.px(KNOB), 2)
 
 
 def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:

@@ -20,6 +20,9 @@ from sandbox.physics.measuring.grading import Verdict
 View = Literal["graph", "bars", "total"]
 """What is shown of the energy: over time, by account, or only the sum."""
 
+FOLDED: View = "total"
+"""The lowest of them."""
+
 NEXT: Mapping[View, tuple[View, str]] = {
     "graph": ("bars", "Bars"),
     "bars": ("total", "Fold"),
@@ -51,25 +54,33 @@ class Foot:
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
     ) -> None:
         self._pen, self._session, self._view = pen, session, view
-        self._width = rect.width - 2 * MARGIN - 10
-        height = min(max(rect.height // 5 - CAPTION, HIGH[0]), HIGH[1])
+        px = pen.px
+        self._width = rect.width - 2 * px(MARGIN) - px(10)
+        height = min(max(rect.height // 5 - px(CAPTION), px(HIGH[0])), px(HIGH[1]))
         self._graph_size = self._width, height
         drawn = self._drawn()
         checks = bool(session.readings())
-        self.top = max(rect.bottom - drawn.height - LAST - checks * VERDICTS, rect.top + 1)
-        place = drawn.get_rect(topleft=(rect.x + MARGIN, self.top + checks * VERDICTS))
+        self.top = max(rect.bottom - drawn.height - px(LAST) - checks * px(VERDICTS), rect.top + 1)
+        place = drawn.get_rect(topleft=(rect.x + px(MARGIN), self.top + checks * px(VERDICTS)))
         self.verdicts: UIButton | None = None
         if checks:
-            line = pygame.Rect(rect.x + MARGIN - 8, self.top, self._width + 8, VERDICTS)
+            line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
             self.verdicts = UIButton(
                 line, told(session), manager, tool_tip_text=tip("checks"),
                 object_id=ObjectID(class_id="@section"),
             )  # fmt: skip
+        switch = px(SWITCH[0]), px(SWITCH[1])
         self._energy = UIImage(place, drawn, manager)
         self.switch = UIButton(
-            pygame.Rect((place.right - SWITCH[0], place.top + 4), SWITCH),
+            pygame.Rect((place.right - switch[0], place.top + px(4)), switch),
             NEXT[view][1], manager, tool_tip_text=tip("energy"),
         )  # fmt: skip
+
+    def kill(self) -> None:
+        """Take all of it away."""
+        for widget in (self.verdicts, self._energy, self.switch):
+            if widget is not None:
+                widget.kill()  # type: ignore[no-untyped-call]
 
     def pressed(self, element: object) -> str | None:
         """Return the command of a widget; None if it is none of these."""

@@ -8,6 +8,9 @@ from pygame import Rect
 BAR = 60  # px, the height of the controls
 ROOM: Mapping[str, int] = {"levels": 860, "side": 700}
 """The window's width from which on there is room for each of the columns [px]."""
+LEVELS = 210, 290  # px, how wide the list is at least and at most, at the usual scale
+SIDE = 320, 400  # px, the panel
+STAGE = 330, 300  # px, left to the stage beside both columns, and beside the panel alone
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,15 +23,39 @@ class Layout:
     controls: Rect
 
 
-def divide(size: tuple[int, int], levels: bool, side: bool) -> Layout:
-    """Divide a window; the columns are narrower in a small one, and make way for the stage."""
+def room(column: str, scale: float, *, beside: bool) -> int:
+    """Return how wide a window must be for a column, at a scale, beside the other one [px]."""
+    if column == "side":
+        return ROOM["side"]
+    other = round(SIDE[0] * scale) if beside else 0
+    return max(ROOM["levels"], round(LEVELS[0] * scale) + other + STAGE[0])
+
+
+def divide(size: tuple[int, int], levels: bool, side: bool, scale: float = 1.0) -> Layout:
+    """Divide a window; the columns are narrower in a small one, and make way for the stage.
+
+    At a larger scale they are wider, and the list makes way for the panel.
+    """
     width, height = max(size[0], 480), max(size[1], 300)
-    left = min(max(width * 19 // 100, 210), 290) if levels and width >= ROOM["levels"] else 0
-    right = min(max(width // 4, 320), 400) if side and width >= ROOM["side"] else 0
-    upper = height - BAR
+    bar = round(BAR * scale)
+    right = 0
+    if side and width >= room("side", scale, beside=levels):
+        right = _between(SIDE, scale, width // 4)
+        right = min(right, width - STAGE[1])
+    left = 0
+    if levels and width >= room("levels", scale, beside=bool(right)):
+        left = _between(LEVELS, scale, width * 19 // 100)
+        left = min(left, width - right - STAGE[0])
+    upper = height - bar
     return Layout(
         levels=Rect(0, 0, left, upper),
         stage=Rect(left, 0, width - left - right, upper),
         side=Rect(width - right, 0, right, upper),
-        controls=Rect(0, upper, width, BAR),
+        controls=Rect(0, upper, width, bar),
     )
+
+
+def _between(bounds: tuple[int, int], scale: float, wanted: int) -> int:
+    """Return a width that lies between two scaled ones [px]."""
+    least, most = (round(bound * scale) for bound in bounds)
+    return min(max(wanted, least), most)

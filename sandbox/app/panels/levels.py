@@ -87,21 +87,23 @@ class LevelList:
         levels: Sequence[Entry],
         sought: str = "",
     ) -> None:
-        width = rect.width - 2 * MARGIN
+        self._px = px = pen.px
+        width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
         self._commands = dict(self._ways(manager, width))
         self.field = Field(
-            pygame.Rect(MARGIN, 2 * MARGIN + FIELD, width, FIELD), manager, container=self.column,
+            pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
+            container=self.column,
             initial_text=sought, placeholder_text="Find a level ( / )",
         )  # fmt: skip
         self.field.set_forbidden_characters(["/"])  # the key that leads here
         self.field.set_text_length_limit(LONGEST)
-        top = 2 * FIELD + 3 * MARGIN
+        top = 2 * self._px(FIELD) + 3 * self._px(MARGIN)
         below = pygame.Rect(0, top, rect.width, max(rect.height - top, 1))
         self._container = UIScrollingContainer(
             below, manager, container=self.column, allow_scroll_x=False
         )
-        self._width = width - SCROLL_BAR
+        self._width = width - self._px(SCROLL_BAR)
         self._none = self._image(manager, pen, "No level has these words.", theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
@@ -117,9 +119,10 @@ class LevelList:
     def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
         """Make the buttons that lead to other levels, with the commands that they call for."""
         ways = (("home", "Home"), ("new scene", "New"), ("open file", "Open …"))
-        each = (width + MARGIN) // len(ways)
+        each = (width + self._px(MARGIN)) // len(ways)
         for i, (command, text) in enumerate(ways):
-            place = pygame.Rect(MARGIN + i * each, MARGIN, each - MARGIN, FIELD)
+            gap = self._px(MARGIN)
+            place = pygame.Rect(gap + i * each, gap, each - gap, self._px(FIELD))
             yield (
                 UIButton(place, text, manager, container=self.column, tool_tip_text=tip(command)),
                 command,
@@ -136,19 +139,21 @@ class LevelList:
     def _image(
         self, manager: UIManager, pen: Pen, text: str, color: theme.Color, *, bold: bool
     ) -> UIImage:
-        image = pygame.Surface((self._width, HEADING))
+        image = pygame.Surface((self._width, self._px(HEADING)))
         image.fill(theme.PANEL)
-        image.blit(pen.write(text, 13, color, bold), (10, 12))
-        return UIImage(image.get_rect(x=MARGIN), image, manager, container=self._container)
+        image.blit(pen.write(text, 13, color, bold), (self._px(10), self._px(12)))
+        return UIImage(
+            image.get_rect(x=self._px(MARGIN)), image, manager, container=self._container
+        )
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
         stars = self._progress.stars(level.title)
         mark = f"   {stars * STAR}" if stars else ""
-        room = self._width - 18 - pen.write(mark, 13).width
+        room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)
         earned = f"{stars} {'star' if stars == 1 else 'stars'} earned" if stars else None
         return UIButton(
-            pygame.Rect(MARGIN, 0, self._width, ROW), shown + mark, manager,
+            pygame.Rect(self._px(MARGIN), 0, self._width, self._px(ROW)), shown + mark, manager,
             container=self._container, object_id=ObjectID(class_id="@level"),
             tool_tip_text=earned if shown == level.title else level.title,
         )  # fmt: skip
@@ -166,7 +171,7 @@ class LevelList:
                 headed.add(level.chapter)
                 y += self._put(self._headings[level.chapter], y, shown=True)
             y += self._put(buttons[level], y, shown=True)
-        size = self._width + MARGIN, max(y, HEADING) + MARGIN
+        size = self._width + self._px(MARGIN), max(y, self._px(HEADING)) + self._px(MARGIN)
         self._container.set_scrollable_area_dimensions(size)
         scroll(self._container, 0)
 
@@ -175,7 +180,7 @@ class LevelList:
         if not shown:
             element.hide()  # type: ignore[no-untyped-call]
             return 0
-        element.set_relative_position((MARGIN, y))
+        element.set_relative_position((self._px(MARGIN), y))
         element.show()  # type: ignore[no-untyped-call]
         return int(element.relative_rect.height)
 
@@ -203,7 +208,7 @@ class LevelList:
             press(button, level.path == path)
             if level.path == path and button.visible:
                 top, height = scrolled(self._container), self._container.rect.height
-                if not top <= button.relative_rect.y <= top + height - ROW:
+                if not top <= button.relative_rect.y <= top + height - self._px(ROW):
                     scroll(self._container, button.relative_rect.y - height / 2)
 
     def process(self, event: pygame.event.Event) -> Path | None:

@@ -23,7 +23,7 @@ def draw_banner(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, text: str, color: Color
 ) -> int:
     """Draw a note at the top of an area, and return where it ends [px]."""
-    lines = pen.paragraph(text, min(area.width - 60, 640), 14, theme.TEXT)
+    lines = pen.paragraph(text, min(area.width - 60, pen.px(640)), 14, theme.TEXT)
     width = max(line.width for line in lines) + 2 * PADDING + 6
     height = sum(line.height for line in lines) + 2 * PADDING - 6
     box = pygame.Rect(0, 0, width, height)
@@ -47,20 +47,21 @@ def draw_help(
     surface: pygame.Surface, pen: Pen, area: pygame.Rect, rows: Sequence[tuple[str, str]]
 ) -> None:
     """Draw a table of keys in the middle of an area: in two columns, or smaller, if it must."""
-    columns = 1 if (area.height - 110) // len(rows) >= ROW else 2
+    px = pen.px
+    columns = 1 if (area.height - px(110)) // len(rows) >= px(ROW) else 2
     each = ceil(len(rows) / columns)
-    height = min(max((area.height - 110) // each, ROW), 22)
-    size = 14 if columns == 1 and height >= 20 else 12
+    height = min(max((area.height - px(110)) // each, px(ROW)), px(22))
+    size = 14 if columns == 1 and height >= px(20) else 12
     tables = [_table(pen, rows[i : i + each], height, size) for i in range(0, len(rows), each)]
-    whole = sum(table.width + 24 for table in tables) + 24, each * height + 70
+    whole = sum(table.width + px(24) for table in tables) + px(24), each * height + px(70)
     sheet = pygame.Surface(whole, pygame.SRCALPHA)
     pygame.draw.rect(sheet, theme.PANEL, sheet.get_rect(), border_radius=8)
     pygame.draw.rect(sheet, theme.ACCENT, sheet.get_rect(), 1, border_radius=8)
-    sheet.blit(pen.write("Keys and mouse", 18, bold=True), (24, 16))
-    x = 24
+    sheet.blit(pen.write("Keys and mouse", 18, bold=True), (px(24), px(16)))
+    x = px(24)
     for table in tables:
-        sheet.blit(table, (x, 52))
-        x += table.width + 24
+        sheet.blit(table, (x, px(52)))
+        x += table.width + px(24)
     scale = min(surface.width / sheet.width, area.height / sheet.height)
     if scale < 1:
         sheet = pygame.transform.smoothscale_by(sheet, scale)
@@ -71,7 +72,7 @@ def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) ->
     """Draw keys and what they do, a row each."""
     keys = [pen.write(key, size, theme.ACCENT, True) for key, _ in rows]
     texts = [pen.write(text, size) for _, text in rows]
-    left = max(key.width for key in keys) + 28
+    left = max(key.width for key in keys) + pen.px(28)
     table = pygame.Surface((left + max(text.width for text in texts), len(rows) * height))
     table.fill(theme.PANEL)
     for i, (key, text) in enumerate(zip(keys, texts, strict=True)):
@@ -79,8 +80,8 @@ def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) ->
     return table
 
 
-def offer(manager: UIManager, stage: pygame.Rect, rate: float) -> UIButton:
+def offer(manager: UIManager, pen: Pen, stage: pygame.Rect, rate: float) -> UIButton:
     """Offer to run again at a rate at which it should hold."""
-    box = pygame.Rect((0, 0), OFFER)
+    box = pygame.Rect((0, 0), (pen.px(OFFER[0]), pen.px(OFFER[1])))
     box.midbottom = stage.centerx, stage.bottom - 16
     return UIButton(box, f"Run at {rate:,.0f} Hz", manager, object_id=ObjectID(class_id="@main"))

@@ -16,10 +16,12 @@ from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.controls import Controls
+from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
@@ -53,23 +55,38 @@ class Panels:
         The page that says why the level cannot be opened; None if it can.
     home
         The cards of the levels, in place of the stage while they are shown.
+    focus
+        Where the keyboard is among the widgets.
     offer
         The button that runs a level that had to stop at another rate; None if there is none.
     """
 
-    def __init__(self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load) -> None:
-        self._pen, self._workers, self._load = pen, workers, load
+    def __init__(
+        self, pen: Pen, size: tuple[int, int], workers: Workers, load: Load, comfort: Comfort
+    ) -> None:
+        self._pen, self._workers, self._load, self._comfort = pen, workers, load, comfort
         self._hidden: set[str] = set()
         self.energy: View = "graph"
         self._advised: float | None = None
-        self.list: LevelList | None = None
         self.side: SidePanel | None = None
         self._listed: object = None  # what the list was built for
         self._sought = ""
+        self.list: LevelList | None = None
         self.page = register.PAGES[0].command
         self.home = Home(pen)
+        self.focus = Focus()
+        self.renew(size)
+
+    def renew(self, size: tuple[int, int]) -> None:
+        """Make all in the present theme and scale, from the next building on."""
         self._dialog: OpenDialog | None = None
-        self.manager = UIManager(size, theme.JSON, enable_live_theme_updates=False)
+        self._sought = self.sought
+        self.list = None
+        self.offer: UIButton | None = None
+        self.manager = UIManager(
+            size, theme.widgets(self._pen.scale), enable_live_theme_updates=False
+        )
+        self.home.renew()
 
     def hide_or_show(self, column: str) -> None:
         """Hide a column, `levels` or `side`, or show it again, from the next building on."""
@@ -89,7 +106,7 @@ class Panels:
         manager.set_window_resolution(size)
         shown = session is not None and not self.home.open
         with_side = shown and "side" not in self._hidden
-        layout = divide(size, levels="levels" not in self._hidden, side=with_side)
+        layout = divide(size, levels="levels" not in self._hidden, side=with_side, scale=pen.scale)
         self.layout: Layout = layout
         self._entries = entries
         self._clear((size, layout.levels.width, tuple(entries)))
@@ -108,12 +125,13 @@ class Panels:
                 view=self.energy,
                 workers=self._workers,
                 load=self._load,
+                comfort=self._comfort,
             )
         self.controls = Controls(manager, pen, layout.controls)
         self.refusal = None
         if refused is not None and not self.home.open:
             self.refusal = Refusal(manager, pen, layout.stage, refused)
-        self.offer: UIButton | None = None
+        self.offer = None
 
     def _clear(self, listed: object) -> None:
         """Remove all but a list that is built for the same: making it takes a tenth of a second."""
@@ -193,7 +211,7 @@ class Panels:
             self.offer.kill()  # type: ignore[no-untyped-call]
             self.offer = None
         if self.offer is None and rate is not None:
-            self.offer = messages.offer(self.manager, self.layout.stage, rate)
+            self.offer = messages.offer(self.manager, self._pen, self.layout.stage, rate)
         self._advised = rate
 
     def accepts(self, event: pygame.event.Event) -> bool:

@@ -33,8 +33,8 @@ class Refusal:
         self, manager: UIManager, pen: Pen, stage: pygame.Rect, error: SandboxError
     ) -> None:
         self.text = str(error)
-        area = pygame.Rect(0, stage.y + TOP, min(stage.width, WIDEST), 0)
-        area.height = max(stage.height - TOP - FOOT, 1)
+        area = pygame.Rect(0, stage.y + TOP, min(stage.width, pen.px(WIDEST)), 0)
+        area.height = max(stage.height - TOP - pen.px(FOOT), 1)
         area.centerx = stage.centerx
         sheet = self._sheet = Sheet(manager, pen, area)
         found = error.mistakes if isinstance(error, LevelError) else ()

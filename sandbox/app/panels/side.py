@@ -1,5 +1,7 @@
 """The column on the right: the pages of the level behind tabs, and the foot below them."""
 
+from collections.abc import Iterator
+
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.elements import UIButton
@@ -8,8 +10,9 @@ from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.workers import Workers
-from sandbox.app.panels.foot import Foot, View
+from sandbox.app.panels.foot import FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
+from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import scroll, scrolled
@@ -17,6 +20,7 @@ from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet
 
 REFRESH = 0.1  # s
+LEAST = 160  # px, of a page that is left to it above the foot
 
 
 class SidePanel:
@@ -34,16 +38,19 @@ class SidePanel:
 
     def __init__(
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, *,
-        page: str, view: View, workers: Workers, load: Load,
+        page: str, view: View, workers: Workers, load: Load, comfort: Comfort,
     ) -> None:  # fmt: skip
         self._session = session
         self._workers = workers
-        self.desk = Desk(session, workers.all, load)
-        self.foot = Foot(manager, pen, rect, session, view) if register.page(page).energy else None
-        end = self.foot.top if self.foot is not None else rect.bottom
-        across = pygame.Rect(rect.x + MARGIN, TOP, rect.width - 2 * MARGIN, 0)
+        self.desk = Desk(session, workers.all, load, comfort)
+        px = pen.px
+        across = pygame.Rect(rect.x + px(MARGIN), px(TOP), rect.width - 2 * px(MARGIN), 0)
         self._tabs = Tabs(manager, pen, across, register.PAGES, page)
-        top = self._tabs.bottom + TOP - GAP
+        top = self._tabs.bottom + px(TOP) - px(GAP)
+        least = top + px(LEAST)
+        feet = _feet(manager, pen, rect, session, view) if register.page(page).energy else ()
+        self.foot = next((foot for foot in feet if foot.top >= least), None)
+        end = self.foot.top if self.foot is not None else rect.bottom
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
@@ -59,13 +66,6 @@ class SidePanel:
         """Scroll to the checks, where the page has them."""
         if self._sheet.checks is not None:
             scroll(self._sheet.container, self._sheet.checks.relative_rect.y)
-
-    def focus(self, direction: int) -> None:
-        """Go on to the next number field, or back, and bring it into view."""
-        field = (self._sheet.typed or self.parameters).focus(direction)
-        if field is not None:
-            container = self._sheet.container
-            scroll(container, field.relative_rect.y - container.rect.height / 2)
 
     def revert(self) -> None:
         """Let all fields say again what is the case."""
@@ -113,3 +113,13 @@ class SidePanel:
         self.page.update()
         if self.foot is not None:
             self.foot.update()
+
+
+def _feet(
+    manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
+) -> Iterator[Foot]:
+    """Yield what may stand below a page: as it is wanted, then lower; the last one stays."""
+    for each in dict.fromkeys((view, FOLDED)):
+        foot = Foot(manager, pen, rect, session, each)
+        yield foot
+        foot.kill()

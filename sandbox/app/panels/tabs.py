@@ -16,7 +16,7 @@ from sandbox.app.widgets.gui import press
 HEIGHT = 26  # px, of a tab
 GAP = 4  # px, between two
 PADDING = 10  # px, beside a caption, left and right together
-SIZE = 12  # of the captions, as theme.json says for @tab
+SIZE = 12  # of the captions, as widgets.json says for @tab
 TOP = 10  # px, above the first row
 
 
@@ -33,20 +33,21 @@ class Tabs:
         self, manager: UIManager, pen: Pen, area: pygame.Rect, pages: Sequence[Page], chosen: str
     ) -> None:
         self._pages: dict[UIButton, str] = {}
-        self.bottom = TOP
+        px = pen.px
+        self.bottom = px(TOP)
         for row in rows(pen, pages, area.width):
-            widths = _stretched([_width(pen, page) for page in row], area.width)
+            widths = _stretched([_width(pen, page) for page in row], area.width, px(GAP))
             x = area.x
             for page, width in zip(row, widths, strict=True):
-                place = pygame.Rect(x, self.bottom, width, HEIGHT)
+                place = pygame.Rect(x, self.bottom, width, px(HEIGHT))
                 tab = UIButton(
                     place, page.caption, manager, tool_tip_text=tip(page.command),
                     object_id=ObjectID(class_id="@tab"),
                 )  # fmt: skip
                 press(tab, page.command == chosen)
                 self._pages[tab] = page.command
-                x += width + GAP
-            self.bottom += HEIGHT + GAP
+                x += width + px(GAP)
+            self.bottom += px(HEIGHT) + px(GAP)
 
     def pressed(self, element: object) -> str | None:
         """Return the command of the tab that a widget is; None if it is none."""
@@ -74,15 +75,15 @@ def _parted(pages: Sequence[Page], count: int) -> Iterator[list[Sequence[Page]]]
 
 def _length(pen: Pen, row: Sequence[Page]) -> int:
     """Return the least length of a row [px]."""
-    return sum(_width(pen, page) + GAP for page in row) - GAP
+    return sum(_width(pen, page) + pen.px(GAP) for page in row) - pen.px(GAP)
 
 
 def _width(pen: Pen, page: Page) -> int:
-    return pen.write(page.caption, SIZE).width + PADDING
+    return pen.write(page.caption, SIZE).width + pen.px(PADDING)
 
 
-def _stretched(widths: Sequence[int], width: int) -> list[int]:
+def _stretched(widths: Sequence[int], width: int, gap: int) -> list[int]:
     """Widen each by the same, so that together they fill a width [px]."""
-    spare = max(width - sum(widths) - GAP * (len(widths) - 1), 0)
+    spare = max(width - sum(widths) - gap * (len(widths) - 1), 0)
     ends = [spare * i // len(widths) for i in range(len(widths) + 1)]
     return [own + b - a for own, (a, b) in zip(widths, pairwise(ends), strict=True)]

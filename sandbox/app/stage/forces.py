@@ -135,7 +135,7 @@ def _draw_sum(
     start, at = camera.to_screen(arrows[0].tail), arrows[0].tip(camera, scale)
     for i, arrow in enumerate(arrows[1:], start=1):
         end = at[0] + arrow.newtons[0] * scale, at[1] - arrow.newtons[1] * scale
-        color = theme.mix(theme.STAGE, theme.FORCES[i % len(theme.FORCES)], 0.75)
+        color = theme.faded(theme.FORCES[i % len(theme.FORCES)], 0.75)
         lines.dashed(surface, color, (at, end), 6, 4)
         lines.head(surface, color, at, end)
         at = end

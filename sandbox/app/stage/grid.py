@@ -33,19 +33,19 @@ def draw_rulers(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
     """Draw the rulers along the left and the lower edge, in metres."""
     minor, major = spacing(camera)
     width, height = camera.size
-    side = _side(camera, major, pen)
+    side, ruler = _side(camera, major, pen), pen.px(RULER)
     shade = theme.mix(theme.STAGE, theme.PANEL, 0.7)
-    surface.fill(shade, (0, height - RULER, width, RULER))
+    surface.fill(shade, (0, height - ruler, width, ruler))
     surface.fill(shade, (0, 0, side, height))
     for apart, tick in ((minor, SHORT), (major, LONG)):
         for x in _marks(camera, apart, 0):
             px = round(camera.to_screen((x, 0))[0])
-            pygame.draw.line(surface, theme.AXIS, (px, height - RULER), (px, height - RULER + tick))
+            pygame.draw.line(surface, theme.AXIS, (px, height - ruler), (px, height - ruler + tick))
         for y in _marks(camera, apart, 1):
             py = round(camera.to_screen((0, y))[1])
             pygame.draw.line(surface, theme.AXIS, (side - tick, py), (side, py))
     _write_marks(surface, camera, pen, major, side)
-    corner = pygame.Rect(0, height - RULER, side, RULER)
+    corner = pygame.Rect(0, height - ruler, side, ruler)
     surface.fill(shade, corner)
     text = pen.write("m", 11, theme.DIM, bold=True)
     surface.blit(text, text.get_rect(center=corner.center))
@@ -55,24 +55,24 @@ def _write_marks(
     surface: pygame.Surface, camera: Camera, pen: Pen, major: float, side: int
 ) -> None:
     """Write the numbers that fit as a whole; the corner belongs to the unit."""
-    width, height = camera.size
+    (width, height), ruler = camera.size, pen.px(RULER)
     for x in _marks(camera, major, 0):
         text = pen.write(_mark(x), 11, theme.DIM)
-        place = text.get_rect(topleft=(round(camera.to_screen((x, 0))[0]) + 4, height - RULER + 3))
+        place = text.get_rect(topleft=(round(camera.to_screen((x, 0))[0]) + 4, height - ruler + 3))
         if side <= place.left and place.right <= width:
             surface.blit(text, place)
     for y in _marks(camera, major, 1):
         text = pen.write(_mark(y), 11, theme.DIM)
         place = text.get_rect(midright=(side - LONG - 3, round(camera.to_screen((0, y))[1])))
-        if place.top >= 0 and place.bottom <= height - RULER:
+        if place.top >= 0 and place.bottom <= height - ruler:
             surface.blit(text, place)
 
 
 def draw_scale_bar(surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
     """Draw a rule of a round length in the lower right corner."""
-    metres = nice(BAR / camera.scale)
+    metres = nice(pen.px(BAR) / camera.scale)
     length = round(metres * camera.scale)
-    left, y = camera.size[0] - length - 16, camera.size[1] - RULER - 16
+    left, y = camera.size[0] - length - 16, camera.size[1] - pen.px(RULER) - 16
     for i in range(10):
         start, end = left + round(i * length / 10), left + round((i + 1) * length / 10)
         color = theme.TEXT if i % 2 == 0 else theme.AXIS

@@ -6,7 +6,7 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import lines, signs, theme
 from sandbox.app.camera import Camera
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage.labels import Labels
@@ -32,7 +32,7 @@ PATH_POINTS = 240
 
 def trail_color(color: Color) -> Color:
     """Return the colour of the trail of a body of some colour."""
-    return theme.mix(theme.STAGE, color, 0.6)
+    return theme.faded(color, 0.6)
 
 
 def draw_trail(surface: pygame.Surface, camera: Camera, color: Color, points: Array) -> None:
@@ -48,13 +48,14 @@ def draw_trail(surface: pygame.Surface, camera: Camera, color: Color, points: Ar
 
 def draw_ghost(
     surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float,
-    color: Color = theme.GHOST,
+    lane: int | None = None,
 ) -> None:  # fmt: skip
     """Draw where a body is by the closed form, or in another run."""
+    color = theme.GHOST if lane is None else theme.LANES[lane]
     corners = camera.path(outline.placed(position, angle))
     if outline.closed:
         corners.append(corners[0])
-    lines.dashed(surface, color, corners)
+    lines.dashed(surface, color, corners, *signs.dash(lane or 0))
     if lines.near(corners):
         x, y = camera.to_screen(position)
         pygame.draw.aacircle(surface, color, (x, y), 2)
@@ -73,7 +74,7 @@ def draw_ghost_path(
 
 def draw_ghost_trail(surface: pygame.Surface, camera: Camera, points: Array) -> None:
     """Draw a path through points, dashed: (k, 2) [m]."""
-    color = theme.mix(theme.STAGE, theme.GHOST, 0.35)
+    color = theme.faded(theme.GHOST, 0.35)
     lines.dashed(surface, color, camera.path(points.tolist()), 3, 6)
 
 
@@ -113,7 +114,7 @@ def draw_components(
     x, y = start
     for color, end in ((theme.ACROSS, (x + across, y)), (theme.UPWARDS, (x, y + up))):
         lines.arrow(surface, color, start, end)
-        dim = theme.mix(theme.STAGE, color, 0.6)
+        dim = theme.faded(color, 0.6)
         lines.dashed(surface, dim, (end, (x + across, y + up)), 3, 4)
     along, upright = (
         pen.outlined(f"v{axis} {number(v, 3)} m/s") for axis, v in zip("xy", velocity, strict=True)

@@ -87,7 +87,8 @@ class Stage:
         """
         view, world, outlines = self.view, self.view.world, self.view.outlines
         view.trail, view.labels = trail, Labels(surface.get_rect())
-        view.labels.take(pygame.Rect(surface.width - 130, surface.height - 90, 130, 90))  # the keys
+        wide, high = self._pen.px(130), self._pen.px(90)
+        view.labels.take(pygame.Rect(surface.width - wide, surface.height - high, wide, high))
         self._draw_base()
         traced = view.few and any(each.draw_trail for each in self._overlays)
         others = [(each.trail, each.variant.color) for each in beside] or [
@@ -119,11 +120,11 @@ class Stage:
     def _draw_beside(self, surface: pygame.Surface, beside: Sequence[Companion]) -> None:
         """Draw the bodies of other runs as dashed outlines."""
         for companion in beside:
-            snapshot, color = companion.world.snapshot, companion.variant.color
+            snapshot, lane = companion.world.snapshot, companion.variant.lane
             for outline in self.view.moving:
                 x, y = snapshot.position[outline.row].tolist()
                 angle = float(snapshot.angle[outline.row])
-                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, color)
+                marks.draw_ghost(surface, self.camera, outline, (x, y), angle, lane)
 
     def body_at(self, pixel: XY, margin: float = 6.0) -> str | None:
         """Return the body that a hand would take hold of at a pixel."""

@@ -52,32 +52,33 @@ class Parameters:
     ) -> None:  # fmt: skip
         self._manager = manager
         self._rows: dict[str, Row] = {}
+        height = pen.px(ROW)
         for i, (name, parameter) in enumerate(parameters.items()):
-            row = pygame.Rect(area.x, area.y + i * ROW, area.width, ROW)
+            row = pygame.Rect(area.x, area.y + i * height, area.width, height)
             self._rows[name] = self._row(pen, container, row, name, parameter, values[name])
-        self.height = len(self._rows) * ROW
+        self.height = len(self._rows) * height
 
     def _row(
         self, pen: Pen, container: UIScrollingContainer, rect: pygame.Rect,
         name: str, parameter: Parameter, value: float,
     ) -> Row:  # fmt: skip
-        manager = self._manager
-        room = rect.width - FIELD - UNIT - 8
+        manager, px = self._manager, pen.px
+        room = rect.width - px(FIELD) - px(UNIT) - 8
         unit = "°" if parameter.unit == "deg" else parameter.unit
-        box = pygame.Rect(rect.right - UNIT - FIELD, rect.y, FIELD, 26)
+        box = pygame.Rect(rect.right - px(UNIT) - px(FIELD), rect.y, px(FIELD), px(26))
         symbol = pen.write(name if parameter.label else "", 13, theme.DIM)
         title = _title(pen, parameter.label or name, room - symbol.width - 8)
         texts = [(title, rect.x), (pen.write(unit, 14, theme.DIM), box.right + 6)]
         if symbol.width and name != parameter.label:
             texts.append((symbol, rect.x + title.width + 8))
         for image, x in texts:
-            place = image.get_rect(midleft=(x, rect.y + 13))
+            place = image.get_rect(midleft=(x, rect.y + px(13)))
             UIImage(place, image, manager, container=container)
         field = Field(box, manager, container=container)
         field.set_allowed_characters(list("0123456789.,-+eE"))
         field.set_text_length_limit(16)
         slider = UIHorizontalSlider(
-            pygame.Rect(rect.x, rect.y + 29, rect.width, 13), value,
+            pygame.Rect(rect.x, rect.y + px(29), rect.width, px(13)), value,
             (parameter.min, parameter.max), manager, container=container,
         )  # fmt: skip
         text = wording.setting(value)
@@ -114,18 +115,6 @@ class Parameters:
             if not row.field.is_focused and row.field.get_text() != row.shown:
                 return self._typed(name, row)
         return None
-
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        fields = [row.field for row in self._rows.values()]
-        if not fields:
-            return None
-        here = [i for i, field in enumerate(fields) if field.is_focused]
-        start = here[0] if here else (-1 if direction > 0 else 0)
-        field = fields[(start + direction) % len(fields)]
-        self._manager.set_focus_set(field.get_focus_set())
-        field.select_range = [0, len(field.get_text())]
-        return field
 
     @property
     def focused(self) -> bool:
@@ -178,7 +167,7 @@ def _title(pen: Pen, text: str, width: int) -> pygame.Surface:
     first, *others = pen.wrap(text, width, 12)
     second = [pen.shorten(" ".join(others), width, 12)] if others else []
     rows = [pen.write(line, 12) for line in (first, *second)]
-    size = max(row.width for row in rows), rows[0].height + LINE * len(second)
+    size = max(row.width for row in rows), rows[0].height + pen.px(LINE) * len(second)
     title = pygame.Surface(size, pygame.SRCALPHA)
-    title.blits([(row, (0, i * LINE)) for i, row in enumerate(rows)])
+    title.blits([(row, (0, i * pen.px(LINE))) for i, row in enumerate(rows)])
     return title

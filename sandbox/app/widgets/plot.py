@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme, wording
+from sandbox.app import lines, signs, theme, wording
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.expressions import Array
+from sandbox.model.shapes import XY
 
 LEFT, BELOW, ABOVE, RIGHT = 46, 18, 8, 10  # px, around the field
 ROUNDING = 1e-12
@@ -19,17 +20,23 @@ MANY = 600
 """How many points of a line are drawn: there are no more pixels."""
 
 
+SIGNED = 4
+"""How many signs stand on a line; those of other lines stand elsewhere along it."""
 DOT = 2.5  # px, the radius of a marked point
 
 
 class Series(NamedTuple):
-    """A line: its colour, its points, whether it is dashed, and whether its points are marked."""
+    """A line: its colour, its points, whether it is dashed, and whether its points are marked.
+
+    A sign stands on it here and there where it has one: others have other signs.
+    """
 
     color: Color
     x: Array
     y: Array
     dashed: bool = False
     marked: bool = False
+    sign: int | None = None
 
 
 class Scale(NamedTuple):
@@ -75,19 +82,19 @@ def draw(
     """Draw lines, the last on top; and a cursor at a value of x, if there is one."""
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
-    up = scale([each.y for each in series], size[1] - BELOW, ABOVE, 0.06)
+    up = scale([each.y for each in series], size[1] - pen.px(BELOW), pen.px(ABOVE), 0.06)
     _draw_axes(surface, pen, span, up)
     for each in series:
         _draw_line(surface, each, span, up)
     if cursor is not None:
         x = round(float(span.pixels(np.array(cursor))))
-        pygame.draw.line(surface, theme.NOTICE, (x, ABOVE), (x, size[1] - BELOW))
+        pygame.draw.line(surface, theme.NOTICE, (x, up.end), (x, up.start))
     return surface
 
 
-def across(width: int, values: Sequence[Array]) -> Scale:
+def across(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
     """Return the scale of x for graphs of a width [px]."""
-    return scale(values, LEFT, width - RIGHT, 0.0)
+    return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
 def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:
@@ -98,12 +105,21 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
+    if series.sign is not None and points:
+        _sign(surface, series.sign, series.color, points)
     if len(points) < 2:
         return
     if series.dashed:
         lines.dashed(surface, series.color, points)
     elif lines.near(points):
         pygame.draw.aalines(surface, series.color, False, points)
+
+
+def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:
+    """Put signs on a line, evenly along it."""
+    count = SIGNED * signs.SIGNS
+    for place in range(which % signs.SIGNS, count, signs.SIGNS):
+        signs.sign(surface, which, color, points[len(points) * place // count], 3)
 
 
 def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> None:
@@ -116,10 +132,12 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, span: Scale, up: Scale) -> Non
         text = pen.write(_brief(value), 11, theme.DIM)
         surface.blit(text, text.get_rect(midright=(left - 4, y)))
     if offset:
-        surface.blit(pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, ABOVE))
+        surface.blit(
+            pen.write(f"{_brief(offset)} + …", 11, theme.NOTICE), (left + 6, round(up.end))
+        )
     for value in span.ticks(4):
         x = round(float(span.pixels(np.array(value))))
-        pygame.draw.line(surface, theme.GRID_STRONG, (x, ABOVE), (x, bottom))
+        pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(_brief(value), 11, theme.DIM)
         place = text.get_rect(midtop=(x, bottom + 3)).clamp(surface.get_rect())
         surface.blit(text, place)

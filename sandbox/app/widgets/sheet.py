@@ -8,7 +8,6 @@ from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app.text import Pen
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
@@ -17,10 +16,6 @@ BAR = 26  # px, kept free for the scroll bar
 
 class Typed(Protocol):
     """Fields that can be typed into."""
-
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        ...
 
     def revert(self) -> None:
         """Let the fields say again what is the case."""
@@ -34,6 +29,8 @@ class Sheet:
     ----------
     width
         Of what is put on it [px].
+    margin
+        Left of that, and twice what is above it [px].
     container
         pygame_gui's.
     strip
@@ -48,7 +45,8 @@ class Sheet:
 
     def __init__(self, manager: UIManager, pen: Pen, rect: pygame.Rect) -> None:
         self.manager, self.pen = manager, pen
-        self.width = rect.width - MARGIN - BAR
+        self.margin = pen.px(MARGIN)
+        self.width = rect.width - self.margin - pen.px(BAR)
         self._rect = rect
         self.strip = UIContainer(pygame.Rect(rect.topleft, (rect.width, 1)), manager)
         self.container = UIScrollingContainer(rect, manager, allow_scroll_x=False)
@@ -57,15 +55,24 @@ class Sheet:
         self.checks: UIImage | None = None
         self.typed: Typed | None = None
 
+    def px(self, length: float) -> int:
+        """Return how long at the present scale is what has some length at the usual one [px]."""
+        return self.pen.px(length)
+
+    def scaled(self, size: tuple[int, int]) -> tuple[int, int]:
+        """Return how large at the present scale is what has some size at the usual one [px]."""
+        return self.px(size[0]), self.px(size[1])
+
     def image(self, surface: pygame.Surface, y: int) -> UIImage:
         """Put a picture at a height."""
-        rect = pygame.Rect((MARGIN, y), surface.size)
+        rect = pygame.Rect((self.margin, y), surface.size)
         return UIImage(rect, surface, self.manager, container=self.container)
 
     def button(self, rect: pygame.Rect, text: str, tip: str, kind: str | None = None) -> UIButton:
         """Put a button, with its place relative to the left margin."""
         return UIButton(
-            rect.move(MARGIN, 0), text, self.manager, container=self.container, tool_tip_text=tip,
+            rect.move(self.margin, 0), text, self.manager,
+            container=self.container, tool_tip_text=tip,
             object_id=ObjectID(class_id=kind) if kind else None,
         )  # fmt: skip
 
@@ -88,7 +95,7 @@ class Sheet:
     def end(self, height: int) -> None:
         """Let all be scrolled to, down to a height."""
         if self.container.scrollable_container.rect.height != height:
-            self.container.set_scrollable_area_dimensions((self.width + MARGIN, height))
+            self.container.set_scrollable_area_dimensions((self.width + self.margin, height))
 
 
 class Panel(Protocol):

@@ -2,6 +2,7 @@
 
 import pygame
 
+from sandbox.app import theme
 from sandbox.app.pages.build import content
 from tests.app.building.builder import Builder
 
@@ -81,7 +82,7 @@ def test_the_joint_in_hand_is_lit(builder: Builder) -> None:
     corners = [builder.page.palette.button(name).rect.move(4, 4) for name in ("rod", "pulley")]
     rod, pulley = (builder.person.color_at(corner.topleft) for corner in corners)
 
-    assert rod == (31, 95, 135)  # as theme.json says of what is selected
+    assert rod == theme.palette("dark")["selected"]
     assert pulley != rod
 
 

@@ -65,7 +65,7 @@ def test_it_is_measured_without_being_asked_and_drawn(player: Person) -> None:
     side = player.window.surface.subsurface(player.window.panels.layout.side)
     pixels = pygame.surfarray.array3d(side)
     for scheme in ("leapfrog", "symplectic-euler"):
-        assert (pixels == diagram.COLORS[scheme]).all(axis=2).sum() > 60
+        assert (pixels == diagram.colors()[scheme]).all(axis=2).sum() > 60
     assert set(studying.splits(player.session)) == {0, 1}
 
 
@@ -328,7 +328,7 @@ def test_a_diagram_stands_on_whole_powers_of_ten(pen: Pen) -> None:
     assert (across.low, across.high) == (0, 1)
     x, y = across.pixel(2.0), diagram.axis([2e-4, 5e-5, 1e-5], 158 - diagram.BELOW, 8).pixel(2e-4)
     color = drawn.get_at((round(x), round(y)))[:3]
-    assert color == pytest.approx(diagram.COLORS["leapfrog"], abs=3)
+    assert color == pytest.approx(diagram.colors()["leapfrog"], abs=3)
     empty = pygame.surfarray.array3d(diagram.draw(pen, (278, 158), [], None))
     assert (empty[:, :60] == theme.STAGE).all()
     assert (empty[:, 60:100] != theme.STAGE).any()  # it says that nothing is measured yet

@@ -99,7 +99,7 @@ def test_a_click_runs_with_the_value_under_it_and_the_curve_stays(thrower: Perso
     points, field = list(work.points), page(thrower).field
     chosen = work.chosen(thrower.session)
     assert chosen is not None
-    span = span_of(field.width, thrower.session.level, chosen)
+    span = span_of(thrower.window.pen, field.width, thrower.session.level, chosen)
     pixel = field.x + float(span.pixels(np.array(12.0)))
 
     thrower.click((pixel, field.centery))

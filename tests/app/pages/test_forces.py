@@ -205,8 +205,8 @@ def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
 
 
 def test_every_force_has_a_colour() -> None:
-    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(looking.COLORS)
-    assert looking.COLORS["weight"] != looking.COLORS[NORMAL] != looking.COLORS[FRICTION]
+    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(looking.colors())
+    assert looking.colors()["weight"] != looking.colors()[NORMAL] != looking.colors()[FRICTION]
 
 
 @pytest.mark.parametrize("overlay", [forces.OVERLAY, center.OVERLAY, accelerations.OVERLAY])

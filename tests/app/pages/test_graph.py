@@ -75,7 +75,7 @@ def test_every_quantity_that_is_offered_can_be_drawn() -> None:
 
 
 def test_a_line_goes_through_its_points(pen: Pen) -> None:
-    span = plot.across(300, [np.array([0.0, 1.0])])
+    span = plot.across(pen, 300, [np.array([0.0, 1.0])])
     y = np.array([0.0, 1.0])
     drawn = plot.draw(pen, (300, 150), [Series((255, 0, 0), y, y)], span, cursor=None)
 
@@ -198,12 +198,14 @@ def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:
     assert page(person)._cursor is None
 
 
-def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further() -> None:
+def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further(
+    pen: Pen,
+) -> None:
     session = opened("kinematics/projectile", 100)
     session.restart({"angle": 60})
     for _ in range(20):
         session.step()
 
-    span = span_of(300, session, "t")
+    span = span_of(pen, 300, session, "t")
 
     assert span.high == pytest.approx(100 / 60, rel=1e-9)

@@ -12,9 +12,6 @@ from sandbox.app.theme import Color
 from sandbox.model.level import Check, Stepping
 from sandbox.physics.accuracy.study import Here, Progress, Split, Trust
 
-LOADS: Mapping[str, Color] = {
-    "physics": theme.ACCENT, "hooks": theme.KINETIC, "drawing": theme.LANES[2],
-}  # fmt: skip
 PARTS = ("model", "numerical", "remaining")
 
 
@@ -64,11 +61,11 @@ def status(
     surface.fill(theme.PANEL)
     if failure:
         for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
-            surface.blit(line, (0, i * 13 - 1))
+            surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
         surface.blit(pen.write(pen.shorten(progress.told, size[0], 12), 12, theme.DIM), (0, 0))
-        surface.fill(theme.RAISED, (0, 19, size[0], 5))
-        surface.fill(theme.ACCENT, (0, 19, round(size[0] * progress.share), 5))
+        surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
+        surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
     return surface
 
 
@@ -94,14 +91,14 @@ def _frame(card: Card, shares: Mapping[str, float]) -> None:
     bar.fill(theme.RAISED)
     x = 0.0
     for name, share in shares.items():
-        bar.fill(LOADS[name], (round(x), 0, round(share * card.width), 10))
+        bar.fill(_of_load(name), (round(x), 0, round(share * card.width), 10))
         x += share * card.width
     card.put(bar, 0)
     card.y += 14
     column = card.width // len(shares)
     for i, (name, share) in enumerate(shares.items()):
         text = f"{name} {100 * share:.0f} %"
-        card.put(card.pen.write(text, 12, LOADS[name]), i * column)
+        card.put(card.pen.write(text, 12, _of_load(name)), i * column)
     card.y += card.pen.height(12)
 
 
@@ -124,3 +121,8 @@ def _split(card: Card, check: Check, split: Split) -> None:
         told = "none seen" if not value else wording.error(value)
         card.put(card.pen.write(told, 13, color), i * column, card.pen.height(11) - 1)
     card.y += card.pen.height(11) + card.pen.height(13)
+
+
+def _of_load(part: str) -> Color:
+    """Return the colour of a part of a frame."""
+    return {"physics": theme.ACCENT, "hooks": theme.KINETIC, "drawing": theme.LANES[2]}[part]

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import lines, signs, theme
 from sandbox.app.pages.race import race
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -17,10 +17,13 @@ LEFT, BELOW, ABOVE, RIGHT = 38, 36, 8, 18  # px, around the field
 LEAST = 1e-16
 """Of an error: what is less is drawn there."""
 
-COLORS: Mapping[str, Color] = {
-    "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
-    "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
-}  # fmt: skip
+
+def colors() -> Mapping[str, Color]:
+    """Return the colours of the schemes, by their names."""
+    return {
+        "leapfrog": theme.ACCENT, "fourth-order": theme.PASSED,
+        "symplectic-euler": theme.KINETIC, "explicit-euler": theme.FAILED,
+    }  # fmt: skip
 
 
 class Axis(NamedTuple):
@@ -63,14 +66,14 @@ def draw(
         text = pen.write("not measured yet", 12, theme.DIM)
         surface.blit(text, text.get_rect(center=surface.get_rect().center))
         return surface
-    across = axis([1e3 * p.price for p in everything], LEFT, size[0] - RIGHT)
-    up = axis([p.error for p in everything], size[1] - BELOW, ABOVE)
+    across = axis([1e3 * p.price for p in everything], pen.px(LEFT), size[0] - pen.px(RIGHT))
+    up = axis([p.error for p in everything], size[1] - pen.px(BELOW), pen.px(ABOVE))
     _draw_axes(surface, pen, across, up)
-    for scheme, color in COLORS.items():
+    for scheme, color in colors().items():
         line = [_pixel(p, across, up) for p in points if p.scheme == scheme]
-        lines.path(surface, theme.mix(theme.STAGE, color, 0.6), line, 1)
+        lines.path(surface, theme.faded(color, 0.6), line, 1)
         for pixel in line:
-            _mark(surface, scheme, color, pixel)
+            signs.sign(surface, _place(scheme), color, pixel)
     if here:
         pygame.draw.aacircle(surface, theme.TEXT, _pixel(here, across, up), 8, 2)
     return surface
@@ -97,20 +100,6 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
     surface.blit(title, place)
 
 
-def _mark(surface: pygame.Surface, scheme: str, color: Color, pixel: XY) -> None:
-    """Draw a point, of a form of its own for each scheme."""
-    x, y = pixel
-    match scheme:
-        case "leapfrog":
-            pygame.draw.aacircle(surface, color, pixel, 4)
-        case "fourth-order":
-            lines.fill(surface, color, [(x, y - 5), (x + 5, y), (x, y + 5), (x - 5, y)])
-        case "symplectic-euler":
-            surface.fill(color, (round(x) - 3, round(y) - 3, 7, 7))
-        case _:
-            lines.fill(surface, color, [(x - 5, y + 4), (x + 5, y + 4), (x, y - 5)])
-
-
 def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     """Draw which mark is which scheme, two a row."""
     schemes = list(dict.fromkeys(point.scheme for point in points))
@@ -119,6 +108,11 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     surface.fill(theme.PANEL)
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
-        _mark(surface, scheme, COLORS[scheme], (x + 6, y + height // 2))
+        signs.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
         surface.blit(pen.write(race.title(scheme), 12, theme.DIM), (x + 16, y))
     return surface
+
+
+def _place(scheme: str) -> int:
+    """Return which sign is that of a scheme."""
+    return list(colors()).index(scheme)

@@ -11,7 +11,7 @@ from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.card import asked, ends, rest, status
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 
 DIAGRAM = 158  # px, its height
 BUTTON = 84, 26  # px
@@ -28,23 +28,23 @@ class AccuracyPage:
         self._sheet, self._session, self._load = sheet, desk.session, desk.load
         self._studying = desk.worker(Studying)
         pen, width = sheet.pen, sheet.width
-        self._asked = sheet.image(self._drawn_dial(), MARGIN // 2)
+        self._asked = sheet.image(self._drawn_dial(), sheet.margin // 2)
         y = below(self._asked)
         self._dial = UIHorizontalSlider(
-            pygame.Rect(MARGIN, y, width, 14),
+            pygame.Rect(sheet.margin, y, width, sheet.px(14)),
             UNASKED,
             DIAL,
             sheet.manager,
             container=sheet.container,
         )
-        y += 18
+        y += sheet.px(18)
         y = below(sheet.image(ends(pen, width, "fast", "exact"), y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
-        place = pygame.Rect((width - BUTTON[0], y), BUTTON)
+        place = pygame.Rect((width - sheet.px(BUTTON[0]), y), sheet.scaled(BUTTON))
         self._button = sheet.button(place, "Measure", "measure error and cost, or stop that")
         self._status = sheet.image(self._drawn_status(), y)
-        self._below = y + BUTTON[1] + 6
+        self._below = y + sheet.px(BUTTON[1]) + 6
         self._rest = sheet.image(self._drawn_rest(), self._below)
         self._world: object = None
         self.update()
@@ -111,7 +111,7 @@ class AccuracyPage:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
         card = Card(pen, width)
         card.text("largest numerical error", 12)
-        chart = diagram.draw(pen, (width, DIAGRAM), studying.points, studying.here)
+        chart = diagram.draw(pen, (width, self._sheet.px(DIAGRAM)), studying.points, studying.here)
         card.put(chart, 0)
         card.y += chart.height + 3
         legend = diagram.legend(pen, width, studying.points)
@@ -120,9 +120,12 @@ class AccuracyPage:
         return card.drawn()
 
     def _drawn_status(self) -> pygame.Surface:
-        width = self._sheet.width - BUTTON[0] - 8
+        width = self._sheet.width - self._sheet.px(BUTTON[0]) - 8
         return status(
-            self._sheet.pen, (width, BUTTON[1]), self._studying.progress, self._studying.failure
+            self._sheet.pen,
+            (width, self._sheet.px(BUTTON[1])),
+            self._studying.progress,
+            self._studying.failure,
         )
 
     def _drawn_rest(self) -> pygame.Surface:

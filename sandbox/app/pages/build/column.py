@@ -12,13 +12,13 @@ from sandbox.app.cards.card import Card, heading
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.app.widgets.field import Field
-from sandbox.app.widgets.sheet import MARGIN, Sheet
+from sandbox.app.widgets.sheet import Sheet
 
 HEIGHT = 24  # px, of a button and of a field
 GAP = 4  # px, between two
 SMALL = "@small"
 """The look of these buttons, and of their fields."""
-SIZE = 12  # of their captions, as theme.json says
+SIZE = 12  # of their captions, as widgets.json says
 PADDING = 14  # px, beside a caption, left and right together
 
 
@@ -27,11 +27,11 @@ def beside(pen: Pen, captions: Sequence[str], width: int) -> list[pygame.Rect]:
     found: list[pygame.Rect] = []
     x = y = 0
     for caption in captions:
-        wide = pen.write(caption, SIZE).width + PADDING
+        wide = pen.write(caption, SIZE).width + pen.px(PADDING)
         if x and x + wide > width:
-            x, y = 0, y + HEIGHT + GAP
-        found.append(pygame.Rect(x, y, wide, HEIGHT))
-        x += wide + GAP
+            x, y = 0, y + pen.px(HEIGHT) + pen.px(GAP)
+        found.append(pygame.Rect(x, y, wide, pen.px(HEIGHT)))
+        x += wide + pen.px(GAP)
     return found
 
 
@@ -47,37 +47,38 @@ class Column:
     def __init__(self, sheet: Sheet) -> None:
         self._sheet = sheet
         self._widgets: list[UIElement] = []
-        self.y = MARGIN // 2
+        self.y = sheet.margin // 2
 
     def clear(self) -> None:
         """Take all away, and begin at the top again."""
         for widget in self._widgets:
             widget.kill()  # type: ignore[no-untyped-call]
         self._widgets.clear()
-        self.y = MARGIN // 2
+        self.y = self._sheet.margin // 2
 
     def heading(self, text: str) -> None:
         """Put a heading under a line."""
         self._put_picture(heading(self._sheet.pen, self._sheet.width, text))
 
-    def text(self, text: str, color: Color = theme.DIM, x: int = 0) -> None:
+    def text(self, text: str, color: Color | None = None, x: int = 0) -> None:
         """Put a wrapped paragraph."""
         card = Card(self._sheet.pen, self._sheet.width - x)
-        card.text(text, SIZE, color)
+        card.text(text, SIZE, color or theme.DIM)
         self._put_picture(card.drawn(), x)
 
     def _put_picture(self, picture: pygame.Surface, x: int = 0) -> None:
         image = self._sheet.image(picture, self.y)
-        image.set_relative_position((MARGIN + x, self.y))
+        image.set_relative_position((self._sheet.margin + x, self.y))
         self._widgets.append(image)
-        self.y += picture.height + GAP
+        self.y += picture.height + self._sheet.px(GAP)
 
     def label(self, text: str, x: int, room: int, tip: str = "") -> None:
         """Put a word beside what follows on the same line, cut if there is no room [px]."""
         pen = self._sheet.pen
         picture = pen.write(pen.shorten(text, room, SIZE), SIZE, theme.DIM)
         image = self._sheet.image(picture, self.y)
-        image.set_relative_position((MARGIN + x, self.y + (HEIGHT - picture.height) // 2))
+        below = (self._sheet.px(HEIGHT) - picture.height) // 2
+        image.set_relative_position((self._sheet.margin + x, self.y + below))
         if tip:
             image.set_tooltip(tip, delay=0.6)
         self._widgets.append(image)
@@ -85,7 +86,8 @@ class Column:
     def field(self, x: int, width: int, text: str, otherwise: str = "", tip: str = "") -> Field:
         """Put a field on the present line; `otherwise` is seen while nothing is in it."""
         field = Field(
-            pygame.Rect(MARGIN + x, self.y, width, HEIGHT), self._sheet.manager,
+            pygame.Rect(self._sheet.margin + x, self.y, width, self._sheet.px(HEIGHT)),
+            self._sheet.manager,
             container=self._sheet.container, initial_text=text, placeholder_text=otherwise,
             object_id=ObjectID(class_id=SMALL),
         )  # fmt: skip
@@ -107,5 +109,5 @@ class Column:
             self.button(place.move(x, 0), act.caption, act.tip)
             for act, place in zip(acts, places, strict=True)
         ]
-        self.y += places[-1].bottom + GAP if places else 0
+        self.y += places[-1].bottom + self._sheet.px(GAP) if places else 0
         return made

@@ -26,15 +26,16 @@ class Block(NamedTuple):
     """A heading or a text, and buttons below it, some of which are pressed."""
 
     text: str
-    color: Color | None = theme.DIM
-    """None for a heading"""
+    color: Color | None = None
+    """None for that of what is less important"""
     acts: tuple[Act, ...] = ()
     pressed: frozenset[str] = frozenset()
+    heading: bool = False
 
     @property
     def shape(self) -> tuple[object, ...]:
         """What must be built anew if it changes."""
-        return self.text, self.color, tuple(act.caption for act in self.acts)
+        return self.text, self.color, self.heading, tuple(act.caption for act in self.acts)
 
 
 def above(editor: Editor, session: Session) -> list[Block]:
@@ -68,7 +69,8 @@ def subject(editor: Editor) -> list[Block]:
     """Return what is inspected, and what can be done with it as a whole."""
     work = editor.bench
     in_run = work is editor.trial.live
-    title = Block("The run" if in_run and not work.selected else inspection.subject(work), None)
+    said = "The run" if in_run and not work.selected else inspection.subject(work)
+    title = Block(said, heading=True)
     if not work.selected and in_run:
         return [title, Block(IN_RUN), _switches(editor)]
     if not work.selected:

@@ -99,12 +99,12 @@ class Inspector:
 
     def _put_section(self, section: Section, x: int) -> None:
         opened, column = self._opened(section.path), self._column
-        place = pygame.Rect(x, 0, self._sheet.width - x, HEIGHT)
+        place = pygame.Rect(x, 0, self._sheet.width - x, self._sheet.px(HEIGHT))
         caption = f"{'−' if opened else '+'}  {section.label}"
         self._headings[column.button(place, caption, section.help, "@section")] = section.path
-        column.y += HEIGHT + GAP
+        column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         if opened:
-            self._put_rows(section.rows, x + INDENT)
+            self._put_rows(section.rows, x + self._sheet.px(INDENT))
 
     def _opened(self, path: Path) -> bool:
         """Whether a section is open: at first those of bodies and joints are."""
@@ -113,35 +113,36 @@ class Inspector:
     def _put(self, line: Line, x: int) -> None:
         entry, column = line.entry, self._column
         self._lines[entry.path] = line
-        column.label(entry.label, x, LABEL - x, _tip(entry))
+        column.label(entry.label, x, self._sheet.px(LABEL) - x, _tip(entry))
         if options := _options(entry):
             self._put_choices(line, options)
         elif len(entry.shown) > MOST:
-            column.label(TOO_LONG, LABEL, self._sheet.width - LABEL)
-            column.y += HEIGHT + GAP
+            column.label(TOO_LONG, self._sheet.px(LABEL), self._sheet.width - self._sheet.px(LABEL))
+            column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         else:
             self._put_field(line)
         if why := self._refused.get(entry.path):
-            column.text(why, theme.FAILED, LABEL)
+            column.text(why, theme.FAILED, self._sheet.px(LABEL))
 
     def _put_choices(self, line: Line, options: Mapping[str, str]) -> None:
         acts = [Act(caption, line.entry.help, bool) for caption in options]
-        buttons = self._column.buttons(acts, LABEL)
+        buttons = self._column.buttons(acts, self._sheet.px(LABEL))
         line.choices = dict(zip(buttons, options.values(), strict=True))
 
     def _put_field(self, line: Line) -> None:
         entry, column = line.entry, self._column
-        room = self._sheet.width - LABEL
+        px, left = self._sheet.px, self._sheet.px(LABEL)
+        room = self._sheet.width - left
         if entry.sort == "number":
-            room -= UNIT + SLIDER + GAP
-            column.label(entry.unit, LABEL + room + GAP, UNIT - GAP)
-        line.field = column.field(LABEL, room, entry.shown, entry.default, _tip(entry))
+            room -= px(UNIT) + px(SLIDER) + px(GAP)
+            column.label(entry.unit, left + room + px(GAP), px(UNIT) - px(GAP))
+        line.field = column.field(left, room, entry.shown, entry.default, _tip(entry))
         line.shown = entry.shown
         if entry.shown and entry.path in self._numbers:
-            place = pygame.Rect(self._sheet.width - SLIDER, 0, SLIDER, HEIGHT)
+            place = pygame.Rect(self._sheet.width - px(SLIDER), 0, px(SLIDER), px(HEIGHT))
             tip = f"make this a parameter: {entry.label} gets a slider on the level's page"
             line.slider = column.button(place, "slider", tip)
-        column.y += HEIGHT + GAP
+        column.y += px(HEIGHT) + px(GAP)
         if names := self._offered.get(entry.path):
             self._put_choices(line, {name: name for name in names})
 
@@ -237,30 +238,13 @@ class Inspector:
         assert found is not None
         return found
 
-    @property
-    def focused(self) -> Field | None:
-        """The field that is typed into."""
-        return next((field for _, field in self._fields if field.is_focused), None)
-
-    def complete(self) -> Field | None:
-        """Take the first name that is offered into its field, and return that if there is one."""
+    def complete(self) -> bool:
+        """Take the first name that is offered into its field, and return whether there is one."""
         for line, field in self._fields:
             if field.is_focused and (names := self._offered.get(line.entry.path)):
                 field.set_text(names[0])
-                return field
-        return None
-
-    def focus(self, direction: int) -> Field | None:
-        """Go on to the next field, or back to the one before, and return it if there is any."""
-        fields = [field for _, field in self._fields]
-        if not fields:
-            return None
-        here = next((i for i, field in enumerate(fields) if field.is_focused), None)
-        start = (-1 if direction > 0 else 0) if here is None else here
-        field = fields[(start + direction) % len(fields)]
-        self._sheet.manager.set_focus_set(field.get_focus_set())
-        field.select_range = [0, len(field.get_text())]
-        return field
+                return True
+        return False
 
     def revert(self) -> None:
         """Let the fields say again what is the case."""

@@ -13,9 +13,8 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.pages.build.column import GAP, HEIGHT, SMALL, beside
 from sandbox.app.session import Session
 from sandbox.app.widgets.gui import allow, press
-from sandbox.app.widgets.sheet import MARGIN, Sheet
+from sandbox.app.widgets.sheet import Sheet
 
-ROW = HEIGHT + GAP  # px
 ACROSS = 4
 """How many tools stand beside each other."""
 TRY, STOP = "Try it", "Back to building"
@@ -30,10 +29,10 @@ class Palette:
         self._acts: dict[UIButton, Callable[[], object]] = {}
         self._joints = kinds()
         y = self._put_tools(self._put_acts(0))
-        whole = pygame.Rect(0, y, sheet.width, HEIGHT + 2)
+        whole = pygame.Rect(0, y, sheet.width, sheet.px(HEIGHT) + 2)
         tip = "let time run, and come back from there (Space, Esc)"
         self._put(whole, TRY, TRY, tip, partial(editor.try_it, session), "@main")
-        self._without = whole.bottom + GAP
+        self._without = whole.bottom + sheet.px(GAP)
         self._height = self._put_joints(self._without)
         self.update()
 
@@ -49,7 +48,7 @@ class Palette:
         )
         for (name, tip, act), place in zip(acts, self._places(len(acts), y), strict=True):
             self._put(place, name, name, tip, act)
-        return y + ROW
+        return y + self._sheet.px(HEIGHT) + self._sheet.px(GAP)
 
     def _put_tools(self, y: int) -> int:
         for start in range(0, len(TOOLS), ACROSS):
@@ -57,29 +56,29 @@ class Palette:
             for kind, place in zip(several, self._places(ACROSS, y), strict=False):
                 tip = f"{kind.text} ({kind.key})"
                 self._put(place, kind.name, kind.caption, tip, partial(self._take, kind.name))
-            y += ROW
+            y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         return y
 
     def _put_joints(self, y: int) -> int:
         places = beside(self._sheet.pen, list(self._joints), self._sheet.width)
         for (name, text), place in zip(self._joints.items(), places, strict=True):
             self._put(place.move(0, y), name, name, text, partial(self._join, name))
-        return y + places[-1].bottom + GAP
+        return y + places[-1].bottom + self._sheet.px(GAP)
 
     def _places(self, count: int, y: int) -> Iterator[pygame.Rect]:
         """Yield so many places of the same width beside each other."""
-        width = (self._sheet.width + GAP) / count
+        width = (self._sheet.width + self._sheet.px(GAP)) / count
         for i in range(count):
             left, right = round(i * width), round((i + 1) * width)
-            yield pygame.Rect(left, y, right - left - GAP, HEIGHT)
+            yield pygame.Rect(left, y, right - left - self._sheet.px(GAP), self._sheet.px(HEIGHT))
 
     def _put(
         self, place: pygame.Rect, name: str, caption: str, tip: str,
         act: Callable[[], object], kind: str = SMALL,
     ) -> None:  # fmt: skip
         button = UIButton(
-            place.move(MARGIN, 0), caption, self._sheet.manager, container=self._sheet.strip,
-            tool_tip_text=tip, object_id=ObjectID(class_id=kind),
+            place.move(self._sheet.margin, 0), caption, self._sheet.manager,
+            container=self._sheet.strip, tool_tip_text=tip, object_id=ObjectID(class_id=kind),
         )  # fmt: skip
         self._buttons[name], self._acts[button] = button, act
 

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Collection, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_FINISHED
@@ -18,10 +19,12 @@ from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
 from sandbox.model import locating
+
+if TYPE_CHECKING:
+    from sandbox.app.widgets.field import Field
 
 Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
 
@@ -51,6 +54,7 @@ class BuildPage:
         self._selected: object = None
         self._shape: object = None
         sheet.typed = self
+        self._editor.complete = self.complete
         self.update()
 
     def button(self, caption: str) -> UIButton:
@@ -139,14 +143,13 @@ class BuildPage:
 
     # fields, as the window goes through them
 
-    def focus(self, direction: int) -> Field | None:
-        """Take the name that is offered; else go on to the next field, or back, and return it."""
-        completed = self.inspector.complete() if direction > 0 else None
-        if completed is not None:
+    def complete(self) -> bool:
+        """Take the first name that is offered, and return whether one is."""
+        completed = self.inspector.complete()
+        if completed:
             self._offered.clear()
             self.update()
-            return self.inspector.focused
-        return self.inspector.focus(direction)
+        return completed
 
     def revert(self) -> None:
         """Let all fields say again what is the case, and ask for no name any more."""
@@ -200,15 +203,15 @@ class BuildPage:
         self._put(above)
         self._put_name()
         self._put(below)
-        self._column.y += 2 * GAP
+        self._column.y += 2 * self._sheet.px(GAP)
         self.inspector.build(rows, numbers, self._refused, dict(self._offered))
         self._put(last)
-        self._sheet.end(self._column.y + GAP)
+        self._sheet.end(self._column.y + self._sheet.px(GAP))
 
     def _put(self, blocks: Sequence[Block]) -> None:
         for block in blocks:
-            self._column.y += GAP
-            if block.color is None:
+            self._column.y += self._sheet.px(GAP)
+            if block.heading:
                 self._column.heading(block.text)
             elif block.text:
                 self._column.text(block.text, block.color)
@@ -220,7 +223,7 @@ class BuildPage:
         if self._editor.naming:
             typed = before.get_text() if before is not None else str(self._editor.proposed)
             self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
-            self._column.y += HEIGHT + GAP
+            self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 
     def _refresh(self, blocks: Blocks) -> None:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app import lines, theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -14,11 +14,6 @@ from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 
 NONE = "This level sets no challenge. Those of the chapter Challenges do."
 TOUCHED = "A hand has touched this run, or effects are changed: it earns no stars."
-_COLORS: dict[Standing, Color] = {
-    "met": theme.PASSED,
-    "missed": theme.FAILED,
-    "open": theme.WAITING,
-}
 _STAR = 11  # px, its radius
 
 
@@ -84,7 +79,7 @@ def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
         card.heading("Hints")
     for index, hint in enumerate(shown):
         card.put(pen.write(f"{index + 1}.", 14, theme.DIM), 0)
-        card.text(hint, 14, indent=INDENT)
+        card.text(hint, 14, indent=card.indent)
         card.y += GAP
     return card.drawn()
 
@@ -97,17 +92,18 @@ def _rank(index: int, asked: Challenge) -> str:
 
 def _stars(card: Card, found: Attempt, best: int) -> None:
     """Draw the stars of this run, and say how many were earned before."""
+    radius = card.pen.px(_STAR)
     for index in range(found.most):
-        card.put(_star(earned=index < found.stars), index * (2 * _STAR + 6), 2)
+        card.put(_star(radius, earned=index < found.stars), index * (2 * radius + 6), 2)
     text = f"best so far: {best} of {found.most}" if best else ""
-    card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * _STAR + 6) + 8, 5)
-    card.y += 2 * _STAR + 8
+    card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * radius + 6) + 8, 5)
+    card.y += 2 * radius + 8
 
 
-def _star(*, earned: bool) -> pygame.Surface:
+def _star(radius: int, *, earned: bool) -> pygame.Surface:
     """Draw a star, filled if it is earned."""
-    sign = pygame.Surface((2 * _STAR + 2, 2 * _STAR + 2), pygame.SRCALPHA)
-    corners = lines.star((_STAR + 1, _STAR + 1), _STAR)
+    sign = pygame.Surface((2 * radius + 2, 2 * radius + 2), pygame.SRCALPHA)
+    corners = lines.star((radius + 1, radius + 1), radius)
     if earned:
         pygame.draw.polygon(sign, theme.NOTICE, corners)
     pygame.draw.aalines(sign, theme.NOTICE if earned else theme.WAITING, True, corners)
@@ -115,9 +111,9 @@ def _star(*, earned: bool) -> pygame.Surface:
 
 
 def _goal(card: Card, outcome: Outcome) -> None:
-    color = _COLORS[outcome.standing]
+    color = _color(outcome.standing)
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
-    card.text(outcome.goal.label, 14, bold=True, indent=INDENT)
+    card.text(outcome.goal.label, 14, bold=True, indent=card.indent)
     value = outcome.measured
     now = "–" if value is None else wording.quantity(value, outcome.unit, 4)
     card.columns(
@@ -128,3 +124,7 @@ def _goal(card: Card, outcome: Outcome) -> None:
 
 _SIGNS: dict[Standing, str] = {"met": "✓", "missed": "×", "open": "…"}
 """A standing must not be told by its colour alone."""
+
+
+def _color(standing: Standing) -> Color:
+    return {"met": theme.PASSED, "missed": theme.FAILED, "open": theme.WAITING}[standing]

@@ -8,7 +8,7 @@ from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.parameters import Parameters
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 
 
 class ChallengePage:
@@ -17,16 +17,18 @@ class ChallengePage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._judge = desk.worker(Judge)
-        y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), MARGIN // 2)) + 12
+        y = below(sheet.image(task(sheet.pen, sheet.width, desk.session), sheet.margin // 2)) + 12
         asked, level = desk.session.level.challenge, desk.session.level
         free = {name: level.parameters[name] for name in (asked.free if asked else ())}
-        area = pygame.Rect(MARGIN, y, sheet.width, 0)
+        area = pygame.Rect(sheet.margin, y, sheet.width, 0)
         sheet.parameters = Parameters(
             sheet.manager, sheet.pen, sheet.container, area, free, desk.session.values
         )
         self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
-        self._button = sheet.button(pygame.Rect(0, 0, 130, 28), "", "one hint more")
+        self._button = sheet.button(
+            pygame.Rect((0, 0), sheet.scaled((130, 28))), "", "one hint more"
+        )
         self.update()
 
     @property
@@ -47,15 +49,15 @@ class ChallengePage:
         sheet.parameters.show(self._session.values)
         sheet.replace(self._standing, self._draw_standing())
         sheet.replace(self._hints, self._draw_hints())
-        self._hints.set_relative_position((MARGIN, below(self._standing) + 8))
+        self._hints.set_relative_position((self._sheet.margin, below(self._standing) + 8))
         left = len(self._all_hints) - len(self._shown_hints)
-        self._button.set_relative_position((MARGIN, below(self._hints) + 8))
+        self._button.set_relative_position((self._sheet.margin, below(self._hints) + 8))
         if left:
             self._button.set_text("A hint" if not self._shown_hints else "Another hint")
             self._button.show()  # type: ignore[no-untyped-call]
         else:
             self._button.hide()  # type: ignore[no-untyped-call]
-        sheet.end(below(self._hints) + (44 if left else 2))
+        sheet.end(below(self._hints) + (sheet.px(44) if left else 2))
 
     @property
     def _all_hints(self) -> tuple[str, ...]:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app import theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
@@ -36,7 +36,7 @@ def compared(
         if difference.before is difference.after is None:
             continue  # not yet
         card.y += GAP
-        card.text(difference.label or difference.quantity, 14, bold=True, indent=INDENT)
+        card.text(difference.label or difference.quantity, 14, bold=True, indent=card.indent)
         numbers = (difference.before, difference.after)
         values = ["–" if n is None else wording.quantity(n, difference.unit) for n in numbers]
         part = difference.relative

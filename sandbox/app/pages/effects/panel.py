@@ -15,7 +15,7 @@ from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.gui import allow, press
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 from sandbox.model.variants import DEFAULTS
 
@@ -41,34 +41,39 @@ class EffectsPage:
         level, pen, width = session.original, sheet.pen, sheet.width
         self._switches: dict[str, UIButton] = {}
         self._scales: dict[UIButton, tuple[str, float]] = {}
-        y = below(sheet.image(effects_intro(pen, width), MARGIN // 2)) + 2
+        y = below(sheet.image(effects_intro(pen, width), sheet.margin // 2)) + 2
         y = self._row_of(level.effects.declared, y)
         if added := whatif.addable(level):
             y = below(sheet.image(label(pen, width, "try with"), y + 2)) + 2
             y = self._row_of(added, y, adjustable=True)
-        reset = pygame.Rect(0, y + 4, 150, SWITCH)
+        reset = pygame.Rect(0, y + 4, sheet.px(150), sheet.px(SWITCH))
         self._reset = sheet.button(reset, "Reset the effects", "play the level as it is declared")
         self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
         self._world = session.world
-        self._told = sheet.image(self._drawn(), y + SWITCH + 14)
+        self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
         self.update()
 
     def _row_of(self, effects: Sequence[str], y: int, *, adjustable: bool = False) -> int:
         """Put switches beside each other, as many as fit, and return where they end."""
         x = 0
         for name in effects:
-            width = self._sheet.pen.write(name, 14).width + 26
+            width = self._sheet.pen.write(name, 14).width + self._sheet.px(26)
             scales = SCALES if adjustable and DEFAULTS[name] else {}
-            whole = width + len(scales) * SCALE
+            whole = width + len(scales) * self._sheet.px(SCALE)
             if x and x + whole > self._sheet.width:
-                x, y = 0, y + SWITCH + GAP
-            rect = pygame.Rect(x, y, width, SWITCH)
+                x, y = 0, y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
+            rect = pygame.Rect(x, y, width, self._sheet.px(SWITCH))
             self._switches[name] = self._sheet.button(rect, name, self._tip(name))
             for i, (sign, (times, tip)) in enumerate(scales.items()):
-                place = pygame.Rect(x + width + i * SCALE, y, SCALE, SWITCH)
+                place = pygame.Rect(
+                    x + width + i * self._sheet.px(SCALE),
+                    y,
+                    self._sheet.px(SCALE),
+                    self._sheet.px(SWITCH),
+                )
                 self._scales[self._sheet.button(place, sign, tip)] = name, times
-            x += whole + GAP
-        return y + SWITCH + GAP
+            x += whole + self._sheet.px(GAP)
+        return y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
 
     def _tip(self, effect: str) -> str:
         if effect in self._session.original.effects.declared:

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sandbox.app import theme, wording
+from sandbox.app import wording
 from sandbox.app.companions import NONE, Changes, Variant
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
@@ -97,7 +97,7 @@ def stepped(level: Level, scheme: Scheme) -> Level:
 def play_over(session: Session, original: Level, level: Level, changes: Changes) -> None:
     """Play a changed level over the original, whose formulas do not describe it."""
     unjudged = level.model_copy(update={"checks": (), "ghosts": {}})
-    session.play_as(unjudged, [Variant(DECLARED, original, theme.GHOST)], changes)
+    session.play_as(unjudged, [Variant(DECLARED, original, 0)], changes)
 
 
 def repace(session: Session, stepping: Stepping) -> None:

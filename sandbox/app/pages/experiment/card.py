@@ -41,11 +41,11 @@ def curve(
     card.text(f"{chosen.measure} [{unit}]" if unit else chosen.measure, 13, theme.BODIES[0])
     _told(card, session.level, chosen, mouse)
     card.y += GAP
-    field = pygame.Rect(0, card.y, width, HEIGHT)
+    field = pygame.Rect(0, card.y, width, pen.px(HEIGHT))
     here = session.values[chosen.parameter] if mouse is None else mouse.at
-    span = span_of(width, session.level, chosen)
+    span = span_of(pen, width, session.level, chosen)
     card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, here), 0)
-    card.y += HEIGHT + 2
+    card.y += pen.px(HEIGHT) + 2
     card.text(f"against {_named(session.level, chosen.parameter)}", 12, theme.DIM)
     _progress(card, exploring)
     return card.drawn(), field
@@ -59,10 +59,10 @@ def unit_of(level: Level, chosen: Chosen) -> str:
         return ""
 
 
-def span_of(width: int, level: Level, chosen: Chosen) -> Scale:
+def span_of(pen: Pen, width: int, level: Level, chosen: Chosen) -> Scale:
     """Return the scale across a curve of a width [px]: the parameter's range."""
     known = level.parameters[chosen.parameter]
-    return plot.across(width, [np.array([known.min, known.max])])
+    return plot.across(pen, width, [np.array([known.min, known.max])])
 
 
 def nearest(points: Sequence[Point], at: float) -> Point | None:

@@ -10,7 +10,7 @@ from sandbox.app.pages.experiment.card import curve, nearest, span_of
 from sandbox.app.pages.experiment.exploring import Exploring, measures
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 ROW = 20  # px, of a list
@@ -25,7 +25,7 @@ class ExperimentPage:
         self._exploring = desk.worker(Exploring)
         self._mouse: Point | None = None
         self._field = pygame.Rect(0, 0, 0, 0)
-        self._curve = sheet.image(self._drawn(), MARGIN // 2)
+        self._curve = sheet.image(self._drawn(), sheet.margin // 2)
         self.lists: list[UISelectionList] = []
         self._titles = []
         chosen = self._exploring.chosen(desk.session)
@@ -35,12 +35,13 @@ class ExperimentPage:
                 ("Vary", "Measure"), offers, chosen, MOST_ROWS, strict=True
             ):
                 self._titles.append(sheet.image(heading(sheet.pen, sheet.width, title), 0))
-                self.lists.append(self._list(names, now, min(len(names), most) * ROW + 12))
+                height = min(len(names), most) * sheet.px(ROW) + 12
+                self.lists.append(self._list(names, now, height))
         self._seen: object = None
         self.update()
 
     def _list(self, names: list[str], now: str, height: int) -> UISelectionList:
-        rect = pygame.Rect(MARGIN, 0, self._sheet.width, height)
+        rect = pygame.Rect(self._sheet.margin, 0, self._sheet.width, height)
         return UISelectionList(
             rect, list(names), self._sheet.manager, container=self._sheet.container,
             allow_double_clicks=False, default_selection=now,
@@ -69,7 +70,7 @@ class ExperimentPage:
         chosen = self._exploring.chosen(self._session)
         if chosen is None or not self.field.collidepoint(pixel):
             return None
-        span = span_of(self._sheet.width, self._session.level, chosen)
+        span = span_of(self._sheet.pen, self._sheet.width, self._session.level, chosen)
         return nearest(self._exploring.points, span.value(pixel[0] - self.field.x))
 
     def _follow(self, pixel: tuple[int, int]) -> None:
@@ -101,8 +102,8 @@ class ExperimentPage:
         self._sheet.replace(self._curve, self._drawn())
         y = below(self._curve) + 8
         for title, chooser in zip(self._titles, self.lists, strict=True):
-            title.set_relative_position((MARGIN, y))
-            chooser.set_relative_position((MARGIN, below(title)))
+            title.set_relative_position((self._sheet.margin, y))
+            chooser.set_relative_position((self._sheet.margin, below(title)))
             y = int(chooser.relative_rect.bottom) + 8
         self._sheet.end(y)
 

@@ -36,8 +36,8 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     if len(session.level.bodies) > 1:
         card.text("Click on another body to see its forces.", SIZE, theme.DIM)
         card.y += 4
-    card.put(diagram.free_body(pen, (width, DIAGRAM), found), 0)
-    card.y += DIAGRAM + 6
+    card.put(diagram.free_body(pen, (width, pen.px(DIAGRAM)), found), 0)
+    card.y += pen.px(DIAGRAM) + 6
     row = list(session.world.scene.bodies).index(found.body)
     vx, vy = session.world.snapshot.velocity[row].tolist()
     _table(card, found, axes.first(found, (vx, vy)), axes.inclined)
@@ -45,8 +45,8 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
         if holds:
             card.text(text, SIZE, theme.NOTICE)
     card.y += 2
-    card.put(diagram.polygon(pen, (width, POLYGON), found), 0)
-    card.y += POLYGON + 8
+    card.put(diagram.polygon(pen, (width, pen.px(POLYGON)), found), 0)
+    card.y += pen.px(POLYGON) + 8
     return card.drawn()
 
 
@@ -85,14 +85,14 @@ def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], colo
     pen = card.pen
     indent = 0
     if mark is not None:
-        square = pygame.Surface((MARK, MARK))
+        square = pygame.Surface((pen.px(MARK), pen.px(MARK)))
         square.fill(mark)
-        card.put(square, 0, 4)
-        indent = MARK + 5
+        card.put(square, 0, pen.px(4))
+        indent = pen.px(MARK) + 5
     images = [pen.write(cell, SIZE, color) for cell in cells]
     right = card.width
     for image in reversed(images):
         card.put(image, right - image.width)
-        right -= max(NUMBER, image.width + 6) if image.width else 0
+        right -= max(pen.px(NUMBER), image.width + 6) if image.width else 0
     card.put(pen.write(pen.shorten(name, right - indent - 4, SIZE), SIZE, color), indent)
     card.y += pen.height(SIZE) + 1

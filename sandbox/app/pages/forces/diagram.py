@@ -25,7 +25,7 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
     surface, forces = _sheet(size), looking.felt(found)
     vectors = [(acting.force[0], -acting.force[1]) for acting in forces]
     low_x, high_x, low_y, high_y = _extent([(0.0, 0.0), *vectors])
-    scale = _scale(size, FREE, high_x - low_x, high_y - low_y)
+    scale = _scale(size, (pen.px(FREE[0]), pen.px(FREE[1])), high_x - low_x, high_y - low_y)
     middle = size[0] / 2, size[1] / 2
     center = middle[0] - scale * (low_x + high_x) / 2, middle[1] - scale * (low_y + high_y) / 2
     labels, ends = Labels(surface.get_rect()), []

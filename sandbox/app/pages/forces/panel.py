@@ -8,7 +8,7 @@ from sandbox.app.pages.forces.axes import Axes
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.gui import press
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 
 HEIGHT = 26  # px, of a button
 
@@ -20,11 +20,12 @@ class ForcesPage:
         self._sheet, self._session = sheet, desk.session
         self._axes = desk.worker(Axes)
         half = sheet.width // 2 - 2
-        across, along = pygame.Rect(0, 0, half, HEIGHT), pygame.Rect(half + 4, 0, half, HEIGHT)
+        across = pygame.Rect(0, 0, half, sheet.px(HEIGHT))
+        along = across.move(half + 4, 0)
         self.level = sheet.button(across, "Along x and y", "components along the plane's axes")
         tip = "components along the surface that it touches, else along its way, and across that"
         self.inclined = sheet.button(along, "Along its surface", tip)
-        self._image = sheet.image(self._drawn(), HEIGHT + MARGIN // 2)
+        self._image = sheet.image(self._drawn(), sheet.px(HEIGHT) + sheet.margin // 2)
         self.update()
 
     @property

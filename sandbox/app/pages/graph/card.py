@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.history import History
 from sandbox.app.session import Session
@@ -51,26 +51,29 @@ def graphs(
     names = list(dict.fromkeys([across, *up]))
     columns, units = measured(session.world, session.history, names)
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
-    span = span_of(width, session, across)
+    span = span_of(pen, width, session, across)
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _told(card, session, columns, these, up, units, across, cursor, trust)
         series = [
             *_faint(earlier, these, across),
             *_closed(session, columns, these, up, across),
-            *(Series(_color(name, up), columns[across], columns[name]) for name in these),
+            *(
+                Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
+                for name in these
+            ),
         ]
-        card.put(plot.draw(pen, (width, HEIGHT), series, span, cursor), 0)
-        card.y += HEIGHT + GAP
+        card.put(plot.draw(pen, (width, pen.px(HEIGHT)), series, span, cursor), 0)
+        card.y += pen.px(HEIGHT) + GAP
     card.text(f"against {across} [{units[across]}]", 12, theme.DIM)
     return card.drawn()
 
 
-def span_of(width: int, session: Session, across: str) -> Scale:
+def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
     """Return the scale across graphs of a width [px]: it has room for earlier runs, too."""
     runs = [(session.world, session.history)]
     runs += [(run.world, run.history) for run in session.earlier]
-    return plot.across(width, [measured(*run, [across])[0][across] for run in runs])
+    return plot.across(pen, width, [measured(*run, [across])[0][across] for run in runs])
 
 
 def measured(
@@ -85,20 +88,30 @@ def _color(name: str, up: Sequence[str]) -> Color:
     return theme.BODIES[list(up).index(name) % len(theme.BODIES)]
 
 
+def _sign(name: str, up: Sequence[str]) -> int | None:
+    """Return which sign a line has; one that is alone needs none."""
+    return list(up).index(name) if len(up) > 1 else None
+
+
 def _told(
     card: Card, session: Session, columns: Mapping[str, Array], these: Sequence[str],
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
     trust: Mapping[str, Trust],
 ) -> None:  # fmt: skip
     """Write the name of each line, and its value: now, or where the cursor is."""
+    indent = card.pen.px(16) if len(up) > 1 else 0
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
     for name in these:
         value = wording.quantity(float(columns[name][row]), units[name], 4)
         right = card.pen.write(value, 13, theme.TEXT)
         left = card.pen.write(
-            card.pen.shorten(name, card.width - right.width - 12, 13), 13, _color(name, up)
+            card.pen.shorten(name, card.width - right.width - 12 - indent, 13), 13, _color(name, up)
         )
-        card.put(left, 0)
+        if (sign := _sign(name, up)) is not None:
+            mark = pygame.Surface((indent, left.height), pygame.SRCALPHA)
+            signs.sign(mark, sign, _color(name, up), (indent / 2 - 2, left.height / 2), 4)
+            card.put(mark, 0)
+        card.put(left, indent)
         card.put(right, card.width - right.width)
         card.y += left.height
         if name in trust:
@@ -113,7 +126,7 @@ def _faint(
 ) -> Iterator[Series]:
     """Yield the lines of earlier runs."""
     for index, columns in enumerate(earlier):
-        color = theme.mix(theme.STAGE, theme.LANES[index % len(theme.LANES)], 0.6)
+        color = theme.faded(theme.LANES[index % len(theme.LANES)], 0.6)
         yield from (Series(color, columns[across], columns[name]) for name in these)
 
 

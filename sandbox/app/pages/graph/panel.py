@@ -16,7 +16,7 @@ from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.field import Field
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.quantities import TIME
 
 LISTS = 168, 92  # px, how high the two lists are
@@ -39,18 +39,22 @@ class GraphPage:
         self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
         self._cursor: float | None = None
         names = self._names = offered(desk.session.level)
-        self._graphs = sheet.image(self._drawn(), MARGIN // 2)
+        self._graphs = sheet.image(self._drawn(), sheet.margin // 2)
         self._titles = [
             sheet.image(heading(sheet.pen, sheet.width, text), 0) for text in ("Draw", "Against")
         ]
         self.sought = Field(
-            pygame.Rect(MARGIN, 0, sheet.width, FIELD), sheet.manager, container=sheet.container,
+            pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(FIELD)), sheet.manager,
+            container=sheet.container,
             placeholder_text="letters of a name, such as speed",
         )  # fmt: skip
-        self.up = self._list(LISTS[0], names, several=True, chosen=self._choice.up(desk.session))
+        self._heights = sheet.scaled(LISTS)
+        self.up = self._list(
+            self._heights[0], names, several=True, chosen=self._choice.up(desk.session)
+        )
         across = [TIME.name, *names]
         self.across = self._list(
-            LISTS[1], across, several=False, chosen=[self._choice.across(desk.session)]
+            self._heights[1], across, several=False, chosen=[self._choice.across(desk.session)]
         )
         self.update()
 
@@ -58,7 +62,7 @@ class GraphPage:
         self, height: int, names: list[str], *, several: bool, chosen: Sequence[str]
     ) -> UISelectionList:
         """Put a list of quantities, of which one or several can be chosen."""
-        rect = pygame.Rect(MARGIN, 0, self._sheet.width, height)
+        rect = pygame.Rect(self._sheet.margin, 0, self._sheet.width, height)
         first: list[str | tuple[str, str]] | str = [*chosen] if several else chosen[0]
         return UISelectionList(
             rect, list(names), self._sheet.manager, container=self._sheet.container,
@@ -93,7 +97,7 @@ class GraphPage:
         chosen = [name for name in self._choice.up(self._session) if name in found]
         place = self.up.relative_rect
         self.up.kill()
-        self.up = self._list(LISTS[0], found, several=True, chosen=chosen)
+        self.up = self._list(self._heights[0], found, several=True, chosen=chosen)
         self.up.set_relative_position(place.topleft)
 
     def _choose(self) -> None:
@@ -109,7 +113,7 @@ class GraphPage:
         before, self._cursor = self._cursor, None
         if place.collidepoint(pixel) and self._choice.up(self._session):
             across = self._choice.across(self._session)
-            span = span_of(self._sheet.width, self._session, across)
+            span = span_of(self._sheet.pen, self._sheet.width, self._session, across)
             value = span.value(pixel[0] - place.x)
             self._cursor = min(max(value, span.low), span.high)
         if self._cursor != before:
@@ -122,13 +126,15 @@ class GraphPage:
         y = below(self._graphs) + 8
         if y == self._titles[0].relative_rect.y:
             return
-        for title, chooser, height in zip(self._titles, (self.up, self.across), LISTS, strict=True):
-            title.set_relative_position((MARGIN, y))
+        for title, chooser, height in zip(
+            self._titles, (self.up, self.across), self._heights, strict=True
+        ):
+            title.set_relative_position((self._sheet.margin, y))
             y = below(title)
             if chooser is self.up:
-                self.sought.set_relative_position((MARGIN, y))
-                y += FIELD + 2
-            chooser.set_relative_position((MARGIN, y))
+                self.sought.set_relative_position((self._sheet.margin, y))
+                y += self._sheet.px(FIELD) + 2
+            chooser.set_relative_position((self._sheet.margin, y))
             y += height + 8
         sheet.end(y)
 

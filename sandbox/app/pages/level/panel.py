@@ -13,7 +13,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.session import Session
 from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.parameters import Parameters
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
@@ -29,10 +29,10 @@ class LevelPage:
         self._sheet, self._session = sheet, desk.session
         self._studying = desk.worker(Studying)
         pen, width, level = sheet.pen, sheet.width, desk.session.original
-        y = below(sheet.image(header(pen, width, level), MARGIN // 2)) + 8
+        y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
             y = below(sheet.image(heading(pen, width, "Parameters"), y))
-        area = pygame.Rect(MARGIN, y, width, 0)
+        area = pygame.Rect(sheet.margin, y, width, 0)
         values = desk.session.values
         sheet.parameters = Parameters(
             sheet.manager, pen, sheet.container, area, level.parameters, values
@@ -40,9 +40,9 @@ class LevelPage:
         self.onwards: UIButton | None = None
         y += sheet.parameters.height
         if level.parameters:
-            place = pygame.Rect(0, y + 4, width, SWITCH)
+            place = pygame.Rect(0, y + 4, width, sheet.px(SWITCH))
             self.onwards = sheet.button(place, "Changes act from now on", TIP)
-            y += SWITCH + 6
+            y += sheet.px(SWITCH) + 6
         self._checks = sheet.checks = sheet.image(self._drawn(), y + 8)
         sheet.end(below(self._checks) + 2)
 

@@ -19,8 +19,6 @@ MOST = 10
 """So many bodies have bars of their own; those of the others are one."""
 LABEL, AXIS, NUMBER = 82, 14, 104  # px: left of a bar, its axis, right of it
 COLUMN = 68  # px, of numbers along y
-COLORS = (theme.ACROSS, theme.UPWARDS)
-"""Of the axes."""
 
 
 class Momentum(NamedTuple):
@@ -77,7 +75,7 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if len(shown) > MOST:
         card.text(f"the largest {MOST}, and the others together", 12, theme.DIM)
     for each in shown:
-        _add_bars(card, each, scale, COLORS)
+        _add_bars(card, each, scale, _axes())
     card.y += 4
     card.heading("Since the start")
     _add_table(card, given(session), "" if world.kicks.composed else "half a step ahead")
@@ -87,11 +85,13 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) -> None:
     """Add two bars, one along x and one along y."""
     pen, width = card.pen, card.width
-    length = max(width - LABEL - AXIS - NUMBER, 20)
-    card.put(pen.write(pen.shorten(row.name, LABEL - 4, 13), 13), 0)
-    for axis, value, color, own in zip("xy", row.value.tolist(), colors, COLORS, strict=True):
-        card.put(pen.write(axis, 13, own), LABEL)
-        card.put(bar(length, value / scale if scale else 0.0, color), LABEL + AXIS, 5)
+    left = pen.px(LABEL) + pen.px(AXIS)
+    length = max(width - left - pen.px(NUMBER), 20)
+    card.put(pen.write(pen.shorten(row.name, pen.px(LABEL) - 4, 13), 13), 0)
+    for axis, value, color, own in zip("xy", row.value.tolist(), colors, _axes(), strict=True):
+        card.put(pen.write(axis, 13, own), pen.px(LABEL))
+        drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
+        card.put(drawn, left, pen.px(5))
         text = pen.write(wording.quantity(value, momenta.UNIT, 4), 13)
         card.put(text, width - text.width)
         card.y += pen.height(13)
@@ -100,9 +100,9 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
 
 def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
     """Add momenta as numbers, in a column for each axis, under a note."""
-    pen, ends = card.pen, (card.width - COLUMN, card.width)
+    pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
     card.put(pen.write(note, 12, theme.DIM), 0)
-    for axis, color, end in zip("xy", COLORS, ends, strict=True):
+    for axis, color, end in zip("xy", _axes(), ends, strict=True):
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
         card.put(head, end - head.width)
     card.y += pen.height(12)
@@ -112,3 +112,8 @@ def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
             text = pen.write(wording.number(value, 3), 13)
             card.put(text, end - text.width)
         card.y += pen.height(13) + 1
+
+
+def _axes() -> tuple[Color, Color]:
+    """Return the colours of x and y."""
+    return theme.ACROSS, theme.UPWARDS

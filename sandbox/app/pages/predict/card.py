@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app import theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
@@ -135,7 +135,7 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     card.y += GAP
     card.text(trial.told, 14, bold=True)
     if trial.before is None or trial.after is None:
-        card.text("then it never comes to that", 13, indent=INDENT)
+        card.text("then it never comes to that", 13, indent=card.indent)
         return
     value = outcome.simulated + trial.after - trial.before
     change = _apart(outcome, value)
@@ -147,4 +147,4 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
     if 0.05 <= explained < 2:  # beyond, the prediction is nearer to the run without it
         told = f"accounts for {100 * explained:.0f} % of your difference"
-        card.text(told, 12, theme.NOTICE, indent=INDENT)
+        card.text(told, 12, theme.NOTICE, indent=card.indent)

@@ -10,7 +10,7 @@ from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, title, unit_of, when
 from sandbox.app.widgets.field import Field
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.level import Check
 
 Widget = UIImage | UIButton | Field | UISelectionList
@@ -29,10 +29,12 @@ class PredictPage:
         self._sheet, self._session = sheet, desk.session
         self._predicting = desk.worker(Predicting)
         self._questions: tuple[Check, ...] = ()
-        self._head = sheet.image(self._drawn_head(), MARGIN // 2)
+        self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])
-        self.button = sheet.button(pygame.Rect((0, 0), BUTTON), "", "put the run to its start")
-        place = pygame.Rect(MARGIN, 0, sheet.width - UNIT, FIELD)
+        self.button = sheet.button(
+            pygame.Rect((0, 0), sheet.scaled(BUTTON)), "", "put the run to its start"
+        )
+        place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
         self.field = Field(place, sheet.manager, container=sheet.container)
         self.field.set_text_length_limit(60)
         self._unit = sheet.image(sheet.pen.write(" ", 14), 0)
@@ -115,9 +117,10 @@ class PredictPage:
 
     def _listed(self, names: list[str]) -> UISelectionList:
         """Return a list of what can be asked, with the first chosen."""
-        height = min(len(names), MOST) * ROW + 6
+        height = min(len(names), MOST) * self._sheet.px(ROW) + 6
         return UISelectionList(
-            pygame.Rect(MARGIN, 0, self._sheet.width, height), list(names), self._sheet.manager,
+            pygame.Rect(self._sheet.margin, 0, self._sheet.width, height), list(names),
+            self._sheet.manager,
             container=self._sheet.container, allow_double_clicks=False,
             default_selection=names[0] if names else None,
         )  # fmt: skip

@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
-from sandbox.app.cards.card import GAP, INDENT, Card
+from sandbox.app import lines, signs, theme, wording
+from sandbox.app.cards.card import GAP, Card
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
 from sandbox.app.session import Session
@@ -41,24 +41,27 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
         return card.drawn()
     card.heading(f"At {rate:g} steps a second")
     card.columns([("error so far", theme.DIM), ("computing 1 s", theme.DIM), ("", theme.DIM)], 12)
-    for lane in found:
+    for place, lane in enumerate(found):
         card.y += GAP + 2
-        card.put(_swatch(lane.color), 0, 8)
-        card.text(race.title(lane.scheme), 14, bold=True, indent=INDENT)
+        card.put(_swatch(lane.color, place - 1), 0, 8)
+        card.text(race.title(lane.scheme), 14, bold=True, indent=card.indent)
         if remark := _REMARKS.get(lane.scheme):
-            card.text(remark, 12, theme.DIM, indent=INDENT)
+            card.text(remark, 12, theme.DIM, indent=card.indent)
         if lane.failure:
-            card.text(lane.failure, 12, theme.FAILED, indent=INDENT)
+            card.text(lane.failure, 12, theme.FAILED, indent=card.indent)
         error = "–" if lane.error is None else wording.error(lane.error)
         cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
         card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)
     return card.drawn()
 
 
-def _swatch(color: Color | None) -> pygame.Surface:
-    """Draw a piece of the line that a run is drawn with."""
-    line = pygame.Surface((18, 4))
+def _swatch(color: Color | None, lane: int) -> pygame.Surface:
+    """Draw a piece of the line that a run is drawn with; that of the played one is whole."""
+    line = pygame.Surface((18, 5))
     line.fill(theme.PANEL)
-    for x in (0, 7, 14) if color else (0, 4, 8, 12, 16):
-        line.fill(color or theme.ACCENT, (x, 0, 4, 3))
+    if color is None:
+        line.fill(theme.ACCENT, (0, 1, 18, 3))
+        return line
+    for y in (1, 2, 3):
+        lines.dashed(line, color, ((0, y), (18, y)), *signs.dash(lane))
     return line

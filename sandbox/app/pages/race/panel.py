@@ -7,7 +7,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.card import race_intro, standing
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 
@@ -16,9 +16,11 @@ class RacePage:
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
-        y = below(sheet.image(race_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
-        self._button = sheet.button(pygame.Rect(0, y, 150, 30), "", "every scheme at once (S)")
-        self._table = sheet.image(self._drawn(), y + 42)
+        y = below(sheet.image(race_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
+        self._button = sheet.button(
+            pygame.Rect((0, y), sheet.scaled((150, 30))), "", "every scheme at once (S)"
+        )
+        self._table = sheet.image(self._drawn(), y + sheet.px(42))
         self.update()
 
     @property

@@ -63,8 +63,8 @@ def rivals(level: Level, values: Values) -> list[Variant]:
     """Return the other schemes that a level can use."""
     forms = islice(_forms(level, values), MOST - 1)
     return [
-        Variant(title(form.stepping.scheme), form, color)
-        for form, color in zip(forms, theme.LANES, strict=False)
+        Variant(title(form.stepping.scheme), form, lane)
+        for form, lane in zip(forms, range(len(theme.LANES)), strict=False)
     ]
 
 

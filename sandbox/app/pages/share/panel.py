@@ -15,7 +15,7 @@ from sandbox.app.pages.share import saving
 from sandbox.app.pages.share.filming import Filming
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
@@ -35,24 +35,26 @@ class SharePage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._filming = desk.worker(Filming)
-        y = below(sheet.image(_intro(sheet.pen, sheet.width), MARGIN // 2)) + 8
+        y = below(sheet.image(_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:
             self._row(y, caption, text, partial(self._save, save))
-            y += ROW
+            y += sheet.px(ROW)
         self._row(y, "GIF", "the run so far, small, for a page or a message", self._film_gif)
-        self._row(y + ROW, "MP4", "the run so far, 1280 x 720", self._film_mp4)
-        self._state = sheet.image(self._drawn(), y + 2 * ROW)
+        self._row(y + sheet.px(ROW), "MP4", "the run so far, 1280 x 720", self._film_mp4)
+        self._state = sheet.image(self._drawn(), y + 2 * sheet.px(ROW))
         sheet.end(below(self._state) + 8)
 
     def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> None:
         """Put a button, and beside it what it saves."""
         sheet = self._sheet
-        button = sheet.button(pygame.Rect((0, y), BUTTON), caption, f"save {text}")
+        button = sheet.button(
+            pygame.Rect((0, y), self._sheet.scaled(BUTTON)), caption, f"save {text}"
+        )
         self._actions[button] = act
-        card = Card(sheet.pen, sheet.width - BUTTON[0] - 12)
+        card = Card(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
         card.text(text, 13, theme.DIM)
-        place = pygame.Rect(MARGIN + BUTTON[0] + 12, y + 4, 0, 0)
+        place = pygame.Rect(self._sheet.margin + self._sheet.px(BUTTON[0]) + 12, y + 4, 0, 0)
         sheet.image(card.drawn(), y + 4).set_relative_position(place.topleft)
 
     def button(self, caption: str) -> UIButton:

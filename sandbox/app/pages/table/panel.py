@@ -8,7 +8,7 @@ from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values
-from sandbox.app.widgets.sheet import MARGIN, Sheet, below
+from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 BUTTON = 150, 28  # px
@@ -21,8 +21,10 @@ class TablePage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
-        self.save = sheet.button(pygame.Rect((0, MARGIN // 2), BUTTON), "Save as CSV", TIP)
-        self._table = sheet.image(self._drawn(), MARGIN // 2 + BUTTON[1] + 6)
+        self.save = sheet.button(
+            pygame.Rect((0, sheet.margin // 2), sheet.scaled(BUTTON)), "Save as CSV", TIP
+        )
+        self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(BUTTON[1]) + 6)
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:

@@ -27,7 +27,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     for outline in view.moving:
         vx, vy = view.world.snapshot.velocity[outline.row].tolist()
         marks.draw_arrow(surface, view.camera, view.state(outline)[0], (vx, vy), ahead)
-    corner = view.camera.size[0] - 16.0, view.camera.size[1] - 66.0
+    corner = view.camera.size[0] - 16.0, view.camera.size[1] - float(view.pen.px(66))
     marks.draw_arrow_key(surface, view.camera, view.pen, ahead, corner)
 
 

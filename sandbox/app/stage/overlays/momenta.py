@@ -32,7 +32,7 @@ def _draw(surface: pygame.Surface, view: View) -> None:
 def _draw_key(surface: pygame.Surface, view: View, length: float) -> None:
     """Explain the arrows' length, above what explains that of the velocities."""
     value = nice(70 / length)
-    right, below, width, height = KEY
+    right, below, width, height = map(view.pen.px, KEY)
     x, y = view.camera.size[0] - right, view.camera.size[1] - below
     text = view.pen.write(f"{value:g} {momenta.UNIT}", 12)
     start = x - value * length

@@ -1,0 +1,13 @@
+"""The page of the window's settings."""
+
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.settings.panel import SettingsPage
+
+PAGE = Page(
+    name="settings",
+    caption="Settings",
+    key="0",
+    text="theme and size of text",
+    panel=SettingsPage,
+    energy=False,
+)

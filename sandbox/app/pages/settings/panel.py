@@ -1,0 +1,110 @@
+"""The page of the window's settings: a row of choices for each."""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED
+from pygame_gui.elements import UIButton
+
+from sandbox.app import preferences, theme
+from sandbox.app.cards.card import heading, label
+from sandbox.app.pages.page import Desk
+from sandbox.app.preferences import Comfort
+from sandbox.app.widgets.gui import press
+from sandbox.app.widgets.sheet import Sheet, below
+
+HEIGHT = 28  # px, of a button
+GAP = 6  # px
+PADDING = 26  # px, beside a caption, left and right together
+
+
+class Choice(NamedTuple):
+    """Something that can be chosen."""
+
+    caption: str
+    tip: str
+    choose: Callable[[], str]
+    """does it, and returns what is to be told"""
+    chosen: bool
+
+
+class Setting(NamedTuple):
+    """Choices of which one is made."""
+
+    title: str
+    told: str
+    choices: Sequence[Choice]
+
+
+def settings(comfort: Comfort) -> tuple[Setting, ...]:
+    """Return what can be chosen, and what is."""
+    return (
+        Setting("Theme", "Ctrl T takes the next one.", list(_themes(comfort))),
+        Setting("Size of text", "Ctrl + and Ctrl − change it, too.", list(_sizes(comfort))),
+    )
+
+
+def _themes(comfort: Comfort) -> Sequence[Choice]:
+    return [
+        Choice(
+            theme.title(name), f"{theme.title(name).lower()} colours",
+            partial(comfort.choose, theme=name), comfort.chosen.theme == name,
+        )
+        for name in theme.NAMES
+    ]  # fmt: skip
+
+
+def _sizes(comfort: Comfort) -> Sequence[Choice]:
+    chosen = comfort.chosen.size
+    suiting = Choice(
+        "Automatic", "what suits the screen", partial(comfort.choose, size=None), chosen is None
+    )
+    return [suiting, *(
+        Choice(f"{size} %", f"{size} % of the usual size", partial(comfort.choose, size=size),
+               chosen == size)
+        for size in preferences.SIZES
+    )]  # fmt: skip
+
+
+class SettingsPage:
+    """A button for each choice; those that are made are pressed."""
+
+    def __init__(self, sheet: Sheet, desk: Desk) -> None:
+        self._sheet, self._comfort = sheet, desk.comfort
+        self._buttons: dict[UIButton, Choice] = {}
+        y = sheet.margin // 2
+        for setting in settings(desk.comfort):
+            y = self._put(setting, y)
+        sheet.end(y)
+
+    def _put(self, setting: Setting, y: int) -> int:
+        """Put the choices of a setting, as many on a line as fit, and return where they end."""
+        sheet, px = self._sheet, self._sheet.pen.px
+        y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
+        y = below(sheet.image(label(sheet.pen, sheet.width, setting.told), y)) + px(GAP)
+        x = 0
+        for choice in setting.choices:
+            width = sheet.pen.write(choice.caption, 14).width + px(PADDING)
+            if x and x + width > sheet.width:
+                x, y = 0, y + px(HEIGHT + GAP)
+            place = pygame.Rect(x, y, width, px(HEIGHT))
+            button = sheet.button(place, choice.caption, choice.tip)
+            press(button, choice.chosen)
+            self._buttons[button] = choice
+            x += width + px(GAP)
+        return y + px(HEIGHT + 2 * GAP)
+
+    def button(self, caption: str) -> UIButton:
+        """Return the button with a caption."""
+        return next(button for button, each in self._buttons.items() if each.caption == caption)
+
+    def process(self, event: pygame.event.Event) -> str | None:
+        """Choose what was pressed; the window is built anew for it."""
+        if event.type != UI_BUTTON_PRESSED or event.ui_element not in self._buttons:
+            return None
+        return self._buttons[event.ui_element].choose()
+
+    def update(self) -> None:
+        """Leave all as it is: what is chosen anew is shown by another page of this kind."""

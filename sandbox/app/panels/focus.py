@@ -1,0 +1,163 @@
+"""The keyboard's way through the widgets: one of them has the focus, and a ring shows which."""
+
+from collections.abc import Sequence
+
+import pygame
+from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED, UIManager
+from pygame_gui.core import UIElement
+from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContainer
+
+from sandbox.app import theme
+from sandbox.app.panels.layout import Layout
+from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.gui import scroll, scrolled
+
+Stop = UIButton | Field | UIHorizontalSlider
+"""What can have the focus."""
+PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
+SLIDING = {pygame.K_LEFT: -1, pygame.K_DOWN: -1, pygame.K_RIGHT: 1, pygame.K_UP: 1}
+RING = 2  # px
+APART = 2  # px, between a widget and its ring
+DIALOG = "file_dialog"
+"""What names the parts of the dialog in which a file is chosen."""
+INNER = ("#sliding_button", "scroll_bar", "#left_button", "#right_button")
+"""What names the parts of sliders and scroll bars: no widgets of their own."""
+
+
+class Focus:
+    """Where the keyboard is among the widgets of a window."""
+
+    def __init__(self) -> None:
+        self._at: Stop | None = None
+        self._known = "", 0  # its words and its place, to find it again when all is built anew
+
+    def element(self, manager: UIManager, layout: Layout) -> Stop | None:
+        """Return what has the focus; that which has taken its place where all was built anew."""
+        if self._at is None or _seen(self._at):
+            return self._at
+        words, place = self._known
+        alike = [(abs(i - place), each) for i, each in enumerate(stops(manager, layout))
+                 if _words(each) == words]  # fmt: skip
+        self._at = min(alike, key=lambda found: found[0])[1] if alike and words else None
+        return self._at
+
+    def go(self, manager: UIManager, layout: Layout, direction: int) -> None:
+        """Go on to the next widget, or back to the one before, and bring it into view."""
+        found = stops(manager, layout)
+        if not found:
+            return
+        typed = next((e for e in found if isinstance(e, Field) and e.is_focused), None)
+        here = typed or self.element(manager, layout)
+        start = found.index(here) if here in found else (-1 if direction > 0 else 0)
+        place = (start + direction) % len(found)
+        at = self._at = found[place]
+        self._known = _words(at), place
+        manager.set_focus_set(at.get_focus_set() if isinstance(at, Field) else None)
+        if isinstance(at, Field):
+            at.select_range = [0, len(at.get_text())]
+        for container in _scrolling(manager, at):
+            _show(container, at)
+
+    def leave(self) -> bool:
+        """Take the focus from a button or slider; return whether one had it."""
+        had = self._at is not None and not isinstance(self._at, Field)
+        self._at = None
+        return had
+
+    def key(self, manager: UIManager, layout: Layout, event: pygame.event.Event) -> bool:
+        """Press the button or move the slider that has the focus; return whether that was meant."""
+        if any(isinstance(each, Field) for each in manager.focused_set or ()):
+            return False
+        at = self.element(manager, layout)
+        if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+            return False
+        if isinstance(at, UIButton) and event.key in PRESSING:
+            pygame.event.post(pygame.Event(UI_BUTTON_PRESSED, ui_element=at, mouse_button=1))
+            return True
+        if isinstance(at, UIHorizontalSlider) and event.key in SLIDING:
+            _slide(at, SLIDING[event.key])
+            return True
+        return False
+
+    def draw(self, surface: pygame.Surface, manager: UIManager, layout: Layout) -> None:
+        """Draw a ring around what has the focus, as far as that is in view."""
+        at = self.element(manager, layout)
+        if at is None or (isinstance(at, Field) and not at.is_focused):
+            return
+        surface.set_clip(surface.get_rect())
+        for container in _scrolling(manager, at):
+            surface.set_clip(surface.get_clip().clip(container.rect.inflate(2 * APART, 0)))
+        ring = at.rect.inflate(2 * (APART + RING), 2 * (APART + RING))
+        pygame.draw.rect(surface, theme.NOTICE, ring, RING, border_radius=6)
+        surface.set_clip(None)
+
+
+def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
+    """Return what the keyboard goes through, in its order.
+
+    That is the page of the side panel, what stands around it, the bar below, the list of levels,
+    and what stands on the stage. While a file is chosen it is the dialog alone.
+    """
+    every = [each for each in manager.get_sprite_group().sprites() if isinstance(each, Stop)]
+    found = [each for each in every if _is_a_stop(each)]
+    found = [each for each in found if DIALOG in each.most_specific_combined_id] or found
+    fields = {id(each.ui_container) for each in found if isinstance(each, Field)}
+    kept = [
+        each
+        for each in found
+        if not (isinstance(each, UIHorizontalSlider) and id(each.ui_container) in fields)
+    ]  # a parameter's slider goes with its field, in which the arrows do the same
+    return sorted(kept, key=lambda each: _rank(manager, layout, each))
+
+
+def _is_a_stop(each: Stop) -> bool:
+    inner = any(part in each.most_specific_combined_id for part in INNER)
+    return _seen(each) and each.is_enabled and not inner
+
+
+def _seen(each: UIElement) -> bool:
+    return bool(each.alive() and each.visible)  # type: ignore[no-untyped-call]
+
+
+def _rank(manager: UIManager, layout: Layout, each: UIElement) -> tuple[int, int, int]:
+    x, y = each.rect.center
+    scrolls = bool(_scrolling(manager, each))
+    if layout.side.left <= x and (scrolls or y < layout.controls.top) and layout.side.width:
+        part = 0 if scrolls else 1
+    elif x < layout.levels.right and (scrolls or y < layout.controls.top):
+        part = 4 if scrolls else 3
+    else:
+        part = 2 if y >= layout.controls.top else 5
+    return part, each.rect.y, each.rect.x
+
+
+def _scrolling(manager: UIManager, each: UIElement) -> list[UIScrollingContainer]:
+    """Return the containers in which a widget is scrolled."""
+    around = []
+    container: object = each.ui_container
+    while isinstance(container, UIElement):
+        around.append(container)
+        container = container.ui_container
+    every = manager.get_sprite_group().sprites()
+    scrolling = (each for each in every if isinstance(each, UIScrollingContainer))
+    return [each for each in scrolling if each.scrollable_container in around]
+
+
+def _show(container: UIScrollingContainer, each: UIElement) -> None:
+    """Scroll so far that a widget is in view, with some room around it."""
+    view, place = container.rect, each.rect
+    if place.top < view.top or place.bottom > view.bottom:
+        scroll(container, scrolled(container) + place.centery - view.centery)
+
+
+def _slide(slider: UIHorizontalSlider, direction: int) -> None:
+    """Move a slider by a step, as if its knob had been dragged."""
+    low, high = slider.value_range
+    value = min(max(slider.get_current_value() + direction * slider.increment, low), high)
+    slider.set_current_value(value)
+    pygame.event.post(pygame.Event(UI_HORIZONTAL_SLIDER_MOVED, ui_element=slider, value=value))
+
+
+def _words(each: UIElement) -> str:
+    """Return what is written on a widget; its kind for one on which nothing is."""
+    return str(getattr(each, "text", "")) if isinstance(each, UIButton) else type(each).__name__

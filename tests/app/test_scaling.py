@@ -1,0 +1,128 @@
+"""Larger and smaller text: everything has room for it."""
+
+from pathlib import Path
+
+import pygame
+import pytest
+from pygame_gui.elements import UIButton, UITextEntryLine
+
+from sandbox.app import preferences
+from sandbox.app.pages.register import PAGES
+from sandbox.app.panels.layout import divide
+from sandbox.app.preferences import SIZES
+from tests.app.person import Person
+from tests.app.scenes import falling
+
+SMALLEST, USUAL = (900, 600), (1280, 800)
+CONTROL = pygame.KMOD_LCTRL
+
+
+def choose(person: Person, size: int) -> None:
+    person.window.comfort.choose(size=size)
+    person.wait(0.05)
+
+
+def widgets(person: Person) -> list[UIButton | UITextEntryLine]:
+    """Return the buttons and fields that are seen."""
+    return [
+        each
+        for each in person.window.panels.manager.get_sprite_group().sprites()
+        if isinstance(each, UIButton | UITextEntryLine) and each.visible and each.alive()  # type: ignore[no-untyped-call]
+    ]
+
+
+def test_the_keys_go_through_the_sizes_and_back(person: Person) -> None:
+    comfort = person.window.comfort
+    found = [comfort.size]
+    for _ in SIZES:
+        person.press(pygame.K_PLUS, "+", CONTROL)
+        found.append(comfort.size)
+    assert sorted(set(found)) == [size for size in SIZES if size >= 100]
+    person.press(pygame.K_0, "0", CONTROL)
+    assert comfort.size == 100
+    for _ in SIZES:
+        person.press(pygame.K_MINUS, "-", CONTROL)
+    assert comfort.size == min(SIZES)
+
+
+def test_a_size_is_kept_for_the_next_window(person: Person) -> None:
+    person.press(pygame.K_EQUALS, "=", CONTROL)  # + with Shift, where it stands on that key
+
+    assert preferences.Comfort().size == 110
+
+
+@pytest.mark.parametrize(("height", "size"), [(1080, 100), (1440, 100), (2160, 150)])
+def test_what_is_written_on_a_dense_screen_is_larger_at_first(height: int, size: int) -> None:
+    assert preferences.Comfort(height).size == size
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("window", [SMALLEST, USUAL, (1920, 1080)])
+def test_the_parts_of_the_window_fill_it_and_do_not_overlap(
+    window: tuple[int, int], size: int
+) -> None:
+    for levels in (True, False):
+        layout = divide(window, levels, side=True, scale=size / 100)
+        across = layout.levels.width + layout.stage.width + layout.side.width
+
+        assert across == window[0]
+        assert layout.stage.width >= 300
+        assert layout.side.width >= 320 * min(size / 100, 1.5)
+        assert layout.stage.height + layout.controls.height == window[1]
+
+
+@pytest.mark.parametrize("size", [80, 150, 200])
+@pytest.mark.parametrize("window", [SMALLEST, USUAL])
+def test_no_caption_is_larger_than_its_widget_on_any_page(
+    person: Person, tmp_path: Path, window: tuple[int, int], size: int
+) -> None:
+    person.resize(window)
+    person.open(tmp_path, falling())
+    choose(person, size)
+    pen = person.window.pen
+    for page in PAGES:
+        person.window.do(page.command)
+        person.wait()
+        for each in widgets(person):
+            if isinstance(each, UIButton) and each.text:
+                assert pen.write(each.text, 11).width <= each.rect.width + 2, (page.name, each.text)
+            if each.rect.height > 20 * size / 100 and getattr(each, "text", ""):
+                assert pen.height(11) <= each.rect.height, (page.name, each.text)
+
+
+@pytest.mark.parametrize("size", [80, 150, 200])
+@pytest.mark.parametrize("window", [SMALLEST, USUAL])
+def test_no_two_widgets_of_a_page_cover_each_other(
+    person: Person, tmp_path: Path, window: tuple[int, int], size: int
+) -> None:
+    person.resize(window)
+    person.open(tmp_path, falling())
+    choose(person, size)
+    for page in PAGES:
+        person.window.do(page.command)
+        person.wait()
+        seen = [
+            each
+            for each in widgets(person)
+            if "sliding_button" not in each.most_specific_combined_id
+        ]
+        for i, one in enumerate(seen):
+            for other in seen[i + 1 :]:
+                if one.ui_container is other.ui_container:
+                    assert not one.rect.colliderect(other.rect), (page.name, one, other)
+
+
+@pytest.mark.parametrize("size", [150, 200])
+def test_what_has_no_room_is_scrolled_to(person: Person, tmp_path: Path, size: int) -> None:
+    person.resize(SMALLEST)
+    person.open(tmp_path, falling())
+    choose(person, size)
+    side = person.window.panels.side
+    assert side is not None
+    container = side._sheet.container
+    lowest = side.parameters.row("mass").field
+
+    assert lowest.rect.bottom > container.rect.bottom or container.vert_scroll_bar is not None
+    for _ in range(8):
+        person.press(pygame.K_PAGEDOWN)
+    assert side._sheet.checks is None or side._sheet.checks.rect.bottom <= container.rect.bottom + 4
