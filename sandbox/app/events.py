@@ -133,7 +133,7 @@ class Events:
         assert side is not None
         if change.value is None:
             banner.tell(f"'{change.typed}' is not a number")
-        elif change.value != session.values[change.name]:
+        elif change.value != session.values.get(change.name):
             try:
                 session.change({change.name: change.value}, otherwise=change.shifted)
                 banner.tell("")

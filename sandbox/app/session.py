@@ -162,9 +162,7 @@ class Session(Playback):
             why = "other runs go beside it" if self.companions else "it had to stop"
             raise SandboxError(f"this run cannot go on {how}: {why}")
 
-    def resume(
-        self, actions: Sequence[Action], steps: int, values: Values | None = None
-    ) -> None:
+    def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Take a run again from its start, and stand there; a long way takes some frames.
 
         Parameters

@@ -107,7 +107,7 @@ def setup(session: Session) -> Setup:
     branches = [Branch(a.step, a.parameters) for a in session.actions if a.kind == "branch"]
     beside = [companion.variant for companion in session.companions]
     return Setup(
-        session.level, session.changes, beside, session.begun_with, branches, session.values,
+        session.begun_as, session.changes, beside, session.begun_with, branches, session.values,
         session.speed,
     )  # fmt: skip
 

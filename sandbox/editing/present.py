@@ -50,6 +50,8 @@ def as_it_stands(world: World, *, anew: bool) -> str:
         If no start of a level can tell what has happened.
     """
     _refuse(world)
+    if world.scene.happened or (anew and world.level.events):
+        raise SandboxError("events have their times, and no level can begin between them")
     if not anew:
         _refuse_to_begin_late(world.level)
     level, values = world.level, world.values
@@ -145,9 +147,7 @@ def _put(
             said[field] = state[field] if keep else _rounded(state[field])
 
 
-def _said(
-    said: Expression | tuple[Expression, Expression], values: Values
-) -> list[float] | float:
+def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
     """Return what a level says of a field."""
     return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
 

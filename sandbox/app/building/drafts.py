@@ -36,7 +36,7 @@ class Drafts:
 
     def of(self, level: Level) -> Draft:
         """Return the draft of a level: what it is now, if it was edited before."""
-        found = (draft for draft in reversed(self._kept) if draft.source == level.source)
+        found = (draft for draft in reversed(self._kept) if _is_of(draft, level))
         draft = next(found, None) or self._read(level)
         if not draft.changed and draft.changed_outside():
             with suppress(SandboxError):  # what has mistakes now is offered, and not read
@@ -62,6 +62,10 @@ class Drafts:
                 self._kept.pop(other).forget()
         self._kept[draft] = self._kept.pop(draft, Recovery())  # the latest at the end
         self.outside, self._since = False, OFTEN
+
+    def unsaved(self, besides: Draft) -> list[Draft]:
+        """Return what is not saved but for one, the latest first."""
+        return [draft for draft in reversed(self._kept) if draft.changed and draft is not besides]
 
     def follow(self, shown: Draft, seconds: float) -> bool:
         """Let time pass [s]; return whether there is another offer."""
@@ -117,3 +121,10 @@ class Drafts:
     def keep_mine(self, draft: Draft) -> None:
         """Write a draft over what something else has written, the next time it is saved."""
         self._mine, self.outside = draft, False
+
+
+def _is_of(draft: Draft, level: Level) -> bool:
+    """Whether a level is that of a draft; without files the same text is the same level."""
+    if draft.path is None:
+        return draft.text == level.text
+    return draft.source == level.source

@@ -29,7 +29,7 @@ from sandbox.model.shapes import XY
 from sandbox.physics.state.errors import SimulationError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from sandbox.model.level import Level
 
@@ -58,6 +58,8 @@ class Editor:
         The bodies and joints that are to blame for that.
     naming
         Whether a person is asked under which name to save.
+    complete
+        Takes the first name that the page offers, and tells whether one is.
     """
 
     def __init__(self) -> None:
@@ -66,6 +68,7 @@ class Editor:
         self.tool = TOOLS[0].name
         self.refusal, self.naming = "", False
         self.culprits: frozenset[str] = frozenset()
+        self.complete: Callable[[], bool] = bool
         self._tools: Mapping[Work, Mapping[str, Tool]] = {
             bench: {kind.name: kind.make(bench) for kind in TOOLS}
             for bench in (self.work, self.trial.live)
@@ -82,7 +85,7 @@ class Editor:
     @property
     def news(self) -> object:
         """Another object whenever something else is to be shown."""
-        return self.work.news, self.trial.live.news, self.bench
+        return self.bench.news
 
     def show(self) -> None:
         """Let the page be drawn anew."""
@@ -319,13 +322,13 @@ class Editor:
             self.work.redo()
 
     def undoes(self, session: Session) -> str | None:
-        """What would be undone next, in words."""
+        """Return what would be undone next, in words."""
         if not self.trying(session):
             return self.work.draft.undoes
         return "the last change of the run" if self.trial.changed(session) else "the run"
 
     def redoes(self, session: Session) -> str | None:
-        """What would be done again next, in words."""
+        """Return what would be done again next, in words."""
         if self.trying(session):
             return "change the run" if self.trial.is_taken_back(session) else None
         if self.trial.is_undone(self.work.draft.text):
@@ -353,6 +356,8 @@ class Editor:
             if self.refusal:
                 self.work.tell(f"It cannot run yet: {self.refusal}")
             return bool(self.refusal)
+        if command == "next field":
+            return self.complete()
         if command == "reload":
             self.reload()
         return command == "reload"
@@ -426,7 +431,6 @@ class Editor:
         if self.trying(session):
             return False
         surface.blit(self._picture.of(work, pen), (0, 0))
-        painting.draw_selected(surface, work.sketch, work.selected, camera)
         painting.draw_culprits(surface, work.sketch, self.culprits, camera)
         if self._spot is not None and self.tool not in ("select", "delete"):
             painting.caught(surface, camera, pen, self._spot.snapped)

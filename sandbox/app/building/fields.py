@@ -6,7 +6,7 @@ with what its docstring says.
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -17,6 +17,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression
 from sandbox.model.locating import Path
+from sandbox.model.mention import Mention
 
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
 """Of a level: what is no concern of who draws it, and what is drawn and selected."""
@@ -45,6 +46,8 @@ class Entry:
         Of a choice.
     required
         Whether the level must say it.
+    names
+        What a text names: `quantity` or `body`, or nothing that could be completed.
     """
 
     path: Path
@@ -56,6 +59,7 @@ class Entry:
     default: str = ""
     choices: tuple[str, ...] = ()
     required: bool = False
+    names: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +148,9 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
         )
     else:
         default = None if field.is_required() else field.default
-        yield (_entry(key, kind, said, path, told, default, required=field.is_required()),)
+        mentions = (extra.of for extra in field.metadata if isinstance(extra, Mention))
+        entry = _entry(key, kind, said, path, told, default, required=field.is_required())
+        yield (replace(entry, names=next(mentions, "")),)
 
 
 def _are_parts(said: Sequence[Json]) -> bool:

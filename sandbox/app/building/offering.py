@@ -7,7 +7,11 @@ from typing import NamedTuple
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.session import Session
+from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable
+
+MOST = 6
+"""How many drafts are offered."""
 
 
 class Offer(NamedTuple):
@@ -20,11 +24,23 @@ class Offer(NamedTuple):
 def offers(editor: Editor, session: Session) -> list[Offer]:
     """Return what there is to choose now."""
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
+    if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
+        ways = tuple(_going_on(draft, editor, session) for draft in others)
+        found.append(Offer("Drawn before, and not saved:", ways))
     if editor.drafts.outside:
         reading = Act("Read it", "take over what it holds; Ctrl+Z brings yours back", editor.reload)
         mine = Act("Keep mine", "the next time it is saved write over it", partial(_keep, editor))
         found.append(Offer("Something else has changed the file.", (reading, mine)))
     return found
+
+
+def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
+    """Return what goes on with a draft that another one hides."""
+    level = draft.level
+    title = level.title if level is not None else "a level with mistakes"
+    caption = title if draft.path is None else draft.path.name
+    bodies = f"{len(level.bodies)} bodies; " if level is not None else ""
+    return Act(caption, f"{bodies}go on with it", partial(editor.begin, session, draft))
 
 
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:

@@ -22,7 +22,7 @@ caught = preview.caught
 
 
 class Picture:
-    """A level as it is drawn, kept until it or the camera changes."""
+    """A level as it is drawn, with what is selected, kept until that or the camera changes."""
 
     def __init__(self) -> None:
         self._kept = pygame.Surface((1, 1))
@@ -31,12 +31,13 @@ class Picture:
     def of(self, work: Work, pen: Pen) -> pygame.Surface:
         """Return the picture of what is built."""
         camera = work.camera
-        key = camera.center, camera.scale, camera.size, work.version
+        key = camera.center, camera.scale, camera.size, work.version, work.selected
         if key != self._key:
             if self._kept.size != camera.size:
                 self._kept = pygame.Surface(camera.size)
             self._key = key
             work.sketch.draw(self._kept, camera, pen)
+            draw_selected(self._kept, work.sketch, work.selected, camera)
         return self._kept
 
 

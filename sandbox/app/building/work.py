@@ -58,7 +58,7 @@ class Work:
         self._told: str | None = None
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
-        self._looked: tuple[object, object, Any] | None = None
+        self._looked: tuple[object, dict[object, Any]] = (None, {})
         self.take(Draft.empty())
 
     def take(self, draft: Draft) -> None:
@@ -76,9 +76,12 @@ class Work:
 
     def once(self, look: Callable[[Level], Found]) -> Found:
         """Return what is found in the level, and look again only when it has changed."""
-        if self._looked is None or self._looked[:2] != (self.version, look):
-            self._looked = self.version, look, look(self.level)
-        found: Found = self._looked[2]
+        if self._looked[0] is not self.version:
+            self._looked = self.version, {}
+        known = self._looked[1]
+        if look not in known:
+            known[look] = look(self.level)
+        found: Found = known[look]
         return found
 
     def tell(self, text: str) -> None:

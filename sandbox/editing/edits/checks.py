@@ -1,11 +1,12 @@
 """Checks and ghosts added and taken away, and the quantities that they may name."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal
 
 from sandbox.editing.layout import Json
 from sandbox.editing.mending import accepted, without_meaning
 from sandbox.editing.patches import Changes, put, put_all, remove
+from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 
@@ -39,6 +40,25 @@ def set_ghost(text: str, body: str, place: tuple[Json, Json]) -> str:
     return accepted(put(text, ("ghosts", body), list(place)))
 
 
+def flight(level: Level, body: str) -> tuple[Json, Json]:
+    """Return where a body would be if nothing but gravity acted on it: x + v t + a t²/2."""
+    said, gravity = level.bodies[body], level.effects.gravity
+    pull = gravity.acceleration if gravity is not None else (None, None)
+    x, y = (
+        " + ".join(_terms(place, speed, along))
+        for place, speed, along in zip(said.position, said.velocity, pull, strict=True)
+    )
+    return x, y
+
+
+def _terms(place: Expression, speed: Expression, along: Expression | None) -> Iterator[str]:
+    yield f"({place.source})"
+    if speed.source != 0:
+        yield f"({speed.source})*t"
+    if along is not None and along.source != 0:
+        yield f"({along.source})*t**2/2"
+
+
 def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) -> str:
     """Return a level without a check or a ghost, and without the parameters that only it used.
 
@@ -53,9 +73,11 @@ def drop_told(text: str, part: Literal["checks", "ghosts"], which: int | str) ->
 def complete(level: Level, begun: str) -> list[str]:
     """Return the names of quantities that go on from what was typed, the likeliest first.
 
-    Those that begin with it, then those that have it in them; `pos` finds `ball.position.x`.
+    Those that begin with it, then those that have it in them; `pos` finds `ball.position.x`. Of
+    bodies that stand still they come last.
     """
     typed = begun.strip().casefold()
-    names = [quantity.name for quantity in quantities(level)]
-    found = [name for name in names if typed in name.casefold()]
-    return sorted(found, key=lambda name: not name.casefold().startswith(typed))[:MOST]
+    still = {name for name, body in level.bodies.items() if body.type == "static"}
+    found = [quantity for quantity in quantities(level) if typed in quantity.name.casefold()]
+    found.sort(key=lambda q: (not q.name.casefold().startswith(typed), q.subject in still))
+    return [quantity.name for quantity in found[:MOST]]

@@ -24,8 +24,17 @@ _KNOWN: tuple[Callable[[Scene], Iterator[Suggestion]], ...] = (
 )
 
 
+MOST_MOVING = 12
+"""How many bodies may move where a set-up is looked for; those that are known have a few."""
+
+
 def suggestions(level: Level, values: Values | None = None) -> list[Suggestion]:
-    """Return the closed forms of the known set-ups that a level is, and does not check yet."""
+    """Return the closed forms of the known set-ups that a level is, and does not check yet.
+
+    In a crowd nothing is looked for: each body would be followed among all the others.
+    """
+    if sum(body.type == "dynamic" for body in level.bodies.values()) > MOST_MOVING:
+        return []
     scene = Scene(level, level.defaults if values is None else values)
     checked = {check.quantity for check in level.checks}
     found = (one for known in _KNOWN for one in known(scene))

@@ -174,3 +174,20 @@ def test_escape_takes_back_what_was_begun_and_never_ends_the_app(builder: Builde
     assert builder.person.window.open
     assert builder.editor.tool == "select"
     assert list(builder.document["bodies"]) == ["ground"]
+
+
+def test_a_block_near_a_slope_is_laid_flat_on_it(builder: Builder) -> None:
+    builder.new()
+    builder.key(pygame.K_5, "5")
+    for point in ((-4, 0.5), (4, 4.5)):
+        builder.at(*point)
+    builder.key(pygame.K_RETURN, "\r")
+    builder.key(pygame.K_3, "3")
+    builder.drag((-1, 3.5), (1, 4.5))
+    builder.act("Lay flat")
+    builder.person.wait(0.1)
+
+    level = parse(builder.editor.work.draft.text)
+    slope = 0.4636476090008061  # atan(4/8)
+    assert level.bodies["box1"].angle({}) == pytest.approx(slope, abs=1e-9)
+    assert builder.editor.refusal == ""

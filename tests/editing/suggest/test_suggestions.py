@@ -11,7 +11,7 @@ from sandbox.editing.edits.fields import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move, turn
 from sandbox.editing.patches import put_all, remove
-from sandbox.editing.suggest import suggestions, take
+from sandbox.editing.suggest import MOST_MOVING, suggestions, take
 from sandbox.model import catalog
 from sandbox.model.loading import parse, read
 from sandbox.physics.measuring.grading import grade
@@ -171,3 +171,13 @@ def test_a_block_that_was_moved_off_its_slope_is_none_any_more() -> None:
     text = incline(0.5)
     away = move(text, parse(text), ["box1"], (0, 0.5))
     assert [one.setup for one in suggestions(parse(away))] == ["falling body"]
+
+
+def test_nothing_is_looked_for_among_a_crowd() -> None:
+    bodies = ", ".join(
+        f'"b{i}": {{"shape": {{"type": "disc", "radius": 0.1}}, "mass": 1, "position": [{i}, 0]}}'
+        for i in range(MOST_MOVING + 1)
+    )
+    text = f'{{"format": 1, "title": "Crowd", "bodies": {{{bodies}}}}}'
+
+    assert suggestions(parse(text)) == []

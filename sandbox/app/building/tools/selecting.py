@@ -1,6 +1,7 @@
 """The tool that selects, moves, turns and resizes."""
 
 from cmath import phase
+from collections.abc import Sequence
 from enum import Enum, auto
 from math import degrees, dist, pi, radians
 
@@ -22,6 +23,9 @@ from sandbox.model.shapes import XY
 STEP = radians(5)
 """rad, to whole ones of which a body is turned unless Alt is held."""
 
+
+CROWD = 60
+"""How many bodies are drawn where they are moved to; of more only the frame around them is."""
 
 NOWHERE = Snapped((0.0, 0.0), "")
 
@@ -220,10 +224,13 @@ class SelectTool:
 
     def _draw_moved(self, surface: pygame.Surface, pen: Pen, now: Spot) -> None:
         dx, dy = self._way.point
-        for name in self._moved:
-            body = self._bench.sketch.bodies[name]
-            corners = [(x + dx, y + dy) for x, y in body.corners]
-            preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
+        bodies = [self._bench.sketch.bodies[name] for name in self._moved]
+        outlines = [(body.corners, body.outline.closed) for body in bodies[:CROWD]]
+        if len(bodies) > CROWD:
+            outlines = [(_frame(bodies), True)]
+        for corners, closed in outlines:
+            moved = [(x + dx, y + dy) for x, y in corners]
+            preview.outline(surface, self._bench.camera, moved, closed=closed)
         told = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
         preview.measure(surface, pen, now.pixel, told.strip())
 
@@ -246,3 +253,9 @@ class SelectTool:
         if body.outline.radius is not None:
             told = f"r {preview.metres(width / 2)}"
         preview.measure(surface, pen, now.pixel, told)
+
+
+def _frame(bodies: Sequence[Drawn]) -> list[XY]:
+    """Return the corners of the upright box around the places of bodies [m]."""
+    xs, ys = zip(*(body.position for body in bodies), strict=True)
+    return [(min(xs), min(ys)), (max(xs), min(ys)), (max(xs), max(ys)), (min(xs), max(ys))]

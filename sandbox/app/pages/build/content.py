@@ -79,6 +79,7 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(NOTHING_SELECTED if drawn else FIRST),
             *_suggested(editor),
+            Block("", acts=tuple(inspection.told(work))),
             _switches(editor),
         ]
     if in_run:
@@ -92,7 +93,7 @@ def arranging(editor: Editor) -> list[Block]:
     """Return what can be done with the bodies that are selected, among each other."""
     if editor.bench is not editor.work:
         return []
-    acts = tuple(inspection.arrangements(editor.work))
+    acts = (*inspection.ghost(editor.work), *inspection.arrangements(editor.work))
     return [Block("Arrange:", acts=acts)] if acts else []
 
 

@@ -49,6 +49,7 @@ class Inspector:
         self._turned: set[Path] = set()
         self._numbers: Collection[Path] = ()
         self._refused: Mapping[Path, str] = {}
+        self._offered: Mapping[Path, Sequence[str]] = {}
         self._kept: dict[Path, tuple[str, str]] = {}
         self._focused: Path | None = None
 
@@ -65,8 +66,9 @@ class Inspector:
         return tuple(found)
 
     def build(
-        self, rows: Sequence[Row], numbers: Collection[Path], refused: Mapping[Path, str]
-    ) -> None:
+        self, rows: Sequence[Row], numbers: Collection[Path], refused: Mapping[Path, str],
+        offered: Mapping[Path, Sequence[str]],
+    ) -> None:  # fmt: skip
         """Put all widgets.
 
         Parameters
@@ -77,7 +79,10 @@ class Inspector:
             Which of it can be made a parameter.
         refused
             Why what was typed cannot be.
+        offered
+            The names that what is being typed may become.
         """
+        self._offered = offered
         self._lines, self._headings = {}, {}
         self._numbers, self._refused = numbers, refused
         self._put_rows(rows, 0)
@@ -137,7 +142,9 @@ class Inspector:
             place = pygame.Rect(self._sheet.width - px(SLIDER), 0, px(SLIDER), px(HEIGHT))
             tip = f"make this a parameter: {entry.label} gets a slider on the level's page"
             line.slider = column.button(place, "slider", tip)
-        column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
+        column.y += px(HEIGHT) + px(GAP)
+        if names := self._offered.get(entry.path):
+            self._put_choices(line, {name: name for name in names})
 
     def refresh(self, rows: Sequence[Row]) -> None:
         """Show what the level says now; what is being typed, or was refused, stays."""
@@ -189,8 +196,17 @@ class Inspector:
                 self._sheet.manager.set_focus_set(field.get_focus_set())
 
     def left(self) -> list[Line]:
-        """Return where something was typed into a field that the keyboard has left since."""
-        return [li for li, f in self._fields if not f.is_focused and f.get_text() != li.shown]
+        """Return where something was typed into a field that the keyboard has left since.
+
+        While the mouse is on a name that is offered there, nothing is taken yet.
+        """
+        return [
+            line
+            for line, field in self._fields
+            if not field.is_focused
+            and field.get_text() != line.shown
+            and not any(button.hovered for button in line.choices)
+        ]
 
     def line(self, element: object) -> Line | None:
         """Return the entry that a widget sets."""
@@ -221,6 +237,14 @@ class Inspector:
         found = self._lines[path].slider
         assert found is not None
         return found
+
+    def complete(self) -> bool:
+        """Take the first name that is offered into its field, and return whether there is one."""
+        for line, field in self._fields:
+            if field.is_focused and (names := self._offered.get(line.entry.path)):
+                field.set_text(names[0])
+                return True
+        return False
 
     def revert(self) -> None:
         """Let the fields say again what is the case."""

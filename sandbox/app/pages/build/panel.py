@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
+from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building import inspection
@@ -49,10 +49,12 @@ class BuildPage:
         self._buttons: list[UIButton] = []
         self._acts: list[tuple[UIButton, Act]] = []
         self._name: Field | None = None
+        self._offered: dict[locating.Path, list[str]] = {}
         self._refused: dict[locating.Path, str] = {}
         self._selected: object = None
         self._shape: object = None
         sheet.typed = self
+        self._editor.complete = self.complete
         self.update()
 
     def button(self, caption: str) -> UIButton:
@@ -72,7 +74,18 @@ class BuildPage:
             return ""
         if event.type == UI_TEXT_ENTRY_FINISHED:
             return "" if self._enter(event.ui_element) else None
+        if event.type == UI_TEXT_ENTRY_CHANGED:
+            return "" if self._offer(event.ui_element) else None
         return None
+
+    def _offer(self, element: object) -> bool:
+        """Offer names for what is being typed, and return whether others than before."""
+        line = self.inspector.line(element)
+        if line is None or line.field is None:  # of before the page was built anew
+            return False
+        names = inspection.completions(self._editor.bench, line.entry, line.field.get_text())
+        before, self._offered = self._offered, {line.entry.path: names} if names else {}
+        return before != self._offered
 
     def _press(self, element: object) -> bool:
         line = self.inspector.line(element)
@@ -114,6 +127,7 @@ class BuildPage:
     def _assign(self, line: Line, typed: str) -> bool:
         self._editor.look(self._session)
         entry, work = line.entry, self._editor.bench
+        self._offered.clear()
         why = inspection.assign(work, line.row, entry, typed)
         self._refused.pop(entry.path, None)
         if why:
@@ -128,6 +142,14 @@ class BuildPage:
         self._editor.save(Path(typed).absolute())
 
     # fields, as the window goes through them
+
+    def complete(self) -> bool:
+        """Take the first name that is offered, and return whether one is."""
+        completed = self.inspector.complete()
+        if completed:
+            self._offered.clear()
+            self.update()
+        return completed
 
     def revert(self) -> None:
         """Let all fields say again what is the case, and ask for no name any more."""
@@ -145,12 +167,13 @@ class BuildPage:
         another, self._selected = selected != self._selected, selected
         if another:
             self._refused.clear()
+            self._offered.clear()
         self.palette.update()
         rows, numbers = inspection.rows(self._editor.bench), inspection.numbers(self._editor.bench)
         blocks = self._blocks()
         shape = (
             selected, self._editor.naming, [block.shape for part in blocks for block in part],
-            self.inspector.shape(rows, numbers), dict(self._refused),
+            self.inspector.shape(rows, numbers), dict(self._refused), dict(self._offered),
         )  # fmt: skip
         if shape != self._shape:
             self._shape = shape
@@ -181,7 +204,7 @@ class BuildPage:
         self._put_name()
         self._put(below)
         self._column.y += 2 * self._sheet.px(GAP)
-        self.inspector.build(rows, numbers, self._refused)
+        self.inspector.build(rows, numbers, self._refused, dict(self._offered))
         self._put(last)
         self._sheet.end(self._column.y + self._sheet.px(GAP))
 
