@@ -150,8 +150,8 @@ def _scrolling(each: UIElement, containers: Containers) -> list[UIScrollingConta
     while isinstance(container, UIElement):
         if id(container) in containers:
             found.append(containers[id(container)])
-        beyond = container.ui_container
-        container = beyond if beyond is not container else None  # the outermost holds itself
+        beyond: object = container.ui_container
+        container = None if beyond is container else beyond  # the outermost holds itself
     return found
 
 
