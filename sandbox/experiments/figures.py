@@ -106,6 +106,8 @@ def _curves(
         _label(axes.set_ylabel, measure.text, measure.unit)
         if isinstance(grid := plan.grids[along], Grid) and grid.scale == "log":
             axes.set_xscale("log")
+            if measure.reduction == "error":
+                axes.set_yscale("log")
         axes.grid(visible=True)
         if family or closed_form(measure.text) in found.columns:
             axes.legend()
@@ -191,12 +193,13 @@ def _histogram(plan: Plan, found: Results, measure: Measure) -> Figure:
     with style():
         figure = Figure(figsize=(6.4, 3.6) if single is None else (6.4, 6), layout="constrained")
         first, *second = figure.subplots(1 if single is None else 2, squeeze=False).ravel()
-        _, edges, _ = first.hist(
-            known, min(BINS, max(len(known) // 8, 8)), color=COLOURS[0], alpha=0.8, label="measured"
-        )
-        if (form := found.columns.get(closed_form(measure.text))) is not None:
-            outline = {"histtype": "step", "color": "black", "linewidth": 1}
-            first.hist(form[np.isfinite(form)], edges, label="closed form", **outline)
+        form = found.columns.get(closed_form(measure.text), known[:0])
+        form = form[np.isfinite(form)]
+        count = min(BINS, max(len(known) // 8, 8))
+        edges = np.histogram_bin_edges(np.concatenate((known, form)), count)
+        first.hist(known, edges, color=COLOURS[0], alpha=0.8, label="measured")
+        if len(form):
+            first.hist(form, edges, histtype="step", color="black", label="closed form")
             first.legend()
         _label(first.set_xlabel, measure.text, measure.unit)
         first.set_ylabel("runs")
