@@ -129,7 +129,7 @@ def contrast(a: Color, b: Color) -> float:
 _FOLDER = files("sandbox.app") / "themes"
 _LENGTHS = {
     "list_item_height", "padding", "rect_width", "shape_corner_radius", "sliding_button_width",
-    "text_horiz_alignment_padding",
+    "text_horiz_alignment_padding", "title_bar_height",
 }  # fmt: skip
 
 

@@ -80,12 +80,12 @@ def draw_around(
     surface: pygame.Surface,
     camera: Camera,
     points: Sequence[XY],
-    color: Color = theme.TEXT,
+    color: Color | None = None,
     *,
     closed: bool,
 ) -> XY | None:
     """Draw a line through points of the plane [m], and return where it is on the stage [px]."""
-    corners = camera.path(points)
+    corners, color = camera.path(points), color or theme.TEXT
     if not corners:
         return None
     if len(corners) == 1 or all(corner == corners[0] for corner in corners):
@@ -100,7 +100,7 @@ def draw_hint(surface: pygame.Surface, pen: Pen, text: str) -> None:
     lines_of_text = pen.paragraph(text, surface.width - 80, 13)
     width = max(line.width for line in lines_of_text) + 2 * PADDING
     box = pygame.Rect(0, 0, width, sum(line.height for line in lines_of_text) + PADDING)
-    box.midbottom = surface.width // 2, surface.height - RULER - 34
+    box.midbottom = surface.width // 2, surface.height - pen.px(RULER) - 34
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=5)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=5)
     y = box.y + PADDING // 2

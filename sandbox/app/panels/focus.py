@@ -1,6 +1,6 @@
 """The keyboard's way through the widgets: one of them has the focus, and a ring shows which."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED, UIManager
@@ -12,6 +12,7 @@ from sandbox.app.panels.layout import Layout
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import scroll, scrolled
 
+Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider
 """What can have the focus."""
 PRESSING = (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE)
@@ -29,6 +30,7 @@ class Focus:
 
     def __init__(self) -> None:
         self._at: Stop | None = None
+        self._around: list[UIScrollingContainer] = []  # in which it is scrolled
         self._known = "", 0  # its words and its place, to find it again when all is built anew
 
     def element(self, manager: UIManager, layout: Layout) -> Stop | None:
@@ -39,6 +41,7 @@ class Focus:
         alike = [(abs(i - place), each) for i, each in enumerate(stops(manager, layout))
                  if _words(each) == words]  # fmt: skip
         self._at = min(alike, key=lambda found: found[0])[1] if alike and words else None
+        self._around = _scrolling(self._at, _containers(manager)) if self._at is not None else []
         return self._at
 
     def go(self, manager: UIManager, layout: Layout, direction: int) -> None:
@@ -55,7 +58,8 @@ class Focus:
         manager.set_focus_set(at.get_focus_set() if isinstance(at, Field) else None)
         if isinstance(at, Field):
             at.select_range = [0, len(at.get_text())]
-        for container in _scrolling(manager, at):
+        self._around = _scrolling(at, _containers(manager))
+        for container in self._around:
             _show(container, at)
 
     def leave(self) -> bool:
@@ -85,7 +89,7 @@ class Focus:
         if at is None or (isinstance(at, Field) and not at.is_focused):
             return
         surface.set_clip(surface.get_rect())
-        for container in _scrolling(manager, at):
+        for container in self._around:
             surface.set_clip(surface.get_clip().clip(container.rect.inflate(2 * APART, 0)))
         ring = at.rect.inflate(2 * (APART + RING), 2 * (APART + RING))
         pygame.draw.rect(surface, theme.NOTICE, ring, RING, border_radius=6)
@@ -107,7 +111,8 @@ def stops(manager: UIManager, layout: Layout) -> Sequence[Stop]:
         for each in found
         if not (isinstance(each, UIHorizontalSlider) and id(each.ui_container) in fields)
     ]  # a parameter's slider goes with its field, in which the arrows do the same
-    return sorted(kept, key=lambda each: _rank(manager, layout, each))
+    containers = _containers(manager)
+    return sorted(kept, key=lambda each: _rank(layout, each, containers))
 
 
 def _is_a_stop(each: Stop) -> bool:
@@ -119,9 +124,9 @@ def _seen(each: UIElement) -> bool:
     return bool(each.alive() and each.visible)  # type: ignore[no-untyped-call]
 
 
-def _rank(manager: UIManager, layout: Layout, each: UIElement) -> tuple[int, int, int]:
+def _rank(layout: Layout, each: UIElement, containers: Containers) -> tuple[int, int, int]:
     x, y = each.rect.center
-    scrolls = bool(_scrolling(manager, each))
+    scrolls = bool(_scrolling(each, containers))
     if layout.side.left <= x and (scrolls or y < layout.controls.top) and layout.side.width:
         part = 0 if scrolls else 1
     elif x < layout.levels.right and (scrolls or y < layout.controls.top):
@@ -131,16 +136,23 @@ def _rank(manager: UIManager, layout: Layout, each: UIElement) -> tuple[int, int
     return part, each.rect.y, each.rect.x
 
 
-def _scrolling(manager: UIManager, each: UIElement) -> list[UIScrollingContainer]:
-    """Return the containers in which a widget is scrolled."""
-    around = []
+def _containers(manager: UIManager) -> Containers:
+    """Return what scrolls, by what is scrolled in it."""
+    every = manager.get_sprite_group().sprites()
+    found = [each for each in every if isinstance(each, UIScrollingContainer)]
+    return {id(each.scrollable_container): each for each in found}
+
+
+def _scrolling(each: UIElement, containers: Containers) -> list[UIScrollingContainer]:
+    """Return the containers in which a widget is scrolled, the innermost first."""
+    found = []
     container: object = each.ui_container
     while isinstance(container, UIElement):
-        around.append(container)
-        container = container.ui_container
-    every = manager.get_sprite_group().sprites()
-    scrolling = (each for each in every if isinstance(each, UIScrollingContainer))
-    return [each for each in scrolling if each.scrollable_container in around]
+        if id(container) in containers:
+            found.append(containers[id(container)])
+        beyond: object = container.ui_container
+        container = None if beyond is container else beyond  # the outermost holds itself
+    return found
 
 
 def _show(container: UIScrollingContainer, each: UIElement) -> None:
