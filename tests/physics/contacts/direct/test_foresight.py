@@ -25,14 +25,17 @@ def shoved(speed: float, rate: float) -> World:
     return build(level({"ground": GROUND, **boxes}, DIRECT, stepping={"rate": rate}))
 
 
-def rocking(angle: float, rate: float, **material: object) -> World:
+def rocking(angle: float, rate: float, e: float = 0.0) -> World:
     """Return a box of 0.5 m that stands on a corner, and falls back on its side."""
     tilt = radians(angle)
     height = 0.25 * (np.cos(tilt) + np.sin(tilt))
-    tilted = box((0, height), angle=tilt, friction=0.7, **material)
-    effects = {**DIRECT, **({"restitution": {}} if material else {})}
-    ground = {**GROUND, **material}
-    return build(level({"ground": ground, "box": tilted}, effects, stepping={"rate": rate}))
+    bounces: Spec = {"restitution": e} if e else {}
+    scene = {
+        "ground": {**GROUND, **bounces},
+        "box": {**box((0, height), angle=tilt, friction=0.7), **bounces},
+    }
+    effects = {**DIRECT, **({"restitution": {}} if e else {})}
+    return build(level(scene, effects, stepping={"rate": rate}))
 
 
 def energies(world: World, steps: int) -> np.ndarray:
@@ -84,6 +87,6 @@ def test_what_falls_back_on_its_side_gains_no_energy(rate: int) -> None:
 
 def test_what_bounces_is_left_to_its_impact() -> None:
     """A gap that closed before it would take from the approach that rebounds."""
-    world = rocking(10, 240, restitution=0.9)
+    world = rocking(10, 240, e=0.9)
 
     assert min(lowest(world.advance()) for _ in range(120)) < -1e-5
