@@ -32,13 +32,20 @@ def test_every_joint_is_made_and_runs(kind: str, first: Pick, second: Pick) -> N
     text = scene()
     level = parse(text)
     order = chosen(kind, first, second)
-    if kind == "winding":
+    if kind in ("winding", "rack"):
         order = [second, first]
+    if kind == "gear":  # it ties bodies to each other
+        order = [first, BOX]
     made = add_joint(text, level, kind, order)
     after = parse(made.text)
     assert made.name == f"{kind}1"
     assert after.joints[made.name].type == kind
     build(after).advance(3)
+
+
+def test_a_gear_needs_two_wheels() -> None:
+    with pytest.raises(SandboxError, match="pick two bodies"):
+        add_joint(scene(), parse(scene()), "gear", [DISC, PEG])
 
 
 def test_a_centre_is_the_body_and_a_point_is_in_its_axes() -> None:
