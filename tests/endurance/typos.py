@@ -23,7 +23,7 @@ from sandbox.model import catalog
 from sandbox.model.consistency.mentions import named_bodies
 from sandbox.model.errors import LevelError
 from sandbox.model.loading import parse
-from sandbox.model.locating import TOKEN, values
+from sandbox.model.locating import TOKEN, Position, position
 from sandbox.processes import spread
 
 TOLD, HARMLESS, OTHER = "told", "harmless", "another body"
@@ -39,8 +39,8 @@ EVERY = 20
 class Typo(NamedTuple):
     """A text of a file, written otherwise."""
 
-    path: str
-    """Where it stands, as messages say it; empty for a key."""
+    place: Position | None
+    """Where messages about it point to: at its key, if it has one; None for a key itself."""
     start: int
     end: int
     instead: str
@@ -73,20 +73,19 @@ def wrong(text: str, random: Random) -> Iterator[str]:
 
 def typos(text: str, random: Random) -> Iterator[Typo]:
     """Yield what may be misspelt in the text of a level."""
-    paths = {value.start: ".".join(map(str, value.path)) for value in values(text)}
-    key = -1  # where the key stands whose value comes next
+    key: int | None = None  # where the key stands whose value comes next
     for match in TOKEN.finditer(text):
         start, end = match.span()
         of_key = COLON.match(text, end) is not None
-        path = "" if of_key else paths.get(start) or paths.get(key, "")
-        key = start if of_key else -1
+        place = None if of_key else position(text, start if key is None else key)
+        key = start if of_key else None
         said = json.loads(match[0]) if match[0].startswith('"') else ""
         for instead in wrong(said, random) if said else ():
-            yield Typo(path, start, end, json.dumps(instead, ensure_ascii=False))
+            yield Typo(place, start, end, json.dumps(instead, ensure_ascii=False))
 
 
-def _answered(text: str, body: str) -> str:
-    """Return what comes of a level in which a body may be misspelt at a path."""
+def _answered(text: str, body: Position | None) -> str:
+    """Return what comes of a level in which a body may be misspelt at a place."""
     try:
         parse(text)
     except LevelError as error:
@@ -94,7 +93,7 @@ def _answered(text: str, body: str) -> str:
             return "not foreseen"
         if any(mistake.line is None for mistake in error.mistakes[:-1]):
             return "told nowhere"
-        there = not body or body in {mistake.path for mistake in error.mistakes}
+        there = not body or body in {(mistake.line, mistake.column) for mistake in error.mistakes}
         return TOLD if there else "told elsewhere"
     except Exception as error:  # noqa: BLE001 (that is what is looked for)
         return type(error).__name__
@@ -105,15 +104,22 @@ def _chosen(level: str, text: str, part: int, seed: int) -> Iterator[Typo]:
     return islice(typos(text, Random(f"{seed}-{level}")), 0, None, part)
 
 
+def _bodies(text: str) -> set[Position]:
+    """Return where in the text of a level bodies are named."""
+    level = parse(text)
+    places = (level.place(path).split(":") for path, _ in named_bodies(level))
+    return {(int(line), int(column)) for _, line, column, *_ in places}
+
+
 def attempt(batch: Batch) -> Report:
     """Try some typos of a level."""
     level, first, part, seed = batch
     text, report = catalog.find(level).read_text(encoding="utf-8"), Report(Counter(), [])
-    bodies = {".".join(map(str, path)) for path, _ in named_bodies(parse(text))}
+    bodies = _bodies(text)
     gc.freeze()  # what is there by now is not looked through again for what is lost
     for typo in islice(_chosen(level, text, part, seed), first, first + BATCH):
         misspelt = text[: typo.start] + typo.instead + text[typo.end :]
-        outcome = _answered(misspelt, typo.path if typo.path in bodies else "")
+        outcome = _answered(misspelt, typo.place if typo.place in bodies else None)
         report.seen[outcome] += 1
         if outcome not in ANSWERS:
             said = f"{text[typo.start : typo.end]} as {typo.instead}"
