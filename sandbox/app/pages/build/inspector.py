@@ -205,7 +205,7 @@ class Inspector:
             for line, field in self._fields
             if not field.is_focused
             and field.get_text() != line.shown
-            and not any(button.hovered for button in line.choices)
+            and not any(button.held or button.hovered for button in line.choices)
         ]
 
     def line(self, element: object) -> Line | None:
