@@ -52,8 +52,9 @@ def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> I
         few = levels.entries()[:FEW]
         monkeypatch.setattr(levels, "entries", lambda: list(few))
     window = Window((1280, 800))
-    pygame.event.clear()
+    pygame.event.get()  # `clear` would never let go of the widgets that events are about
     yield Person(window)
     window.close()
+    pygame.event.get()
     theme.use(theme.DARK)
     pygame.display.quit()

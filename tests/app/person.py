@@ -60,7 +60,7 @@ class Person:
         """Move the mouse."""
         before = pygame.mouse.get_pos()
         pygame.mouse.set_pos(pixel)
-        pygame.event.clear(pygame.MOUSEMOTION)
+        pygame.event.get(pygame.MOUSEMOTION)
         by = int(pixel[0] - before[0]), int(pixel[1] - before[1])
         pygame.event.post(
             pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=by, buttons=(0, 0, 0), touch=False)
