@@ -16,8 +16,8 @@ COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coeffici
 ROUNDS = 20
 """How often it is looked for what has lost its meaning; each time another part may."""
 
-_LISTS = ("pairs", "located", "bodies")
-"""What an effect names bodies in, of which one may go and leave the others."""
+_LISTS = ("pairs", "located", "bodies", "cut", "on", "off")
+"""What effects and events name parts in, of which one may go and leave the others."""
 
 
 def loads(text: str) -> bool:
@@ -51,8 +51,8 @@ def accepted(*texts: str) -> str:
 def without_meaning(text: str) -> str:
     """Return a level without whatever names what is not there, or is declared for nothing.
 
-    Those are the joints, effects, checks, ghosts, goals and parameters at which it has a mistake.
-    Where that does not mend it, the rest of the mistakes stay.
+    Those are the joints, effects, events, checks, ghosts, goals and parameters at which it has a
+    mistake. Where that does not mend it, the rest of the mistakes stay.
     """
     for _ in range(ROUNDS):
         try:
@@ -92,11 +92,11 @@ def _unit(path: Path) -> Path | None:
             return path[:3]
         case ("challenge", *_):
             return path[:1]
-        case ("effects", _, str() as part, int(), *_) if part in _LISTS:
+        case ("effects" | "events", _, str() as part, int(), *_) if part in _LISTS:
             return path[:4]
         case ("effects", _, int(), *_):
             return path[:3]
-        case ("effects", _, *_):
+        case ("effects" | "events", _, *_):
             return path[:2]
     return None
 

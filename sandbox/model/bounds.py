@@ -40,6 +40,13 @@ class Coordinate(Expression):
     most, unit = 1e15, "m"
 
 
+class Travel(Expression):
+    """How far something is along a way, or back."""
+
+    __slots__ = ()
+    most, unit = 1e15, "m"
+
+
 class Extent(Positive):
     """How large something is."""
 

@@ -56,11 +56,13 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
     changed, gone = _dropped(level, effect), [effect]
     while found := list(_scene_faults(changed)):
         name = next((str(fault.path[1]) for fault in found if fault.path[0] == "effects"), None)
-        if name is None:
-            changed = _cleared(changed, found, effect)
-        else:
+        if name is not None:
             changed = _dropped(changed, name)
             gone.append(name)
+        elif (silenced := _silenced(changed, found)) is not changed:
+            changed = silenced
+        else:
+            changed = _cleared(changed, found, effect)
     return changed, tuple(gone[1:])
 
 
@@ -71,6 +73,23 @@ def _scene_faults(level: Level) -> Iterator[Fault]:
 
 def _dropped(level: Level, effect: str) -> Level:
     return level.model_copy(update={"effects": level.effects.model_copy(update={effect: None})})
+
+
+def _silenced(level: Level, found: list[Fault]) -> Level:
+    """Take from events what they can switch no more, and the events that then do nothing."""
+    gone = {fault.path[1:4] for fault in found if fault.path[0] == "events"}
+    events = {}
+    for name, event in level.events.items():
+        left = {
+            field: tuple(
+                part for i, part in enumerate(getattr(event, field)) if (name, field, i) not in gone
+            )
+            for field in ("cut", "on", "off")
+        }
+        if any(left.values()):
+            events[name] = event.model_copy(update=left)
+    same = events == dict(level.events)
+    return level if same else level.model_copy(update={"events": events})
 
 
 def _cleared(level: Level, found: list[Fault], effect: str) -> Level:

@@ -3,7 +3,7 @@
 from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Angle, Coordinate
+from sandbox.model.bounds import Angle, Travel
 from sandbox.model.joints.contract import Kind
 from sandbox.model.joints.ends import End
 from sandbox.model.shapes import Point
@@ -23,7 +23,7 @@ class Stop(Model):
     """what is stopped, and what it is counted from"""
     direction: Point
     """[x, y], along which it is counted, of any length; it does not turn"""
-    range: tuple[Coordinate, Coordinate]
+    range: tuple[Travel, Travel]
     """[from, to] in m, how far along the first end may be from the second"""
 
 

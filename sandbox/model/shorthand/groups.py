@@ -222,7 +222,17 @@ class _Frame:
         made = dict(joint)
         for key in joint.keys() & TURNED.keys():
             made[key] = TURNED[key](self, joint[key], names)
+        if joint.get("type") == "angle_stop":
+            made["range"] = self.angles(joint)
         return made
+
+    def angles(self, stop: Mapping[str, Any]) -> Any:  # noqa: ANN401
+        """Return between which angles a stop of a copy lets turn: the plane turns with no group."""
+        ends, angles = stop.get("ends"), stop.get("range")
+        from_plane = isinstance(ends, list) and ends and _is_point(ends[0])
+        if self._angle == 0 or not from_plane or not isinstance(angles, list):
+            return angles
+        return [_sum(self._angle, angle) for angle in angles]
 
     def ends(self, ends: Any, names: _Names) -> Any:  # noqa: ANN401
         """Return where a joint of a copy holds on, one after the other."""

@@ -137,6 +137,23 @@ def test_every_field_of_a_joint_that_has_a_place_is_turned() -> None:
             assert name in TURNED or not lies, f"{joint.__name__}.{name}"
 
 
+def test_a_stop_of_a_group_that_is_turned_lets_turn_as_far_from_where_it_stands() -> None:
+    ends = [[0, 0], "door"]
+    stop = {"type": "angle_stop", "ends": ends, "range": [-0.5, "0.25"]}
+    inner = {"type": "angle_stop", "ends": ["frame", "door"], "range": [-0.5, 0.25]}
+    group = {"bodies": {"door": DISC, "frame": DISC}, "joints": {"stop": stop, "inner": inner}}
+    data = {**bare(), "groups": {"g": group}}
+    data["effects"] = {**data.get("effects", {}), "rotation": {}}
+    data["bodies"]["k"] = {"copy": "g", "angle": 2, "position": [5, 5]}
+
+    joints = read(data).joints
+
+    angles = {
+        name: [each(VALUES) for each in joints[f"k_{name}"].range] for name in group["joints"]
+    }
+    assert angles == {"stop": [1.5, 2.25], "inner": [-0.5, 0.25]}
+
+
 def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:
     group: Any = {"bodies": {"a{i}": DISC | {"repeat": {"i": 200}}}}
     data = level(groups={"pair": group}, bodies={"x{i}": {"repeat": {"i": 20_000}, "copy": "pair"}})

@@ -344,13 +344,23 @@ def test_every_force_that_there_is_is_in_the_diagram(name: str) -> None:
         assert all(found and forces_off(found, world) < BOUND for found in diagrams)
 
 
+STOPS = {
+    "stop": {"force": [{"body": "b", "force": [-3, 3]}]},
+    "angle_stop": {"torque": [{"body": "b", "torque": -0.3}]},
+}
+"""What presses the second body against the stop at the end of its range."""
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
-    """The second goes round the first, so that even what only pulls has to."""
+    """The second goes round the first, so that even what only pulls has to; or into its stop."""
     way = [0.3, 0.3] if kind == "pulley" else [0, 0.3]  # about its peg
     bodies = {"a": disc(), "b": disc((3, 0), mass=2, velocity=way, angular_velocity=0.1)}
-    effects = {"gravity": {"acceleration": [0, -G]}, "rotation": {}}
-    scene = level(bodies, effects, joints={"tie": least(kind)}, stepping={"rate": 240})
+    tie, effects = least(kind), {"gravity": {"acceleration": [0, -G]}, "rotation": {}}
+    if kind in STOPS:
+        bodies["b"] = disc((3, 0), mass=2)
+        tie, effects = {**tie, "range": [0, 1]}, effects | STOPS[kind]
+    scene = level(bodies, effects, joints={"tie": tie}, stepping={"rate": 240})
     world = build(scene)
     world.advance(3)
     diagrams = list(filter(None, map(FreeBodies(world).of, "ab")))
