@@ -16,6 +16,8 @@ from validation.cli import app
 from validation.effects import costs, growth
 from validation.report import parts
 
+pytestmark = pytest.mark.sweep  # the page takes half a minute to be made
+
 LEVELS = ("newton/atwood", "kinematics/circular-motion")
 
 HARD = ("a cradle of five, 1 in, gap 0 m", "a cradle that touches")

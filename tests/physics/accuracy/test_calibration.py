@@ -257,6 +257,7 @@ def atwoods(draw: st.DrawFn) -> Level:
     return atwood(left, right, checks=[check("left.position.y", f"{a!r}*t**2/2")], duration=0.7)
 
 
+@pytest.mark.sweep
 @pytest.mark.parametrize("scenes", [SPRINGS, orbits(), pendulums(), throws(), atwoods()])
 @settings(max_examples=3, deadline=None, suppress_health_check=list(HealthCheck))
 @given(st.data(), st.sampled_from([1e-3, 1e-5, 1e-7]))
@@ -420,6 +421,7 @@ def answer(scene: Level, values: Values) -> tuple[object, ...]:
     return found.chosen.stepping, found.chosen.error, found.judged_by, found.decided_by, found.onset
 
 
+@pytest.mark.sweep
 def test_that_velocities_are_off_where_a_force_sets_in_is_told() -> None:
     """A block breaks loose within a step that is not looked at; the velocity there is off."""
     scene = catalog_level("newton/breaking-loose")
