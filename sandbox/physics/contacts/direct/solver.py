@@ -98,7 +98,8 @@ class Direct:
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
-        self._known, self._belief, self._corners = WarmStart(), Belief(query), CornerPairs()
+        self._known = WarmStart(extrapolates=strikes)
+        self._belief, self._corners = Belief(query), CornerPairs()
         self._foresight = Foresight(query.bodies, surfaces)
         self._parting = Parting(surfaces, self._known)
         self._contacts: Contacts = NO_CONTACTS

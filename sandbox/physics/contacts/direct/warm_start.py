@@ -50,9 +50,18 @@ class Known(NamedTuple):
 
 
 class WarmStart:
-    """Remembers a kick for the next."""
+    """Remembers a kick for the next.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    extrapolates
+        Whether forces go on as they have changed. Where each approach counts, however slow, they
+        do not: what rests would then rest to the rounding of another guess each step, and not to
+        the last bit.
+    """
+
+    def __init__(self, *, extrapolates: bool) -> None:
+        self._extrapolates = extrapolates
         self._known: Known | None = None
 
     def forget(self) -> None:
@@ -62,7 +71,7 @@ class WarmStart:
     def note(self, kick: Kick, forces: Array, active: Active, *, struck: bool) -> None:
         """Remember the forces of a kick, (r,) [N], what held in it, and whether it had impacts."""
         known = None if struck else self._recalled(kick)
-        goes_on = known is not None and known.active.key == active.key
+        goes_on = self._extrapolates and known is not None and known.active.key == active.key
         past = known.past[:2] if known and goes_on else []
         self._known = Known(kick.layout, [forces, *past], active)
 
