@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.joints import Joint, bodies_of, ends_of
+from sandbox.model.joints.stops import AngleStop
 from sandbox.model.level import Level, place
 from sandbox.model.loading import parse
 from sandbox.model.shorthand.groups import TURNED
@@ -142,16 +143,15 @@ def test_a_stop_of_a_group_that_is_turned_lets_turn_as_far_from_where_it_stands(
     stop = {"type": "angle_stop", "ends": ends, "range": [-0.5, "0.25"]}
     inner = {"type": "angle_stop", "ends": ["frame", "door"], "range": [-0.5, 0.25]}
     group = {"bodies": {"door": DISC, "frame": DISC}, "joints": {"stop": stop, "inner": inner}}
-    data = {**bare(), "groups": {"g": group}}
+    data: dict[str, Any] = {**bare(), "groups": {"g": group}}
     data["effects"] = {**data.get("effects", {}), "rotation": {}}
     data["bodies"]["k"] = {"copy": "g", "angle": 2, "position": [5, 5]}
 
     joints = read(data).joints
 
-    angles = {
-        name: [each(VALUES) for each in joints[f"k_{name}"].range] for name in group["joints"]
-    }
-    assert angles == {"stop": [1.5, 2.25], "inner": [-0.5, 0.25]}
+    stops = {name: joint for name, joint in joints.items() if isinstance(joint, AngleStop)}
+    angles = {name: [angle(VALUES) for angle in stop.range] for name, stop in stops.items()}
+    assert angles == {"k_stop": [1.5, 2.25], "k_inner": [-0.5, 0.25]}
 
 
 def test_many_copies_of_a_large_group_exhaust_no_machine() -> None:

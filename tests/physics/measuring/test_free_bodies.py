@@ -1,8 +1,8 @@
 """The forces on a body add up to mass times acceleration, and are those of the textbook."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import cos, hypot, inf, pi, sin
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -344,7 +344,7 @@ def test_every_force_that_there_is_is_in_the_diagram(name: str) -> None:
         assert all(found and forces_off(found, world) < BOUND for found in diagrams)
 
 
-STOPS = {
+STOPS: Mapping[str, Any] = {
     "stop": {"force": [{"body": "b", "force": [-3, 3]}]},
     "angle_stop": {"torque": [{"body": "b", "torque": -0.3}]},
 }
@@ -359,7 +359,7 @@ def test_every_joint_that_there_is_is_in_the_diagram(kind: str) -> None:
     tie, effects = least(kind), {"gravity": {"acceleration": [0, -G]}, "rotation": {}}
     if kind in STOPS:
         bodies["b"] = disc((3, 0), mass=2)
-        tie, effects = {**tie, "range": [0, 1]}, effects | STOPS[kind]
+        tie, effects = {**tie, "range": [0, 1]}, {**effects, **STOPS[kind]}
     scene = level(bodies, effects, joints={"tie": tie}, stepping={"rate": 240})
     world = build(scene)
     world.advance(3)
