@@ -98,7 +98,7 @@ class Direct:
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
-        self._known = WarmStart(extrapolates=strikes)
+        self._known = WarmStart()
         self._belief, self._corners = Belief(query), CornerPairs()
         self._foresight = Foresight(query.bodies, surfaces)
         self._parting = Parting(surfaces, self._known)
@@ -211,8 +211,7 @@ class Direct:
                 break  # found where the drift ends it is in the way no longer
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
-        struck = bool(taken.stages)
-        self._known.note(taken.kick, taken.forces, taken.active, struck=struck)
+        self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:

@@ -10,7 +10,6 @@ from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.shake import parabola
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -23,20 +22,15 @@ class Known(NamedTuple):
     ----------
     layout
         Its rows.
-    past
-        The forces of all rows in the last kicks in which the same held, newest first: (r,) [N].
+    forces
+        (r,), of all rows [N].
     active
         Which held.
     """
 
     layout: Layout
-    past: list[Array]
+    forces: Array
     active: Active
-
-    @property
-    def forces(self) -> Array:
-        """The forces of all rows: (r,) [N]."""
-        return self.past[0]
 
     @property
     def tension(self) -> Array:
@@ -50,37 +44,23 @@ class Known(NamedTuple):
 
 
 class WarmStart:
-    """Remembers a kick for the next.
+    """Remembers a kick for the next."""
 
-    Parameters
-    ----------
-    extrapolates
-        Whether forces go on as they have changed. Where each approach counts, however slow, they
-        do not: what rests would then rest to the rounding of another guess each step, and not to
-        the last bit.
-    """
-
-    def __init__(self, *, extrapolates: bool) -> None:
-        self._extrapolates = extrapolates
+    def __init__(self) -> None:
         self._known: Known | None = None
 
     def forget(self) -> None:
         """Know nothing any more."""
         self._known = None
 
-    def note(self, kick: Kick, forces: Array, active: Active, *, struck: bool) -> None:
-        """Remember the forces of a kick, (r,) [N], what held in it, and whether it had impacts."""
-        known = None if struck else self._recalled(kick)
-        goes_on = self._extrapolates and known is not None and known.active.key == active.key
-        past = known.past[:2] if known and goes_on else []
-        self._known = Known(kick.layout, [forces, *past], active)
+    def note(self, kick: Kick, forces: Array, active: Active) -> None:
+        """Remember the forces of a kick, (r,) [N], and what held in it."""
+        self._known = Known(kick.layout, forces, active)
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
 
-        What is new holds if it meets, and slips if it does. Where the same touches and holds,
-        forces go on as the parabola through the last three, which mostly spares one of Newton's
-        steps.
+        What is new holds if it meets, and slips if it does.
 
         Parameters
         ----------
@@ -90,7 +70,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return parabola(known.past) * length, known.active
+            return known.forces * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
