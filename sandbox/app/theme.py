@@ -113,19 +113,6 @@ def parse(text: str) -> Color:
     return red, green, blue
 
 
-def luminance(color: Color) -> float:
-    """Return how bright a colour is, from 0 to 1, as WCAG 2 defines it."""
-    shares = (part / 255 for part in color)
-    red, green, blue = (s / 12.92 if s <= 0.04045 else ((s + 0.055) / 1.055) ** 2.4 for s in shares)
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
-
-
-def contrast(a: Color, b: Color) -> float:
-    """Return how well two colours are told apart: from 1 for equal ones to 21 (WCAG 2)."""
-    dark, bright = sorted((luminance(a), luminance(b)))
-    return (bright + 0.05) / (dark + 0.05)
-
-
 _FOLDER = files("sandbox.app") / "themes"
 _LENGTHS = {
     "list_item_height", "padding", "rect_width", "shape_corner_radius", "sliding_button_width",

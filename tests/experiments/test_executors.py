@@ -87,8 +87,9 @@ def test_a_scheduler_that_goes_away_is_a_sentence_and_what_was_done_is_kept(
         cluster(machines.address, workers=2) as there,
     ):
         conduct(found, store, there, lambda _: machines.scheduler.kill())
-    [(begin, end)] = store.missing()
-    assert 0 < begin < end == found.runs
+    # Which batches had come by then, and whether they are neighbours, is up to the workers.
+    missing = sum(end - begin for begin, end in store.missing())
+    assert 0 < missing < found.runs
     conduct(found, store, Here(), lambda _: None)
     table(found, tmp_path / "here")
     assert store.results.read_bytes() == (tmp_path / "here" / RESULTS).read_bytes()

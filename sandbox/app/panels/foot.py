@@ -14,7 +14,7 @@ from sandbox.app.cards.energy import energy, ledger, total
 from sandbox.app.commands import tip
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
-from sandbox.app.widgets.sheet import MARGIN
+from sandbox.app.widgets.sheet import MARGIN, Sheet
 from sandbox.physics.measuring.grading import Verdict
 
 View = Literal["graph", "bars", "total"]
@@ -91,10 +91,7 @@ class Foot:
         """Bring both up to date."""
         if self.verdicts is not None:
             self.verdicts.set_text(told(self._session))
-        drawn = self._drawn()
-        if self._energy.relative_rect.size != drawn.size:
-            self._energy.set_dimensions(drawn.size)
-        self._energy.set_image(drawn)
+        Sheet.replace(self._energy, self._drawn())
 
     def _drawn(self) -> pygame.Surface:
         session, books = self._session, self._session.books
