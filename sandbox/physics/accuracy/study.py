@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice, zip_longest
+from itertools import islice
 from math import isfinite
 
 from sandbox.model.errors import SandboxError
@@ -15,7 +15,13 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.refinement import Refinement, foot, held_against, step_prices
+from sandbox.physics.accuracy.refinement import (
+    Refinement,
+    foot,
+    held_against,
+    judged,
+    step_prices,
+)
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.runs import (
     Watched,
@@ -23,10 +29,12 @@ from sandbox.physics.accuracy.runs import (
     departure,
     never,
     record,
+    scaled,
     size,
     watched,
 )
 from sandbox.physics.accuracy.search import Refiner, refine
+from sandbox.physics.accuracy.seeking import with_scales
 from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
@@ -163,26 +171,31 @@ def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -
 
 
 def _own(level: Level, values: Values) -> Iterator[Finding]:
-    """Run at half the level's own rate, at that, and at twice that."""
+    """Run at half the level's own rate, at that, and at twice that.
+
+    The error of the run is that of its checks and of all motion: a check may hold at instants at
+    which nothing moves.
+    """
     yield Progress(0.9, "halving the step")
     items = [by_check(check, values) for check in level.checks]
-    items = items or list(watched(level, values))
+    judging = watched(level, values)
     drawn = [Watched(found.name) for found in islice(momentary(level), MANY)]
     own = level.stepping
-    traces = list(_halved(level, values, [*items, *drawn]))
+    traces = list(_halved(level, values, [*items, *judging, *drawn]))
     yield from _trusted(traces, drawn)
-    errors = [0.0]
     results = zip(grade(traces[-2]), grade(traces[-1]), strict=True)
-    for index, (item, result) in enumerate(zip_longest(items, results)):
-        found = extrapolated(traces, item)
-        if found is None:
-            continue
-        *_, numerical, rest = found.relative
-        errors.append(numerical)
-        if result:
+    for index, (item, result) in enumerate(zip(items, results, strict=True)):
+        if found := extrapolated(traces, item):
+            *_, numerical, rest = found.relative
             yield _split(index, result, found.of[-2], numerical, rest)
     [step] = brief_costs(partial(make_world, level, values, own))
-    yield Here(own.scheme, own.rate, max(errors), step * own.rate)
+    yield Here(own.scheme, own.rate, _error(traces, judging), step * own.rate)
+
+
+def _error(traces: Sequence[Trace], wanted: Sequence[Watched]) -> float:
+    """Return the largest relative error of the run before the last; 0 if nothing moves."""
+    moving = scaled(wanted, traces[-2])
+    return judged(traces, moving).errors[-2] if moving else 0.0
 
 
 def _trusted(traces: Sequence[Trace], drawn: Sequence[Watched]) -> Iterator[Trust]:
@@ -224,7 +237,7 @@ def _split(
 def _others(level: Level, values: Values) -> Iterator[Finding]:
     """Refine the step of each scheme, and hold all against the best."""
     starts = list(_starts(level))
-    wanted = watched(level, values)
+    wanted = with_scales(level, values, watched(level, values))
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
