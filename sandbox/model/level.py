@@ -39,7 +39,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
-from sandbox.model.happenings import MOST_EVENTS, Event, cut
+from sandbox.model.happenings import MOST_EVENTS, Event, breakable, cut
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -336,6 +336,11 @@ class Level(Model):
         return self._origin.place(path) if self._origin else ".".join(map(str, path))
 
     @property
+    def happens(self) -> bool:
+        """Whether anything happens by itself on the way: an event, or that a joint breaks."""
+        return bool(self.events) or any(True for _ in breakable(self.joints))
+
+    @property
     def defaults(self) -> Values:
         """The parameters' default values."""
         return {name: parameter.value for name, parameter in self.parameters.items()}
@@ -361,11 +366,12 @@ def is_direct(level: Level) -> bool:
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no body that moves with another exact joint.
 
-    Where contacts are solved directly none is alone, nor is one that some event cuts.
+    Where contacts are solved directly none is alone, nor is one that some event cuts or that may
+    break.
     """
-    if not isinstance(level.joints[name], Pulley) or is_direct(level) or name in cut(level.events):
-        return False
     joint = level.joints[name]
+    if not isinstance(joint, Pulley) or is_direct(level) or name in cut(level.events, level.joints):
+        return False
     first, *pegs, last = points(joint)
     if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
         return False
