@@ -157,6 +157,8 @@ class Body(Model):
     """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
+    sensor: bool = False
+    """whether it is an area that others pass through; it tells how deep they are in it"""
     points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
     """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
     [x, y] in m, from its position, along its own axes"""

@@ -41,6 +41,8 @@ class Outline:
         Whether only the rim is drawn.
     thickness
         Of a line [m].
+    sensor
+        Whether it is an area that others pass through.
     hidden
         Whether it is left out of the picture.
     layer
@@ -58,6 +60,7 @@ class Outline:
     curved: bool
     hollow: bool
     thickness: float
+    sensor: bool = False
     hidden: bool = False
     layer: int = 0
 
@@ -121,6 +124,7 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         curved=isinstance(shape, Curve),
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
+        sensor=spec.sensor,
         hidden=spec.hidden,
         layer=spec.layer,
     )
