@@ -71,7 +71,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.landscape import Landscape
 from sandbox.model.locating import Path
-from sandbox.model.mention import Mention, QuantityName
+from sandbox.model.mention import BodyNames, Mention, QuantityName
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
@@ -271,6 +271,10 @@ class View(Model):
     """whether velocities are drawn with their components"""
     labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
     """words at points or on bodies, always written"""
+    together: Annotated[
+        tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MAX_BODIES)
+    ] = ()
+    """groups of bodies that the editor selects with one click; no body is in two"""
     landscape: Landscape | None = None
     """a body's potential, drawn as a curve over the places that it can reach"""
 

@@ -17,6 +17,7 @@ from sandbox.model.shapes import XY
 
 WIDE = 2.0  # px, of the line around what is selected
 PADDING = 8  # px, around a hint
+FRAME = 8.0  # px, between a group and the frame around it
 
 caught = preview.caught
 
@@ -38,6 +39,7 @@ class Picture:
             self._key = key
             work.sketch.draw(self._kept, camera, pen)
             draw_selected(self._kept, work.sketch, work.selected, camera)
+            draw_groups(self._kept, work)
         return self._kept
 
 
@@ -47,6 +49,18 @@ def draw_selected(
     """Draw a line around what is selected."""
     for family, name in selected:
         _around(surface, sketch, family, name, camera, theme.TEXT)
+
+
+def draw_groups(surface: pygame.Surface, work: Work) -> None:
+    """Draw a dashed frame around each group that is selected as a whole."""
+    chosen, bodies = set(work.chosen), work.sketch.bodies
+    for group in work.groups:
+        if chosen.issuperset(group):
+            corners = work.camera.path([point for name in group for point in bodies[name].corners])
+            (left, *_, right), (low, *_, high) = map(sorted, zip(*corners, strict=True))
+            left, low, right, high = left - FRAME, low - FRAME, right + FRAME, high + FRAME
+            box = [(left, low), (right, low), (right, high), (left, high), (left, low)]
+            lines.dashed(surface, theme.ACCENT, box)
 
 
 def draw_culprits(

@@ -76,6 +76,15 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
                 yield Fault((*path, field), "a sensor has no surface; leave it out")
 
 
+def in_one_group(level: Level) -> Iterator[Fault]:
+    """No body is selected with two groups."""
+    taken: set[str] = set()
+    for index, group in enumerate(level.view.together):
+        for name in sorted(taken.intersection(group)):
+            yield Fault(("view", "together", index), f"'{brief(name)}' is in another group already")
+        taken.update(group)
+
+
 def given(body: Body, field: str) -> bool:
     """Whether a field says anything; its default may be written out."""
     return bool(getattr(body, field) != type(body).model_fields[field].default)
