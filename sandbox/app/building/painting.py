@@ -1,6 +1,7 @@
 """What is seen of the editor: the level as it is built, what is selected, and what is wrong."""
 
 from collections.abc import Collection, Sequence
+from math import sqrt
 
 import pygame
 
@@ -84,10 +85,24 @@ def _around(
     points: Sequence[XY] = ()
     closed = False
     if family == "bodies" and name in sketch.bodies:
-        points, closed = sketch.bodies[name].corners, sketch.bodies[name].outline.closed
+        body = sketch.bodies[name]
+        if body.outline.radius is not None:
+            return _around_disc(surface, camera, body.position, body.outline.radius, color)
+        points, closed = body.corners, body.outline.closed
     elif family == "joints" and name in sketch.joints:
         points = sketch.joints[name].path
     return draw_around(surface, camera, points, color, closed=closed)
+
+
+def _around_disc(
+    surface: pygame.Surface, camera: Camera, center: XY, radius: float, color: Color
+) -> XY | None:
+    """Draw a line around a disc, and return where its upper right is on the stage [px]."""
+    (x, y), wide = camera.to_screen(center), max(radius * camera.scale, 2 * WIDE)
+    if wide > lines.FAR or not lines.near([(x, y)]):
+        return None
+    pygame.draw.aacircle(surface, color, (x, y), wide + WIDE / 2, round(WIDE))
+    return x + wide * sqrt(0.5), y - wide * sqrt(0.5)
 
 
 def draw_around(

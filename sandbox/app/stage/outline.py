@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, hypot, pi, sin
 
 from sandbox.app import lines, theme
@@ -138,6 +139,7 @@ def _color(spec: Body, number: int) -> Color:
     return theme.BODIES[number % len(theme.BODIES)]
 
 
-def _circle(radius: float) -> list[XY]:
+@lru_cache(maxsize=1000)
+def _circle(radius: float) -> tuple[XY, ...]:
     turns = (2 * pi * i / CORNERS_OF_A_CIRCLE for i in range(CORNERS_OF_A_CIRCLE))
-    return [(radius * cos(turn), radius * sin(turn)) for turn in turns]
+    return tuple((radius * cos(turn), radius * sin(turn)) for turn in turns)
