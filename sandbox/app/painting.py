@@ -49,6 +49,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
     stage = space.stage
     stage.view.looking = session.looking
+    stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
     earlier = [run.trail for run in session.earlier]
     stage.draw(view, session.trail, session.milestones(), session.companions, earlier)

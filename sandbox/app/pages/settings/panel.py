@@ -43,6 +43,7 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
     return (
         Setting("Theme", "Ctrl T takes the next one.", list(_themes(comfort))),
         Setting("Size of text", "Ctrl + and Ctrl − change it, too.", list(_sizes(comfort))),
+        Setting("Motion", "Reduced: nothing flashes at impacts.", list(_motion(comfort))),
     )
 
 
@@ -66,6 +67,14 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
                chosen == size)
         for size in preferences.SIZES
     )]  # fmt: skip
+
+
+def _motion(comfort: Comfort) -> Sequence[Choice]:
+    now = comfort.chosen.reduced
+    return [
+        Choice("Full", "flashes at impacts", partial(comfort.choose, reduced=False), not now),
+        Choice("Reduced", "no flashes", partial(comfort.choose, reduced=True), now),
+    ]
 
 
 class SettingsPage:
