@@ -9,6 +9,7 @@ from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
 from sandbox.app.painting import paint
 from sandbox.app.session import Session
+from sandbox.app.sounds import Sounds
 from sandbox.app.watching import FileWatch
 from sandbox.app.workspace import SIZE, Workspace
 
@@ -31,7 +32,7 @@ class Window(Workspace):
         super().__init__(size)
         self.commands = CommandTable(self)
         self._events = Events(self, self.commands)
-        self._watch = FileWatch()
+        self._watch, self._sounds = FileWatch(), Sounds()
         self._quiet = 0.0  # s since the last event
 
     def do(self, command: str) -> None:
@@ -83,9 +84,12 @@ class Window(Workspace):
     def _play(self, session: Session, seconds: float) -> None:
         """Let time pass, and note what that takes."""
         world, hooks, begun = session.world, session.world.kicks.seconds, perf_counter()
+        steps, seeking = world.steps, session.sought is not None
         session.update(seconds)
         if session.playing:
             self.load.stepped(perf_counter() - begun, world.kicks.seconds - hooks)
+        if self.comfort.chosen.sound and not seeking:
+            self._sounds.play(session.run.blows.since(steps), session.world, seconds)
 
     def _draw(self, seconds: float) -> None:
         """Draw, and note what that takes."""
