@@ -29,7 +29,7 @@ class Events:
             space.lay_out()
         elif event.type == pygame.DROPFILE:
             space.open_level(event.file)
-        elif self._change(event):
+        elif self._change(event) or self._zooms(event):
             return
         elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():
             self.handle(event)
@@ -37,6 +37,13 @@ class Events:
             self._key(event)
         elif not space.panels.manager.process_events(event) and not self._at_home(event):
             self._click(event)
+
+    def _zooms(self, event: pygame.event.Event) -> bool:
+        """Let the page zoom what it shows, and return whether an event was for that."""
+        panels = self._space.panels
+        typed = panels.typing and event.type == pygame.KEYDOWN
+        busy = typed or panels.dialog is not None
+        return panels.side is not None and not busy and panels.side.zooms(event)
 
     def leave_fields(self) -> None:
         """Take what was typed into a field that has been left."""
