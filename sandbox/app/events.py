@@ -2,12 +2,16 @@
 
 import pygame
 
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.offering import recover
 from sandbox.app.command_table import CommandTable
 from sandbox.app.commands import command
 from sandbox.app.keys import WHILE_TYPING
+from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.session import Session
 from sandbox.app.widgets.parameters import Change
 from sandbox.app.workspace import Workspace
+from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
@@ -59,7 +63,16 @@ class Events:
         if home.chosen is not None:
             path, home.chosen = home.chosen, None
             self._space.open_file(path)
+        elif home.recovered is not None:
+            left, home.recovered = home.recovered, None
+            self._recover(left)
         return True
+
+    def _recover(self, left: Recoverable) -> None:
+        """Go on building what a window has left."""
+        self._commands.do(BUILD_PAGE.command)
+        if self._space.session is not None:
+            recover(left, self._space.workers.of(Editor), self._space.session)
 
     def _key(self, event: pygame.event.Event) -> None:
         space, panels, typing = self._space, self._space.panels, self._space.panels.typing

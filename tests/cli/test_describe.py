@@ -29,7 +29,7 @@ def test_says_what_touches_and_how_hard(run: Run) -> None:
 
 
 def test_says_the_forces_on_each_body_where_they_are_asked_for(run: Run) -> None:
-    """A block of 2 kg slides down 30° with a friction of 0.3: m g (sin 30° − 0.3 cos 30°) is left."""
+    """2 kg on a slope of 30° with a friction of 0.3: m g (sin 30° − 0.3 cos 30°) is left."""
     asked = "describe", "newton/incline-with-friction", "--at", "0.5"
 
     told = run(*asked, "--forces").out
