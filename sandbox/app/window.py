@@ -54,6 +54,7 @@ class Window(Workspace):
     @property
     def _busy(self) -> bool:
         playing = self.session is not None and self.session.playing
+        playing = playing or self.panels.home.preview.playing
         return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
@@ -79,6 +80,8 @@ class Window(Workspace):
             self.follow(self.session)
         if self.panels.home.open:
             self.panels.follow_home()
+            if not self.comfort.chosen.reduced:
+                self.panels.home.play(seconds)
         self._draw(seconds)
 
     def _play(self, session: Session, seconds: float) -> None:

@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app import lines, theme
 from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.preview import Preview
 from sandbox.app.home.strip import Strip
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.listed import Entry
@@ -40,6 +41,8 @@ class Home:
         The draft that was chosen to go on with, until it is taken.
     thumbnails
         The pictures on the cards.
+    preview
+        The level that plays on its card.
     strip
         The drafts that are offered above them.
     """
@@ -49,7 +52,7 @@ class Home:
         self.open = False
         self.chosen: Path | None = None
         self.recovered: Recoverable | None = None
-        self.strip = Strip(pen)
+        self.strip, self.preview = Strip(pen), Preview()
         self.thumbnails = Thumbnails()
         self._progress = Progress()
         self._area = pygame.Rect(0, 0, 1, 1)
@@ -75,11 +78,13 @@ class Home:
         self._short.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
+        self.preview.stop()
         self._laid_out = None
 
     def leave(self) -> None:
         """Show them no more."""
         self.open = False
+        self.preview.stop()
         self.thumbnails.cancel()
 
     @property
@@ -106,6 +111,11 @@ class Home:
         self._area = area
         seen = [level.path for level, _ in self._seen()]
         self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
+
+    def play(self, seconds: float) -> None:
+        """Let the level under the mouse play for some time [s]."""
+        over = None if self._hovered is None else self._grid.cards[self._hovered][0].path
+        self.preview.follow(over, seconds)
 
     def _lay_out(
         self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
@@ -216,7 +226,8 @@ class Home:
         lit = index == self._hovered
         pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
         top = pygame.Rect(place.topleft, self._grid.picture)
-        drawn = self.thumbnails.of(level.path)
+        drawn = self.preview.picture(level.path, top.size) if lit else None
+        drawn = drawn or self.thumbnails.of(level.path)
         if drawn is not None:
             surface.blit(drawn, top)
         else:

@@ -43,7 +43,11 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
     return (
         Setting("Theme", "Ctrl T takes the next one.", list(_themes(comfort))),
         Setting("Size of text", "Ctrl + and Ctrl − change it, too.", list(_sizes(comfort))),
-        Setting("Motion", "Reduced: nothing flashes at impacts.", list(_motion(comfort))),
+        Setting(
+            "Motion",
+            "Reduced: no flashes at impacts, and cards stand still.",
+            list(_motion(comfort)),
+        ),
         Setting("Sound", _heard(comfort), list(_sound(comfort))),
     )
 
@@ -73,8 +77,18 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
 def _motion(comfort: Comfort) -> Sequence[Choice]:
     now = comfort.chosen.reduced
     return [
-        Choice("Full", "flashes at impacts", partial(comfort.choose, reduced=False), not now),
-        Choice("Reduced", "no flashes", partial(comfort.choose, reduced=True), now),
+        Choice(
+            "Full",
+            "flashes at impacts, cards that play",
+            partial(comfort.choose, reduced=False),
+            not now,
+        ),
+        Choice(
+            "Reduced",
+            "no flashes, and cards stand still",
+            partial(comfort.choose, reduced=True),
+            now,
+        ),
     ]
 
 
