@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import limits, workspace
+from sandbox.app import limits
 from sandbox.app.session import Session
 from sandbox.app.window import Window
 from sandbox.app.workspace import MANY
@@ -119,13 +119,13 @@ def test_what_takes_long_to_build_is_said_before_it_is_built(
     person.window.open_level("kinematics/free-fall")
     person.wait()
     before = pygame.image.tobytes(person.window.surface, "RGB")
-    shown, build = [], workspace.Session
+    shown, build = [], Session
 
     def watched(*arguments: object, **options: object) -> object:
         shown.append(pygame.image.tobytes(person.window.surface, "RGB"))
         return build(*arguments, **options)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(workspace, "Session", watched)
+    monkeypatch.setattr("sandbox.app.workspace.Session", watched)
     path = tmp_path / "crowd.json"
     path.write_text(crowd(count), encoding="utf-8")
     person.window.open_level(str(path))
@@ -145,7 +145,7 @@ def test_escape_stops_a_long_way_and_the_window_stays(person: Person) -> None:
 
     person.press(pygame.K_ESCAPE)
 
-    assert session.sought is None
+    assert person.session.sought is None
     assert here <= session.world.steps < session.end
     assert not session.playing
     assert person.window.open
