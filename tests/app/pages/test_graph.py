@@ -20,7 +20,7 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust
 from tests.app.person import Person, until
 
 

@@ -17,7 +17,7 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.stepping.world import World
