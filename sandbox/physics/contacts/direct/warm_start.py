@@ -1,6 +1,5 @@
 """What the last kick tells of the next: forces, and which rows held."""
 
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -151,7 +150,7 @@ class WarmStart:
         return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
 
 
-def _going_on(past: Sequence[Array], kick: Kick) -> Array:
+def _going_on(past: list[Array], kick: Kick) -> Array:
     """Return the forces that follow on the last ones, newest first, row by row: (r,) [N].
 
     They change where that moves bodies by more in a drift than Newton's method does with its last
