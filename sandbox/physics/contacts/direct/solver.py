@@ -211,7 +211,8 @@ class Direct:
                 break  # found where the drift ends it is in the way no longer
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
-        self._known.note(taken.kick, taken.forces, taken.active)
+        struck = bool(taken.stages)
+        self._known.note(taken.kick, taken.forces, taken.active, struck=struck)
         self._report(taken.kick, taken.total, taken.active)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:
