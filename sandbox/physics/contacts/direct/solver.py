@@ -209,6 +209,9 @@ class Direct:
                 taken = self._take(self._meeting(taken.kick, ahead), rates)
             except (JointFailure, NoForces):
                 break  # found where the drift ends it is in the way no longer
+        leaning = taken.kick.leaning(taken.moved, taken.forces)
+        if leaning is not None:
+            taken = self._take(leaning, rates)
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
         self._known.note(taken.kick, taken.forces, taken.active)

@@ -386,15 +386,6 @@ def test_bodies_that_a_rod_holds_in_the_air_do_not_feel_the_floor() -> None:
     assert np.abs(swings - alone.advance(60).position[0]).max() <= 1e-14
 
 
-@pytest.mark.sweep
-def test_the_mirrored_scene_gives_the_mirrored_run() -> None:
-    scenes = [car(1000, 240, velocity=[way, 0]) for way in (1.5, -1.5)]
-    one, other = (build(scene).advance(200) for scene in scenes)
-
-    assert np.abs(one.position[1, 0] + other.position[1, 0]) <= 1e-11
-    assert np.abs(one.position[1, 1] - other.position[1, 1]) <= 1e-11
-
-
 @pytest.mark.parametrize("solver", ["direct", None])
 def test_what_is_left_to_pymunk_is_not_solved_directly(solver: str | None) -> None:
     """A joint of pymunk's own needs pymunk's solver: told, or left to it."""
