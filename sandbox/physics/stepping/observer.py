@@ -32,6 +32,8 @@ class Observation(NamedTuple):
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
     after
         (n, 3), those that it ended with; None where the run has just begun.
+    drifts
+        (n, 3), those with which bodies drift: others where they come down in this drift.
     """
 
     steps: int
@@ -39,6 +41,7 @@ class Observation(NamedTuple):
     contacts: Contacts
     begun: Array
     after: Array | None
+    drifts: Array | None
 
 
 class Observer:
@@ -72,20 +75,22 @@ class Observer:
         """
         kicks = self._kicks
         state = self._scene.batch.state()
-        contacts = self.contacts()
+        contacts, drifts = self.contacts(), state[:, 3:].copy()
+        if (kicked := self._stages.kicked and self._stages.kicked()) is not None:
+            state[:, 3:] = kicked
         rates = self._rates(state, begun, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
             contacts = as_contacts(found).and_(contacts)
         snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
-        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
+        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:], drifts)
 
     def velocity(self, seen: Observation) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
-        if seen.after is None or seen.steps != self._kicks.clock.steps:
+        if seen.drifts is None or seen.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
-        return seen.after
+        return seen.drifts
 
     def record(self, seen: Observation) -> "StepRecord":
         """Return what books must know of the step that was last observed."""

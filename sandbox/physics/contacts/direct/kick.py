@@ -140,8 +140,8 @@ class Kick:
         wanted[self.layout.joints] = -self.after
         wanted[self.layout.slips] -= self.joints.drift * self.runs
         if self.closes:
-            gaps = self.layout.gaps
-            wanted[gaps] = np.where(self.ahead, -PROUD, wanted[gaps])
+            closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
+            wanted[self.layout.gaps] += np.where(self.ahead, closed, 0.0)
         return wanted
 
     @property

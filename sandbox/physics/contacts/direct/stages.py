@@ -1,5 +1,6 @@
 """What a kick did, part by part."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from sandbox.model.expressions import Array
@@ -58,3 +59,23 @@ class Taken(NamedTuple):
     total: Array
     impacts: Impacts
     stages: tuple[Stage, ...] = ()
+
+
+def with_landing(parts: Sequence[Stage], landing: Stage, jump: Array) -> tuple[Stage, ...]:
+    """Return the parts of a kick, and in its middle what comes down in the drift after it.
+
+    What acts in a kick acts before its step as after it, and an impact acts at the step: so books
+    that are read in the middle of the drifts close.
+
+    Parameters
+    ----------
+    parts
+        Of the kick: at least one before the step, and one after it.
+    landing
+        What comes down.
+    jump
+        (n, 3), by how much it changes velocities [m/s, rad/s].
+    """
+    *before, rest = parts
+    impact = landing._replace(velocity=before[-1].velocity + jump)
+    return *before, impact, rest._replace(velocity=rest.velocity + jump)

@@ -18,4 +18,10 @@ def make(setup: Setup) -> Stage:
     def refit(_t: float) -> None:
         direct.forget()
 
-    return Stage(in_kick=begin, after_kick=solve, refit=refit, contacts=lambda: direct.contacts)
+    return Stage(
+        in_kick=begin,
+        after_kick=solve,
+        refit=refit,
+        contacts=lambda: direct.contacts,
+        kicked=lambda: direct.kicked,
+    )
