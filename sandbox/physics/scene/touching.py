@@ -107,16 +107,9 @@ def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
     surfaces = surfaces_of(level, made.values, bodies)
     assert bodies[0].space
     query = Query(bodies[0].space, bodies, hollows)
-    contact, strikes = level.effects.contact, not level.effects.in_sequence
+    dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
     return Direct(
-        made.batch,
-        made.joints.together,
-        surfaces,
-        made.inertia,
-        1 / stepping.rate,
-        query,
-        strikes=strikes,
-        foresees=strikes and not (contact and contact.located is not None),
+        made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes
     )
 
 

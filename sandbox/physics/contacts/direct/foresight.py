@@ -19,7 +19,7 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Surfaces
-from sandbox.physics.contacts.direct.parts import LEAST, Shapes, Spot, landing, within
+from sandbox.physics.contacts.direct.parts import ALIKE, LEAST, Shapes, Spot, landing, within
 from sandbox.physics.contacts.direct.strangers import Pair, Strangers
 from sandbox.physics.contacts.queries import Touched, contacts_of
 from sandbox.physics.engine.batch import Booleans, Contacts
@@ -75,7 +75,7 @@ class Foresight:
             if pair not in known:
                 found[pair] = list(self._land(pair, kick, there))
         found = {pair: meets for pair, meets in found.items() if meets}
-        return contacts_of(found) if found else None
+        return _new(contacts_of(found), kick) if found else None
 
     def _turning(self, contacts: Contacts, turns: Array) -> list[Pair]:
         """Return the pairs that turn against each other so far that another corner may meet.
@@ -126,3 +126,15 @@ class Foresight:
             points.append((tip, foot) if own else (foot, tip))
         depth = -min(spot.gap for spot in spots)
         return Touched(self._bodies[pair[1]], -normal if own else normal, points, depth)
+
+
+def _new(found: Contacts, kick: Kick) -> Contacts | None:
+    """Return what of it the kick does not know yet; None if it knows all.
+
+    What is round and turns is a little deeper in the end than its point was to be.
+    """
+    known = kick.contacts.after(len(kick.contacts.bodies) - kick.closes)
+    far = np.abs(found.points[:, None, 0] - known.points[:, 0]).max(axis=2)
+    same = (found.bodies[:, None] == known.bodies).all(axis=2) & (far < ALIKE)
+    new = ~same.any(axis=1)
+    return Contacts._make(field[new] for field in found) if new.any() else None

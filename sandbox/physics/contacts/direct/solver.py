@@ -65,8 +65,6 @@ class Direct:
         Finds what bodies touch that were moved.
     strikes
         Whether impacts are found here; else somebody else has seen to them.
-    foresees
-        Whether what comes down within a drift is stopped where it lands; else somebody else does.
 
     Attributes
     ----------
@@ -89,10 +87,9 @@ class Direct:
         query: Query,
         *,
         strikes: bool,
-        foresees: bool,
     ) -> None:
         self._batch, self._joints, self._surfaces = batch, joints, surfaces
-        self._dt, self._strikes, self._foresees = dt, strikes, foresees
+        self._dt, self._strikes = dt, strikes
         self._moves: Booleans = inertia[:, 0] > 0
         self._order = order(len(inertia))
         self._calm = _calm(len(inertia))
@@ -228,7 +225,7 @@ class Direct:
         """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
         self.kicked = None
         drift = self._joints.drift
-        if self._starts or not self._foresees:
+        if self._starts:
             return
         place, motion = self._joints.coordinates()
 

@@ -33,7 +33,7 @@ class Strangers:
     shapes
         Theirs.
     surfaces
-        How they touch: what bounces is not looked at.
+        How they touch, and which are to be looked at.
     moves
         (n,), which of them anything can move.
     """
@@ -47,7 +47,7 @@ class Strangers:
     ) -> None:
         self._bodies, self._shapes = bodies, shapes
         known = np.isfinite(shapes.reach) & surfaces.figures.straight
-        may = np.triu((surfaces.restitution == 0) & known[:, None] & known, 1)
+        may = np.triu(surfaces.lands & known[:, None] & known, 1)
         may &= moves[:, None] | moves
         self._first, self._second = np.nonzero(may)
         reach = np.where(known, shapes.reach, 0.0)
@@ -108,4 +108,11 @@ class Strangers:
     def _gap(self, pair: Pair, place: Coordinates) -> float:
         """Return how far two are apart; those that never meet have no end between them [m]."""
         one, other = (self._bodies[body] for body in pair)
-        return self._shapes.gap(pair, place) if meets(one, other) else np.inf
+        apart = not meets(one, other) or _are_one(one, other)
+        return np.inf if apart else self._shapes.gap(pair, place)
+
+
+def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:
+    """Return whether two bodies are welded or stuck together, and do not touch each other."""
+    group, same = ({shape.filter.group for shape in body.shapes} for body in (one, other))
+    return bool(group & same - {0})

@@ -1,5 +1,6 @@
 """What comes down on what it did not touch stops there, and is not lifted out of it later."""
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -17,7 +18,7 @@ PROUD = 5e-8
 """m: surfaces stand proud by 1e-8 m each, and what closes may come 1e-9 m deep."""
 
 
-def dropped(rate: float, *, bounces: bool = False, **bodies: Spec) -> Level:
+def dropped(rate: float, bodies: Mapping[str, Spec], *, bounces: bool = False) -> Level:
     """Bodies above the ground; those that bounce have e = 0.5."""
     e: Spec = {"restitution": 0.5**0.5} if bounces else {}
     scene = {
@@ -88,7 +89,7 @@ def test_what_falls_comes_no_deeper_than_the_surface_and_gains_no_energy(
     name: str, rate: int
 ) -> None:
     """Met where the step ended, the disc was 68 and 2.5 mm deep, and gained 0.67 and 0.02 J."""
-    seen = course(dropped(rate, **SCENES[name]), 1.0)
+    seen = course(dropped(rate, SCENES[name]), 1.0)
 
     assert seen.deepest <= PROUD
     assert seen.grown <= 1e-6
@@ -105,7 +106,7 @@ def test_a_seesaw_that_is_hit_keeps_its_books() -> None:
 @pytest.mark.parametrize("rate", [60, 240, 960])
 def test_a_fall_is_read_as_a_fall_until_it_ends(rate: int) -> None:
     """The step before the landing knows nothing of it, and the one after it is at rest."""
-    world = build(dropped(rate, disc=disc((0, 1.2), radius=0.2)))
+    world = build(dropped(rate, SCENES["a disc"]))
     seen = [world.advance() for _ in range(rate // 2)]
     landed = next(i for i, now in enumerate(seen) if now.normal[1] > 0)
 
@@ -120,7 +121,7 @@ def test_a_fall_is_read_as_a_fall_until_it_ends(rate: int) -> None:
 
 def test_what_bounces_is_left_to_its_impact() -> None:
     """A gap that closed before it would take from the approach that rebounds."""
-    seen = course(dropped(240, bounces=True, disc=disc((0, 1.2), radius=0.2)), 0.5)
+    seen = course(dropped(240, SCENES["a disc"], bounces=True), 0.5)
 
     assert seen.deepest > 1e-3
 
@@ -131,6 +132,6 @@ def test_what_flies_past_is_not_stopped() -> None:
     ball = disc((0, 2), radius=0.4)
 
     assert np.array_equal(
-        build(dropped(240, ball=ball, post=post)).advance(100).position[1],
-        build(dropped(240, ball=ball)).advance(100).position[1],
+        build(dropped(240, {"ball": ball, "post": post})).advance(100).position[1],
+        build(dropped(240, {"ball": ball})).advance(100).position[1],
     )

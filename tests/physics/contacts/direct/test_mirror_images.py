@@ -45,13 +45,13 @@ def test_dominoes_fall_to_the_left_as_to_the_right(speed: float, spin: float) ->
 
     That was 3e-4, 3e-7 and 6e-5 off.
     """
-    scenes = [dominoes(way, 60, speed, spin) for way in (1, -1)]
+    right, left = (dominoes(way, 60, speed, spin) for way in (1, -1))
 
-    assert apart(*scenes, 36, range(5)) <= 1e-9  # 1e-14, 3e-14, 2e-10
+    assert apart(right, left, 36, range(5)) <= 1e-9  # 1e-14, 3e-14, 2e-10
 
 
 @pytest.mark.sweep
 def test_a_car_rolls_to_the_left_as_to_the_right() -> None:
-    scenes = [car(1000, 240, velocity=[way, 0]) for way in (1.5, -1.5)]
+    right, left = (car(1000, 240, velocity=[way, 0]) for way in (1.5, -1.5))
 
-    assert apart(*scenes, 200, (0, 1, 3, 2)) <= 1e-12  # 1e-14; wheels change places
+    assert apart(right, left, 200, (0, 1, 3, 2)) <= 1e-12  # 1e-14; wheels change places
