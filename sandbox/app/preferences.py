@@ -30,6 +30,10 @@ class Preferences(BaseModel):
     theme: Name = DARK
     size: Annotated[int | None, AfterValidator(_one_of_the_sizes)] = None
     """of text [%]; None for what suits the screen"""
+    sound: bool = False
+    """whether impacts are heard"""
+    reduced: bool = False
+    """whether nothing moves or flashes but what is simulated"""
 
 
 _KIND = TypeAdapter(Preferences)

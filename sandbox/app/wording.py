@@ -13,14 +13,12 @@ from sandbox.model.level import (
 )
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust, surviving
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
 NO_DIFFERENCE = "no difference"
-MOST_DIGITS = 8
-"""There is no room for more in a column of numbers."""
 
 
 def number(value: float, digits: int = 5) -> str:
@@ -197,26 +195,11 @@ def _offer(found: Offer) -> str:
     return f"{stepping.scheme} at {stepping.rate:g} Hz, error {error(found.error)}, {price}"
 
 
-def surviving(value: float, off: float) -> int:
-    """Return how many significant digits of a value survive if it may be off by so much.
-
-    Half a unit of the last of them is no less than that; none survives in a value that is no
-    larger.
-
-    >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
-    (4, 3, 0)
-    """
-    if not value or off <= 0 or not isfinite(value) or not isfinite(off):
-        return 5
-    if off >= abs(value):
-        return 0
-    return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
-
-
 def trusted(found: Trust) -> str:
     """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
-    digits = surviving(found.size, found.off)
-    told = {0: "no digit holds", 1: "1 digit holds"}.get(digits, f"{digits} digits hold")
+    told = {0: "no digit holds", 1: "1 digit holds"}.get(
+        found.digits, f"{found.digits} digits hold"
+    )
     return told if found.until is None else f"{told}; foretold until t = {seconds(found.until)}"
 
 

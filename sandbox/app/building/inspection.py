@@ -251,9 +251,29 @@ def arrangements(work: Work) -> list[Act]:
     ]
     flat = [] if len(names) > 1 else [_flat(work, names[0])]
     return [
+        *_grouping(work, names),
         *(several if len(names) > 1 else flat),
         _arranging(work, "Mirror across", "left becomes right", partial(_mirror, names, "x")),
         _arranging(work, "Mirror upright", "top becomes bottom", partial(_mirror, names, "y")),
+    ]
+
+
+def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
+    """Return what makes bodies a group, and what takes apart the groups that they are in."""
+    found = [work.with_group(("bodies", name)) for name in names]
+    grouped = any(len(group) > 1 for group in found)
+    one = grouped and {part[1] for part in found[0]} == set(names)
+    return [
+        *(
+            []
+            if one or len(names) < 2
+            else [Act("Group", "select them together (Ctrl G)", work.group)]
+        ),
+        *(
+            [Act("Ungroup", "select each by itself (Ctrl Shift G)", work.ungroup)]
+            if grouped
+            else []
+        ),
     ]
 
 

@@ -46,12 +46,14 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
     name = left.path.name if left.path else "a level without a file"
     when = strftime("%d %b %H:%M", localtime(left.when))
-    recover = Act("Recover", "go on with it", partial(_recover, left, editor, session))
+    going_on = partial(recover, left, editor, session)
+    act = Act("Recover", "go on with it", going_on)
     forget = Act("Forget it", "throw it away", partial(_forget, left, editor))
-    return Offer(f"What was drawn in {name} ({when}) was not saved.", (recover, forget))
+    return Offer(f"What was drawn in {name} ({when}) was not saved.", (act, forget))
 
 
-def _recover(left: Recoverable, editor: Editor, session: Session) -> None:
+def recover(left: Recoverable, editor: Editor, session: Session) -> None:
+    """Go on with what a window has left; it is offered no more once it is kept as this one's."""
     editor.begin(session, left.draft())
     if why := editor.drafts.keep():
         editor.work.tell(why)

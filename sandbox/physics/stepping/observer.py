@@ -32,8 +32,6 @@ class Observation(NamedTuple):
         (n, 3), the velocities that the last kick began with [m/s, rad/s].
     after
         (n, 3), those that it ended with; None where the run has just begun.
-    drifts
-        (n, 3), those with which bodies drift: others where they come down in this drift.
     """
 
     steps: int
@@ -41,7 +39,6 @@ class Observation(NamedTuple):
     contacts: Contacts
     begun: Array
     after: Array | None
-    drifts: Array | None
 
 
 class Observer:
@@ -73,24 +70,23 @@ class Observer:
         begun
             (n, 3), the velocities half a kick before it [m/s, rad/s].
         """
-        kicks = self._kicks
         state = self._scene.batch.state()
-        contacts, drifts = self.contacts(), state[:, 3:].copy()
-        if (kicked := self._stages.kicked and self._stages.kicked()) is not None:
-            state[:, 3:] = kicked
+        contacts, direct = self.contacts(), self._scene.direct
+        if direct and direct.kicked is not None:  # what comes down has changed them since
+            state[:, 3:] = direct.kicked
         rates = self._rates(state, begun, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
             contacts = as_contacts(found).and_(contacts)
-        snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
-        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:], drifts)
+        snapshot = self.snapshot(state, *rates, contacts, self._kicks.clock.dt)
+        return Observation(self._kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
     def velocity(self, seen: Observation) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
-        if seen.drifts is None or seen.steps != self._kicks.clock.steps:
+        if self._scene.direct or seen.after is None or seen.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
-        return seen.drifts
+        return seen.after
 
     def record(self, seen: Observation) -> "StepRecord":
         """Return what books must know of the step that was last observed."""

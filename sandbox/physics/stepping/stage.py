@@ -78,9 +78,6 @@ class Stage(NamedTuple):
     begun
         Returns the velocities that the last kick began with, if not those of the step before it:
         (n, 3) [m/s, rad/s].
-    kicked
-        Returns the velocities that the last kick ended with, if what comes down in the drift after
-        it has changed them since, else None: (n, 3) [m/s, rad/s].
     record
         Adds to the record of a step what the stage did in it.
     calls
@@ -96,7 +93,6 @@ class Stage(NamedTuple):
     contacts: Callable[[], Contacts] | None = None
     impacts: "Callable[[], Sequence[Impact]] | None" = None
     begun: Callable[[], Array] | None = None
-    kicked: Callable[[], Array | None] | None = None
     record: "Callable[[StepRecord], StepRecord] | None" = None
     calls: int = 0
 
@@ -108,7 +104,7 @@ class Stages:
     ----------
     before_drift, after_step
         What acts then; most levels have nothing.
-    started, refit, contacts, impacts, begun, kicked, record
+    started, refit, contacts, impacts, begun, record
         See `Stage`.
     calls
         How often a step calls Python for all of them, but for what acts in kicks.
@@ -122,7 +118,6 @@ class Stages:
         self.contacts = next((s.contacts for s in stages if s.contacts), None)
         self.impacts = next((s.impacts for s in stages if s.impacts), None)
         self.begun = next((s.begun for s in stages if s.begun), None)
-        self.kicked = next((s.kicked for s in stages if s.kicked), None)
         self.record = tuple(s.record for s in stages if s.record)
         self.calls = sum(s.calls for s in stages)
         kicks.call(

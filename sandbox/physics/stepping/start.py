@@ -26,7 +26,7 @@ def start(setup: Setup, stages: Stages, observer: Observer) -> Observation:
         scene.joints.time(kicks.clock.dt, kicks.clock.dt)
         state = scene.batch.state()
         snapshot = observer.snapshot(state, velocity, nowhere, NO_CONTACTS, np.nan)
-        observed = Observation(kicks.clock.steps, snapshot, NO_CONTACTS, velocity, None, None)
+        observed = Observation(kicks.clock.steps, snapshot, NO_CONTACTS, velocity, None)
     return observed
 
 
@@ -50,4 +50,4 @@ def _half_kick(setup: Setup, stages: Stages, observer: Observer, velocity: Array
             scene.batch.set_velocity(after)
     scene.joints.time(kicks.clock.dt, kicks.clock.dt)
     forces.start(begun, after)
-    return Observation(kicks.clock.steps, snapshot, contacts, velocity, None, None)
+    return Observation(kicks.clock.steps, snapshot, contacts, velocity, None)

@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import preferences, theme
+from sandbox.app import preferences, sounds, theme
 from sandbox.app.cards.card import heading, label
 from sandbox.app.pages.page import Desk
 from sandbox.app.preferences import Comfort
@@ -43,6 +43,12 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
     return (
         Setting("Theme", "Ctrl T takes the next one.", list(_themes(comfort))),
         Setting("Size of text", "Ctrl + and Ctrl − change it, too.", list(_sizes(comfort))),
+        Setting(
+            "Motion",
+            "Reduced: no flashes at impacts, and cards stand still.",
+            list(_motion(comfort)),
+        ),
+        Setting("Sound", _heard(comfort), list(_sound(comfort))),
     )
 
 
@@ -66,6 +72,40 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
                chosen == size)
         for size in preferences.SIZES
     )]  # fmt: skip
+
+
+def _motion(comfort: Comfort) -> Sequence[Choice]:
+    now = comfort.chosen.reduced
+    return [
+        Choice(
+            "Full",
+            "flashes at impacts, cards that play",
+            partial(comfort.choose, reduced=False),
+            not now,
+        ),
+        Choice(
+            "Reduced",
+            "no flashes, and cards stand still",
+            partial(comfort.choose, reduced=True),
+            now,
+        ),
+    ]
+
+
+def _heard(comfort: Comfort) -> str:
+    """Return what the sound is like, or why there is none though it is wanted."""
+    why = sounds.opened() if comfort.chosen.sound else ""
+    if why:
+        return f"No sound can be made here ({why}). On tries again."
+    return "Tones at impacts: deep for heavy bodies, loud for hard impacts."
+
+
+def _sound(comfort: Comfort) -> Sequence[Choice]:
+    now = comfort.chosen.sound
+    return [
+        Choice("Off", "nothing is heard", partial(comfort.choose, sound=False), not now),
+        Choice("On", "impacts are heard", partial(comfort.choose, sound=True), now),
+    ]
 
 
 class SettingsPage:

@@ -69,7 +69,7 @@ class Direct:
     Attributes
     ----------
     last
-        What impacts did in it.
+        What impacts did in it, with the impulses by which bodies came down in the drift before it.
     stages
         Its parts, if there were impacts; else none.
     kicked
@@ -108,6 +108,7 @@ class Direct:
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
         self.kicked: Array | None = None
+        self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
     @property
@@ -156,11 +157,14 @@ class Direct:
             self._known.forget()
             self._solve_joints(until)
         after = self._batch.velocity()
+        given, self._given = self._given, self._calm.impulse
         self._land(after)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
+        if np.count_nonzero(given):
+            self.last = self.last._replace(impulse=given)
 
     def _moved(self) -> tuple[Array, Array]:
         """Return where bodies are, (n, 2), and how far they moved in the last step, (n, 3)."""
@@ -247,7 +251,7 @@ class Direct:
         parts = self.stages or self._halves(kick, total, velocity)
         last = self._stage(landed.kick, 0.0, after, landed.impulse)
         self.stages = with_landing(parts, last, after - velocity)
-        self.kicked = velocity
+        self.kicked, self._given = velocity, last.normal(len(velocity))
         self._batch.set_velocity(after)
 
     def _halves(self, kick: Kick, total: Array, after: Array) -> tuple[Stage, ...]:

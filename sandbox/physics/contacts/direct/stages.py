@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
+
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.problem import Active
@@ -29,6 +31,12 @@ class Stage(NamedTuple):
     velocity: Array
     pulls: Array
     contacts: Contacts
+
+    def normal(self, count: int) -> Array:
+        """Return what pushed each of so many bodies, whichever way: (n,) [N s]."""
+        both = self.contacts.bodies.T.ravel()
+        pushed = np.bincount(both, np.tile(self.contacts.normal, 2), count)
+        return np.asarray(pushed, dtype=float)
 
 
 class Taken(NamedTuple):

@@ -7,6 +7,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
+from sandbox.model.happenings import breakable
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.coefficients import pair_coefficients
@@ -56,10 +57,14 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
 
 
 def _left_to_it(level: Level) -> Booleans:
-    """Return which pairs, (n, n), nothing else waits for: what locates impacts, or sticks."""
+    """Return which pairs, (n, n), nothing else waits for.
+
+    That is what locates impacts or sticks, and joints that break: at a whole blow, not at parts.
+    """
     effects, names = level.effects, list(level.bodies)
     located = effects.contact is not None and effects.contact.located is not None
-    left = np.full((len(names), len(names)), not (effects.in_sequence or located))
+    others = effects.in_sequence or located or any(breakable(level.joints))
+    left = np.full((len(names), len(names)), not others)
     for pair in effects.sticking.pairs if effects.sticking else ():
         a, b = (names.index(name) for name in pair.bodies)
         left[a, b] = left[b, a] = False

@@ -2,6 +2,7 @@
 
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.stages.joints import bearing
 
 
 def make(setup: Setup) -> Stage:
@@ -20,8 +21,7 @@ def make(setup: Setup) -> Stage:
 
     return Stage(
         in_kick=begin,
-        after_kick=solve,
+        after_kick=bearing(setup, solve),
         refit=refit,
         contacts=lambda: direct.contacts,
-        kicked=lambda: direct.kicked,
     )

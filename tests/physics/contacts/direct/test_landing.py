@@ -113,6 +113,8 @@ def test_a_fall_is_read_as_a_fall_until_it_ends(rate: int) -> None:
     for now in seen[:landed]:
         assert now.velocity[1, 1] == pytest.approx(-G * now.t, rel=1e-12)
         assert now.acceleration[1, 1] == pytest.approx(-G, rel=1e-9)
+    blow = seen[landed].normal[1] * world.dt  # N s, of 1 kg
+    assert blow == pytest.approx(G * seen[landed].t, rel=2 / rate)
     for now in seen[landed + 1 :]:
         assert now.position[1, 1] == pytest.approx(0.2, abs=PROUD)
         assert abs(now.velocity[1, 1]) <= 1e-9
