@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import islice, zip_longest
 from math import isfinite
+from typing import Literal
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -54,12 +55,18 @@ SEEN = 1e-2
 """The share of its largest value by which a quantity is seen to be off in a graph."""
 
 
+Stage = Literal[
+    "starting", "looking for the cheapest setting", "halving the step", "{scheme} at many rates"
+]
+
+
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Which share is done, and what comes next."""
+    """Which share is done, and what comes next, with `{scheme}` for the scheme that is tried."""
 
     share: float
-    told: str
+    told: Stage
+    scheme: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,7 +234,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
     wanted = watched(level, values)
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
-        yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
+        yield Progress((1 + index) / (2 + len(starts)), "{scheme} at many rates", start.scheme)
         refiner = Refiner(level, values, start, wanted, FINEST)
         refine([refiner], REFINING, never)
         refinements += [refiner.refinement] if refiner.refinement else []

@@ -8,6 +8,7 @@ import pygame
 from sandbox.app import signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.history import History
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -22,7 +23,7 @@ from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph
 NOT_KNOWN: Mapping[str, Trust] = {}
-NOTHING = "Choose a quantity below; several are drawn together."
+NOTHING = later("Choose a quantity below; several are drawn together.")
 
 
 def graphs(
@@ -46,7 +47,7 @@ def graphs(
     """
     card = Card(pen, width)
     if not up:
-        card.text(NOTHING, 14, theme.DIM)
+        card.text(say(NOTHING), 14, theme.DIM)
         return card.drawn()
     names = list(dict.fromkeys([across, *up]))
     columns, units = measured(session.world, session.history, names)
@@ -65,7 +66,8 @@ def graphs(
         ]
         card.put(plot.draw(pen, (width, pen.px(HEIGHT)), series, span, cursor), 0)
         card.y += pen.px(HEIGHT) + GAP
-    card.text(f"against {across} [{units[across]}]", 12, theme.DIM)
+    told = say("against {quantity}", quantity=f"{across} [{units[across]}]")
+    card.text(told, 12, theme.DIM)
     return card.drawn()
 
 
@@ -118,7 +120,7 @@ def _told(
             card.text(wording.trusted(trust[name]), 12, theme.DIM)
     if cursor is not None and session.world.steps:
         at = wording.quantity(float(columns[across][row]), units[across], 4)
-        card.text(f"at {across} = {at}", 12, theme.NOTICE)
+        card.text(say("at {quantity} = {value}", quantity=across, value=at), 12, theme.NOTICE)
 
 
 def _faint(

@@ -11,6 +11,7 @@ from pygame_gui import (
 from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import heading
+from sandbox.app.language import say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
@@ -41,12 +42,13 @@ class GraphPage:
         names = self._names = offered(desk.session.level)
         self._graphs = sheet.image(self._drawn(), sheet.margin // 2)
         self._titles = [
-            sheet.image(heading(sheet.pen, sheet.width, text), 0) for text in ("Draw", "Against")
+            sheet.image(heading(sheet.pen, sheet.width, text), 0)
+            for text in (say("Draw"), say("Against"))
         ]
         self.sought = Field(
             pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(FIELD)), sheet.manager,
             container=sheet.container,
-            placeholder_text="letters of a name, such as speed",
+            placeholder_text=say("letters of a name, such as speed"),
         )  # fmt: skip
         self._heights = sheet.scaled(LISTS)
         self.up = self._list(

@@ -7,7 +7,7 @@ PAGE = Page(
     name="settings",
     caption="Settings",
     key="0",
-    text="theme and size of text",
+    text="theme, size of text, language",
     panel=SettingsPage,
     energy=False,
 )
