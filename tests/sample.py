@@ -41,6 +41,23 @@ def sampled(levels: Iterable[str | Path], claim: str) -> list[object]:
     ]
 
 
+def thinned(examples: Iterable[object], every: int) -> list[object]:
+    """Return examples as parameters of a test: the quick tests take the first of each so many.
+
+    Parameters
+    ----------
+    examples
+        Each is one argument, or a tuple of them.
+    every
+        How many examples there are for each that is quick.
+    """
+    return [
+        pytest.param(*(found if isinstance(found, tuple) else (found,)), marks=marks)
+        for i, found in enumerate(examples)
+        for marks in [() if i % every == 0 else pytest.mark.sweep]
+    ]
+
+
 def _name(level: str | Path) -> str:
     path = Path(level)
     return f"{path.parent.name}/{path.stem}"

@@ -10,6 +10,7 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.language import say
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
+from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels.foot import NEXT
 from sandbox.app.panels.layout import room
 from sandbox.app.session import Session
@@ -56,6 +57,7 @@ class CommandTable:
             "faster": partial(self._with_session, Session.faster),
             "slower": partial(self._with_session, Session.slower),
             "restart": self._restart,
+            "stopwatch": self._press_the_stopwatch,
             "reload": self._space.reload,
             "undo": partial(self._take_back, again=False),
             "redo": partial(self._take_back, again=True),
@@ -109,6 +111,12 @@ class CommandTable:
     def _with_session(self, act: Callable[[Session], None]) -> None:
         if self._space.session is not None:
             act(self._space.session)
+
+    def _press_the_stopwatch(self) -> None:
+        if self._space.session is not None:
+            told = self._space.workers.of(Stopwatch).press(self._space.session)
+            if told is not None:
+                self._tell(told)
 
     def _restart(self) -> None:
         if self._space.session is None:
@@ -206,8 +214,9 @@ class CommandTable:
         self._space.help = not self._space.help
 
     def _leave(self) -> None:
-        """Close the help, let go of a widget, show all levels, put the tape away; else quit."""
+        """Close the help, let go of a widget, show all levels, put measures away; else quit."""
         space = self._space
+        stopwatch = space.workers.of(Stopwatch)
         if space.help:
             space.help = False
         elif not space.panels.typing and space.panels.focus.leave():
@@ -218,6 +227,8 @@ class CommandTable:
             space.go_home()
         elif space.hand.tape is not None:
             space.hand.tape = None
+        elif stopwatch.shown:
+            stopwatch.put_away()
         else:
             space.open = False
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from sandbox.app import wording
+from sandbox.app.forces_in_words import forces, way
 from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
 from sandbox.model.level import Body
 from sandbox.model.shapes import Box, Disc, Hoop, Shape, evaluate
@@ -17,7 +18,9 @@ MANY = 40
 """How many bodies, joints or contacts are told one by one; of more, how many there are besides."""
 
 
-def describe(world: World, results: tuple[Result, ...]) -> Iterator[str]:
+def describe(
+    world: World, results: tuple[Result, ...], *, with_forces: bool = False
+) -> Iterator[str]:
     """Yield what is on the stage, a line each.
 
     Parameters
@@ -26,6 +29,8 @@ def describe(world: World, results: tuple[Result, ...]) -> Iterator[str]:
         As it is at the moment that is told.
     results
         How its level's checks stand.
+    with_forces
+        Whether the forces on each body are told, too.
     """
     level = world.level
     yield f"{level.title}. {level.summary}".strip()
@@ -36,6 +41,8 @@ def describe(world: World, results: tuple[Result, ...]) -> Iterator[str]:
     yield from _told("Bodies", _bodies(world))
     yield from _told("Joints", _joints(world))
     yield from _told("Contacts", _contacts(world))
+    if with_forces:
+        yield from _told("Forces", forces(world))
     yield from _told("Checks", map(_check, results))
     if level.challenge:
         yield f"Challenge: {level.challenge.task}"
@@ -93,19 +100,11 @@ def _motion(world: World, row: int) -> str:
         return ""
     vx, vy = (float(value) for value in world.snapshot.velocity[row])
     spin = float(world.snapshot.angular_velocity[row])
-    moves = f"moves {_way(vx, vy)} at {wording.quantity(hypot(vx, vy), 'm/s', 4)}"
-    way = "counter-clockwise" if spin > 0 else "clockwise"
-    turns = f"turns {way} at {wording.quantity(abs(spin), 'rad/s', 3)}"
+    moves = f"moves {way(vx, vy)} at {wording.quantity(hypot(vx, vy), 'm/s', 4)}"
+    sense = "counter-clockwise" if spin > 0 else "clockwise"
+    turns = f"turns {sense} at {wording.quantity(abs(spin), 'rad/s', 3)}"
     told = [*([moves] if hypot(vx, vy) > STILL else []), *([turns] if abs(spin) > STILL else [])]
     return f"; {' and '.join(told) or 'at rest'}"
-
-
-def _way(vx: float, vy: float) -> str:
-    """Name one of eight directions, y up."""
-    steep, level = abs(vy) > 0.4142 * abs(vx), abs(vx) > 0.4142 * abs(vy)
-    sideways = ("right" if vx > 0 else "left") if level else ""
-    upright = ("up" if vy > 0 else "down") if steep else ""
-    return " and ".join(part for part in (sideways, upright) if part)
 
 
 def _joints(world: World) -> Iterator[str]:

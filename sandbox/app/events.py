@@ -2,13 +2,17 @@
 
 import pygame
 
+from sandbox.app.building.editor import Editor
+from sandbox.app.building.offering import recover
 from sandbox.app.command_table import CommandTable
 from sandbox.app.commands import command
 from sandbox.app.keys import WHILE_TYPING
 from sandbox.app.language import say
+from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.session import Session
 from sandbox.app.widgets.parameters import Change
 from sandbox.app.workspace import Workspace
+from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError
 
 _MOUSE = (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
@@ -30,7 +34,7 @@ class Events:
             space.lay_out()
         elif event.type == pygame.DROPFILE:
             space.open_level(event.file)
-        elif self._change(event):
+        elif self._change(event) or self._zooms(event):
             return
         elif event.type == pygame.MOUSEBUTTONDOWN and space.panels.focus.leave():
             self.handle(event)
@@ -38,6 +42,13 @@ class Events:
             self._key(event)
         elif not space.panels.manager.process_events(event) and not self._at_home(event):
             self._click(event)
+
+    def _zooms(self, event: pygame.event.Event) -> bool:
+        """Let the page zoom what it shows, and return whether an event was for that."""
+        panels = self._space.panels
+        typed = panels.typing and event.type == pygame.KEYDOWN
+        busy = typed or panels.dialog is not None
+        return panels.side is not None and not busy and panels.side.zooms(event)
 
     def leave_fields(self) -> None:
         """Take what was typed into a field that has been left."""
@@ -53,7 +64,16 @@ class Events:
         if home.chosen is not None:
             path, home.chosen = home.chosen, None
             self._space.open_file(path)
+        elif home.recovered is not None:
+            left, home.recovered = home.recovered, None
+            self._recover(left)
         return True
+
+    def _recover(self, left: Recoverable) -> None:
+        """Go on building what a window has left."""
+        self._commands.do(BUILD_PAGE.command)
+        if self._space.session is not None:
+            recover(left, self._space.workers.of(Editor), self._space.session)
 
     def _key(self, event: pygame.event.Event) -> None:
         space, panels, typing = self._space, self._space.panels, self._space.panels.typing

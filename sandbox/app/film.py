@@ -86,6 +86,7 @@ def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
         while session.world.steps < due and session.failure is None:
             session.step()
             stage.watch()
+        stage.view.flashes = session.flashes
         stage.draw(picture, session.trail, session.milestones())
         yield (due / last if last else 1.0), pygame.image.tobytes(picture, "RGB")
 

@@ -27,6 +27,7 @@ PLAYING = (
     Binding("restart", "R or Home", "restart", (pygame.K_HOME,), "rR"),
     Binding("faster", "+ or ]", "play faster", (pygame.K_KP_PLUS,), "+=]"),
     Binding("slower", "− or [", "play slower", (pygame.K_KP_MINUS,), "-["),
+    Binding("stopwatch", "3", "start or stop the stopwatch", (), "3"),
     Binding("next level", "↓", "next level", (pygame.K_DOWN,)),
     Binding("previous level", "↑", "previous level", (pygame.K_UP,)),
     Binding("home", "F2 or ⌫", "all levels as cards, and back", (pygame.K_F2, pygame.K_BACKSPACE)),

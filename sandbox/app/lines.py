@@ -94,8 +94,11 @@ def path(surface: pygame.Surface, color: Color, points: Sequence[XY], width: flo
 def dashed(
     surface: pygame.Surface, color: Color, points: Sequence[XY], dash: float = 6, gap: float = 5
 ) -> None:
-    """Draw a dashed line through points."""
+    """Draw a dashed line through points; of what reaches far out, the part that does not."""
     if not near(points):
+        for a, b in pairwise(points):
+            if seen := pygame.FRect(1 - FAR, 1 - FAR, 2 * FAR - 2, 2 * FAR - 2).clipline(a, b):
+                dashed(surface, color, seen, dash, gap)
         return
     behind = 0.0  # how far into dash and gap the last corner was
     period = dash + gap

@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Literal
 from sandbox.app import milestones
 from sandbox.app.actions import Action, perform
 from sandbox.app.beginning import Beginning
+from sandbox.app.blows import Blows
 from sandbox.app.books import Books
 from sandbox.app.clock import Clock
 from sandbox.app.earlier import Earlier, Observed, kept
+from sandbox.app.first_contacts import FirstContacts
 from sandbox.app.grading import Grading, Ration, Reading
 from sandbox.app.history import History
 from sandbox.app.limits import Limits
@@ -58,6 +60,10 @@ class LiveRun:
         Everything that was observed of it.
     books
         What energies there were, and where they came from.
+    blows
+        Its impacts, as they are seen and heard.
+    contacts
+        Which bodies have touched, and when they first did.
     pace
         Whether the machine keeps up.
     earlier
@@ -93,6 +99,7 @@ class LiveRun:
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
         self.books = Books(world, self.end)
+        self.blows, self.contacts = Blows(world), FirstContacts(world)
         self.pace = Pace()
         self.actions: list[Action] = []
         self.script: Sequence[Action] = ()
@@ -131,6 +138,8 @@ class LiveRun:
             self.failure = error
             return
         self.books.note()
+        self.blows.note()
+        self.contacts.note()
         self._follow(self.t)
         self.trail.add(snapshot.position)
         self.history.note(snapshot)
@@ -207,6 +216,7 @@ class LiveRun:
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
         self.books = Books(world, self.end)
+        self.blows, self.contacts = Blows(world), FirstContacts(world)
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
 

@@ -4,6 +4,7 @@ import pygame
 
 from sandbox.app import legend, probe, theme
 from sandbox.app.pages.register import page, runs_beside
+from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import messages
 from sandbox.app.session import Session
 from sandbox.app.workspace import Workspace
@@ -41,6 +42,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
             maker.draw_over(view, space.stage, space.pen)
     if space.hand.tape is not None:
         space.hand.tape.draw(view, space.stage.camera, space.pen)
+    space.workers.of(Stopwatch).draw(view, space.pen, session)
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
     runs = runs_beside(session)[1] or legend.earlier([run.told for run in session.earlier])
     legend.draw(view, space.pen, runs, below)
@@ -49,6 +51,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
 def _paint_run(space: Workspace, view: pygame.Surface, session: Session) -> None:
     stage = space.stage
     stage.view.looking = session.looking
+    stage.view.flashes = () if space.comfort.chosen.reduced else session.flashes
     stage.asked = page(space.panels.page).overlay if space.panels.side is not None else ""
     earlier = [run.trail for run in session.earlier]
     stage.draw(view, session.trail, session.milestones(), session.companions, earlier)

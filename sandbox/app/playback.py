@@ -10,6 +10,7 @@ from math import inf
 from time import perf_counter
 
 from sandbox.app.actions import Action
+from sandbox.app.blows import Flash
 from sandbox.app.grading import Reading
 from sandbox.app.grip import Grip
 from sandbox.app.live_run import LiveRun
@@ -21,6 +22,7 @@ from sandbox.model.shapes import XY
 
 BUDGET = 0.009  # s, of a frame for steps
 AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
+FADING = 0.25  # s, that a flash at an impact takes to fade
 ON_THE_WAY = 0.05  # s, of a frame for the rest of such a way
 
 
@@ -211,6 +213,11 @@ class Playback(RunView, ABC):
     def _pause_if_stopped(self) -> None:
         if self.failure is not None:
             self.playing = False
+
+    @property
+    def flashes(self) -> Sequence[Flash]:
+        """What is to be seen of the last impacts: the same at a step whenever it is shown."""
+        return self.run.blows.flashes(FADING * self.speed)
 
     def readings(self) -> tuple[Reading, ...]:
         """Return how the checks stand."""

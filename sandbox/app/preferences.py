@@ -34,6 +34,10 @@ class Preferences(BaseModel):
     """of text [%]; None for what suits the screen"""
     language: Language | None = None
     """None for that of the system"""
+    sound: bool = False
+    """whether impacts are heard"""
+    reduced: bool = False
+    """whether nothing moves or flashes but what is simulated"""
 
 
 _KIND = TypeAdapter(Preferences)

@@ -11,6 +11,8 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 
 NO_LETTER = "\U0010ffff"
+INK: Color = (255, 255, 255)
+"""What letters are compared in."""
 
 
 def legible(text: str) -> str:
@@ -39,7 +41,6 @@ class Pen:
     """
 
     def __init__(self, scale: float = 1.0) -> None:
-        self._lacking = lru_cache(maxsize=500)(self._lacks)
         self.renew(scale)
 
     def renew(self, scale: float) -> None:
@@ -69,7 +70,7 @@ class Pen:
         font, text, color = self.font(size, bold), legible(text), color or theme.TEXT
         if text.isascii():
             return font.render(text, True, color)
-        runs = groupby(text, key=self._lacking)
+        runs = groupby(text, key=_lacks)
         parts = [
             _drawn(self.spare(size) if lacking else font, "".join(letters), color)
             for lacking, letters in runs
@@ -81,12 +82,6 @@ class Pen:
             line.blit(part, (x, (line.height - part.height) // 2))
             x += part.width
         return line
-
-    def _lacks(self, letter: str) -> bool:
-        """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
-        font = _font(16, False)
-        shown, box = (_drawn(font, text, theme.TEXT) for text in (letter, NO_LETTER))
-        return shown.size == box.size and shown.get_buffer().raw == box.get_buffer().raw
 
     def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
         """Return a line of text with a rim, legible on anything."""
@@ -154,6 +149,18 @@ def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
     if font.size(text)[0] > 0:
         return font.render(text, True, color)
     return pygame.Surface((0, font.get_height()), pygame.SRCALPHA)
+
+
+@lru_cache(maxsize=500)
+def _lacks(letter: str) -> bool:
+    """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
+    return _shape(letter) == _shape(NO_LETTER)
+
+
+def _shape(letter: str) -> tuple[tuple[int, int], bytes]:
+    """Return what Noto Sans draws for a letter: size and pixels."""
+    shown = _drawn(_font(16, False), letter, INK)
+    return shown.size, shown.get_buffer().raw
 
 
 def _font(size: int, bold: bool) -> pygame.font.Font:

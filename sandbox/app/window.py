@@ -9,6 +9,7 @@ from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
 from sandbox.app.painting import paint
 from sandbox.app.session import Session
+from sandbox.app.sounds import Sounds
 from sandbox.app.watching import FileWatch
 from sandbox.app.workspace import SIZE, Workspace
 
@@ -31,7 +32,7 @@ class Window(Workspace):
         super().__init__(size)
         self.commands = CommandTable(self)
         self._events = Events(self, self.commands)
-        self._watch = FileWatch()
+        self._watch, self._sounds = FileWatch(), Sounds()
         self._quiet = 0.0  # s since the last event
 
     def do(self, command: str) -> None:
@@ -53,6 +54,7 @@ class Window(Workspace):
     @property
     def _busy(self) -> bool:
         playing = self.session is not None and self.session.playing
+        playing = playing or self.panels.home.preview.playing
         return playing or self._quiet < QUIET or self.workers.running or self.advising.running
 
     def frame(self, seconds: float) -> None:
@@ -78,14 +80,19 @@ class Window(Workspace):
             self.follow(self.session)
         if self.panels.home.open:
             self.panels.follow_home()
+            if not self.comfort.chosen.reduced:
+                self.panels.home.play(seconds)
         self._draw(seconds)
 
     def _play(self, session: Session, seconds: float) -> None:
         """Let time pass, and note what that takes."""
         world, hooks, begun = session.world, session.world.kicks.seconds, perf_counter()
+        steps, seeking = world.steps, session.sought is not None
         session.update(seconds)
         if session.playing:
             self.load.stepped(perf_counter() - begun, world.kicks.seconds - hooks)
+        if self.comfort.chosen.sound and not seeking:
+            self._sounds.play(session.run.blows.since(steps), session.world, seconds)
 
     def _draw(self, seconds: float) -> None:
         """Draw, and note what that takes."""

@@ -15,7 +15,7 @@ from sandbox.model.level import (
 from sandbox.model.variants import Variation, shown
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust, surviving
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
@@ -27,8 +27,6 @@ SCHEMES: Mapping[str, str] = {
     "explicit-euler": later("explicit Euler"),
     "fourth-order": later("fourth order"),
 }
-MOST_DIGITS = 8
-"""There is no room for more in a column of numbers."""
 
 
 def number(value: float, digits: int = 5) -> str:
@@ -236,27 +234,10 @@ def _offer(found: Offer) -> str:
     )
 
 
-def surviving(value: float, off: float) -> int:
-    """Return how many significant digits of a value survive if it may be off by so much.
-
-    Half a unit of the last of them is no less than that; none survives in a value that is no
-    larger.
-
-    >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
-    (4, 3, 0)
-    """
-    if not value or off <= 0 or not isfinite(value) or not isfinite(off):
-        return 5
-    if off >= abs(value):
-        return 0
-    return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
-
-
 def trusted(found: Trust) -> str:
     """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
-    digits = surviving(found.size, found.off)
-    told = plural("{count} digit holds", "{count} digits hold", digits)
-    if not digits:
+    told = plural("{count} digit holds", "{count} digits hold", found.digits)
+    if not found.digits:
         told = say("no digit holds")
     if found.until is None:
         return told

@@ -14,7 +14,7 @@ from sandbox.physics.measuring.recording import Recorder, count_steps, needed
 from sandbox.physics.run import build
 
 
-def describe(argument: str, pairs: Sequence[str], at: float) -> None:
+def describe(argument: str, pairs: Sequence[str], at: float, *, with_forces: bool) -> None:
     """Say what is on the stage of a level at a time [s], for a terminal or a screen reader."""
     settings = usage.settings(pairs)
     if not (isfinite(at) and at >= 0):
@@ -29,5 +29,5 @@ def describe(argument: str, pairs: Sequence[str], at: float) -> None:
             world.advance()
             recorder.note()
     results = grade(recorder.trace.until(level.duration(world.values)))
-    for line in words(world, results):
+    for line in words(world, results, with_forces=with_forces):
         typer.echo(line)

@@ -84,7 +84,7 @@ def _place(told: str, found: Spans) -> Path:
 def _unit(path: Path) -> Path | None:
     """Return what goes where something at a path has lost its meaning; None if nothing may."""
     match path:
-        case ("parameters" | "constants" | "checks" | "ghosts" | "joints" | "view", _, *_):
+        case ("parameters" | "constants" | "checks" | "ghosts" | "joints", _, *_):
             return path[:2]
         case ("bodies", _, _, *_):
             return path[:3]
@@ -92,13 +92,23 @@ def _unit(path: Path) -> Path | None:
             return path[:3]
         case ("challenge", *_):
             return path[:1]
+        case ("effects" | "events" | "view", _, *_):
+            return _part(path)
+    return None
+
+
+def _part(path: Path) -> Path:
+    """Return what goes of an effect, an event or the view: a name in a list, an item, or all."""
+    match path:
+        case ("effects", "contact", "apart", int(), *_):
+            return path[:5]
+        case ("view", "together", int(), *_):
+            return path[:4]
         case ("effects" | "events", _, str() as part, int(), *_) if part in _LISTS:
             return path[:4]
         case ("effects", _, int(), *_):
             return path[:3]
-        case ("effects" | "events", _, *_):
-            return path[:2]
-    return None
+    return path[:2]
 
 
 def _missing(path: Path, text: str) -> Iterator[Path]:

@@ -4,6 +4,7 @@ Each draft has a file of its own in the user's data folder, whole or not there a
 the draft is saved or closed. What a process has left that is no more can be recovered.
 """
 
+import json
 import os
 import time
 from collections.abc import Iterator
@@ -89,6 +90,15 @@ class Recoverable:
     def path(self) -> Path | None:
         """Of the file that it was to be saved to, if it had one."""
         return self._kept.path
+
+    @property
+    def title(self) -> str:
+        """What its text says that it is called; empty if it does not say."""
+        try:
+            said = json.loads(self._kept.text)
+        except (ValueError, RecursionError):
+            return ""
+        return str(said.get("title", "")) if isinstance(said, dict) else ""
 
     @property
     def when(self) -> float:

@@ -193,7 +193,7 @@ def _pieces(where: Mapping[str, Placed], names: Collection[str]) -> list[_Piece]
     return [
         _piece(name, core, where[name].radius)
         for name in names
-        if not isinstance(where[name].body.shape, Arc | Curve)
+        if not (where[name].body.sensor or isinstance(where[name].body.shape, Arc | Curve))
         for core in where[name].cores
     ]
 

@@ -145,6 +145,13 @@ class Density(NonNegative):
     most, unit = 1e30, "kg/m²"
 
 
+class Load(Positive):
+    """A force that something bears."""
+
+    __slots__ = ()
+    least, most, unit = 1e-35, 1e40, "N"
+
+
 class Pull(NonNegative):
     """An acceleration downwards."""
 

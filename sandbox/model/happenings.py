@@ -1,20 +1,23 @@
 """What happens once in a run and changes what acts: a body is let go, a string cut, a force set in.
 
-A joint is there until it is cut. A force that some event switches on is off until then; any other
-is on from the start.
+A joint is there until it is cut, or until it breaks. A force that some event switches on is off
+until then; any other is on from the start.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Literal, NamedTuple
 
 from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
+from sandbox.model.bounds import Load
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
+from sandbox.model.joints import Joint
 from sandbox.model.mention import ForceNames, JointNames
 
-Direction = Literal["up", "down", "either"]
+Direction = Literal["up", "down", "either", "beyond"]
+"""Which way a value is crossed; `beyond` is where the size of a quantity is not less than it."""
 
 Trigger = Annotated[
     Annotated[Expression, Tag("a number")]
@@ -50,7 +53,46 @@ class Crossing(NamedTuple):
     direction: Direction
 
 
-def crossing(at: Trigger, values: Values) -> Crossing:
+class Happening(NamedTuple):
+    """What happens once: what it waits for, and what it cuts and switches."""
+
+    waits: Crossing
+    cut: tuple[str, ...] = ()
+    on: tuple[str, ...] = ()
+    off: tuple[str, ...] = ()
+
+
+def happenings(
+    events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
+) -> dict[str, Happening]:
+    """Return what happens in a level by itself: its events, and the joints that break."""
+    found = {
+        name: Happening(_crossing(event.at, values), event.cut, event.on, event.off)
+        for name, event in events.items()
+    }
+    for joint, load in loads(joints, values).items():
+        found[breaking(joint)] = Happening(Crossing(f"{joint}.tension", load, "beyond"), (joint,))
+    return found
+
+
+def breaking(joint: str) -> str:
+    """Return what it is called that a joint breaks; no event has such a name."""
+    return f"{joint} breaks"
+
+
+def loads(joints: Mapping[str, Joint], values: Values) -> dict[str, float]:
+    """Return the force at which each joint breaks that can [N]."""
+    return {name: load(values) for name, load in breakable(joints)}
+
+
+def breakable(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Load]]:
+    """Yield the joints that may break, and what they bear."""
+    for name, joint in joints.items():
+        if (load := getattr(joint, "breaks_at", None)) is not None:
+            yield name, load
+
+
+def _crossing(at: Trigger, values: Values) -> Crossing:
     """Return what an event waits for; a time is a crossing of `t`."""
     match at:
         case ApexEvent(body=body):
@@ -62,6 +104,7 @@ def crossing(at: Trigger, values: Values) -> Crossing:
     return Crossing("t", at(values), "up")
 
 
-def cut(events: Mapping[str, Event]) -> frozenset[str]:
-    """Return the joints that some event cuts."""
-    return frozenset(name for event in events.values() for name in event.cut)
+def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:
+    """Return the joints that some event cuts, or that break."""
+    named = {name for event in events.values() for name in event.cut}
+    return frozenset(named.union(name for name, _ in breakable(joints)))

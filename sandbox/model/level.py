@@ -39,7 +39,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
-from sandbox.model.happenings import MOST_EVENTS, Event, cut
+from sandbox.model.happenings import MOST_EVENTS, Event, breakable, cut
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -71,7 +71,7 @@ from sandbox.model.joints import (
 )
 from sandbox.model.landscape import Landscape
 from sandbox.model.locating import Path
-from sandbox.model.mention import Mention, QuantityName
+from sandbox.model.mention import BodyNames, Mention, QuantityName
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
@@ -157,6 +157,8 @@ class Body(Model):
     """coefficient while it sticks, not less than `friction`; the same as that if left out"""
     restitution: Fraction | None = None
     """coefficient; a pair's is the product of its bodies' own"""
+    sensor: bool = False
+    """whether it is an area that others pass through; it tells how deep they are in it"""
     points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
     """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
     [x, y] in m, from its position, along its own axes"""
@@ -269,6 +271,10 @@ class View(Model):
     """whether velocities are drawn with their components"""
     labels: Annotated[tuple[Label, ...], Field(max_length=MAX_LABELS)] = ()
     """words at points or on bodies, always written"""
+    together: Annotated[
+        tuple[Annotated[BodyNames, Field(min_length=2)], ...], Field(max_length=MAX_BODIES)
+    ] = ()
+    """groups of bodies that the editor selects with one click; no body is in two"""
     landscape: Landscape | None = None
     """a body's potential, drawn as a curve over the places that it can reach"""
 
@@ -336,6 +342,11 @@ class Level(Model):
         return self._origin.place(path) if self._origin else ".".join(map(str, path))
 
     @property
+    def happens(self) -> bool:
+        """Whether anything happens by itself on the way: an event, or that a joint breaks."""
+        return bool(self.events) or any(True for _ in breakable(self.joints))
+
+    @property
     def defaults(self) -> Values:
         """The parameters' default values."""
         return {name: parameter.value for name, parameter in self.parameters.items()}
@@ -361,11 +372,12 @@ def is_direct(level: Level) -> bool:
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no body that moves with another exact joint.
 
-    Where contacts are solved directly none is alone, nor is one that some event cuts.
+    Where contacts are solved directly none is alone, nor is one that some event cuts or that may
+    break.
     """
-    if not isinstance(level.joints[name], Pulley) or is_direct(level) or name in cut(level.events):
-        return False
     joint = level.joints[name]
+    if not isinstance(joint, Pulley) or is_direct(level) or name in cut(level.events, level.joints):
+        return False
     first, *pegs, last = points(joint)
     if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):
         return False

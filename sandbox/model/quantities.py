@@ -5,8 +5,9 @@ graph and on the screen. It reads `subject.attribute`, with `.x` or `.y` for a c
 without a component stands for its magnitude. The subject is a body, a joint, or `system`.
 
 Two bodies, or a body and one of its points, have quantities of their own, which name both:
-`block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`. Of most
-quantities there is also what becomes of it over time, such as `string.tension.max`.
+`block.contact.table.normal`, `moon.relative.planet.velocity.x`, `stick.tip.position.y`; a body has
+`ball.within.gate` in every sensor. Of most quantities there is also what becomes of it over time,
+such as `string.tension.max`.
 """
 
 from collections.abc import Iterator, Mapping
@@ -56,6 +57,9 @@ _KINDS_OF_CONTACT = tuple(name.partition(".")[2] for name in _OF_CONTACT)
 
 MOST_MUTUAL = 6
 """How many bodies a level may have for all that two of them have together to be listed."""
+
+WITHIN = "within"
+"""How deep the centre of a body is in a sensor, from its outline; negative outside."""
 
 _OF_POINTS = {"position": "m", "velocity": "m/s"}
 """What can be measured of a point of a body."""
@@ -206,6 +210,7 @@ def mutual(level: Level, most: int = MOST_MUTUAL) -> Iterator[Quantity]:
     """Yield what each two bodies of a level have together; nothing of more bodies than `most`."""
     if len(level.bodies) <= most:
         for subject in level.bodies:
+            yield from _within(subject, level)
             for other in level.bodies:
                 if other != subject:
                     yield from _mutual(subject, other, level)
@@ -225,10 +230,19 @@ def _of_two(subject: str, rest: str, level: Level) -> Iterator[Quantity]:
     """Yield what a body has together with the one that a name is about, or probably is."""
     kind, _, after = rest.partition(".")
     other = after.partition(".")[0]
-    if kind in ("contact", "relative") and other not in ("", *_KINDS_OF_CONTACT):
+    if kind == WITHIN:
+        yield from _within(subject, level)
+    elif kind in ("contact", "relative") and other not in ("", *_KINDS_OF_CONTACT):
         found = other if other in level.bodies else closest(other, level.bodies)
         if found and found != subject:
             yield from _mutual(subject, found, level)
+
+
+def _within(subject: str, level: Level) -> Iterator[Quantity]:
+    """Yield how deep a body is in each sensor."""
+    for other, body in level.bodies.items():
+        if body.sensor and other != subject:
+            yield Quantity(f"{subject}.{WITHIN}.{other}", "body", subject, WITHIN, None, "m", other)
 
 
 def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
@@ -239,7 +253,7 @@ def _mutual(subject: str, other: str, level: Level) -> Iterator[Quantity]:
             relative = f"relative.{attribute}"
             yield Quantity(full_name, "body", subject, relative, component, unit, other)
     yield Quantity(f"{name}.distance", "body", subject, "relative.distance", None, "m", other)
-    if level.effects.contact:
+    if level.effects.contact and not (level.bodies[subject].sensor or level.bodies[other].sensor):
         for attribute, unit in _OF_CONTACT.items():
             full_name = f"{subject}.contact.{other}.{attribute.partition('.')[2]}"
             yield Quantity(full_name, "body", subject, attribute, None, unit, other)
@@ -300,6 +314,6 @@ def _of(owner: Owner, subject: str, level: Level) -> Iterator[Quantity]:
 
 ATTRIBUTES_OF_BODIES = frozenset(
     name.partition(".")[0]
-    for name in (*_VECTORS["body"], *_SCALARS["body"], "relative", *OVER_TIME)
+    for name in (*_VECTORS["body"], *_SCALARS["body"], "relative", WITHIN, *OVER_TIME)
 )
 """What a point of a body cannot be called."""

@@ -7,6 +7,7 @@ rods, pins, rails and wires: it holds back in time as well.
 from collections.abc import Iterator
 
 from sandbox.model.errors import brief
+from sandbox.model.happenings import breakable
 from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
@@ -29,6 +30,7 @@ def unsmooth(level: Level) -> str | None:
 
 def _obstacles(level: Level) -> Iterator[str]:
     yield from (f"the event '{brief(name)}', at which forces jump" for name in level.events)
+    yield from (f"that '{brief(name)}' may break" for name, _ in breakable(level.joints))
     for effect in level.effects.told:
         if "fourth-order" in effect.excludes:
             yield f"the effect '{effect.name}'"

@@ -18,7 +18,7 @@ def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expressio
             pending += [
                 ((*path, name), child)
                 for name, child in reversed(_children(part))
-                if not (child is None or isinstance(child, str))  # most of what there is
+                if not (child is None or isinstance(child, str | int | float))  # most there is
             ]
 
 

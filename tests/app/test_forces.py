@@ -204,6 +204,18 @@ def test_a_velocity_is_taken_apart_into_its_components(person: Person) -> None:
     assert theme.ARROW in colors()
 
 
+def test_a_force_that_is_switched_off_has_no_arrow() -> None:
+    world = build(load(catalog.find("machines/coil-gun")))
+    forces = Forces(world.level)
+    seen = []
+    while world.t < 1:
+        seen.append(len(list(forces.arrows(world))))
+        world.advance(4)
+
+    assert seen[0] == seen[-1] == 0
+    assert set(seen) == {0, 1}
+
+
 def test_a_force_that_turns_with_its_body_is_drawn_turned_and_cannot_be_dragged() -> None:
     """A quarter turn of the door: the push along its normal points to the left."""
     level = load(catalog.find("rotation/door"))

@@ -9,10 +9,14 @@ import pygame
 import pytest
 
 from sandbox.app import progress, theme
-from sandbox.app.home import pictures
+from sandbox.app.building.editor import Editor
+from sandbox.app.home import pictures, strip
 from sandbox.app.home.home import Home
 from sandbox.app.home.pictures import SIZE
 from sandbox.app.text import Pen
+from sandbox.editing import recovery
+from sandbox.editing.draft import Draft
+from sandbox.editing.recovery import Recovery, recoverable
 from sandbox.model import catalog
 from tests.app import scenes
 from tests.app.person import PATIENCE, Person, until
@@ -338,3 +342,51 @@ def test_what_is_kept_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
     list(pictures.made([], pictures.folder()))
 
     assert sorted(path.stem for path in pictures.folder().iterdir()) == ["2", "3", "4"]
+
+
+def drawn_and_lost(title: str) -> str:
+    """Leave a draft behind, as a window that has ended by itself does; return its text."""
+    draft = Draft.of(scenes.falling())
+    draft.change(scenes.falling(title=title), "rename")
+    assert Recovery().keep(draft) == ""
+    recovery._OPEN.clear()  # nobody has it open any more
+    return draft.text
+
+
+def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
+    person: Person,
+) -> None:
+    text = drawn_and_lost("Lost and found")
+    person.window.open_level("kinematics/free-fall")
+    person.press(pygame.K_F2)
+    person.wait()
+    (left,) = recoverable()
+    assert strip.told(left).startswith("Not saved: Lost and found, drawn ")
+    assert card(person, "Free fall").top > home(person).strip.place(0).bottom
+
+    person.click(home(person).strip.place(0))
+    person.wait(0.1)
+
+    assert not home(person).open
+    assert person.session.original.title == "Lost and found"
+    assert person.window.workers.of(Editor).work.draft.text == text
+    person.press(pygame.K_F2)
+    assert recoverable() == []  # it is this window's own now
+    assert home(person).place(0).top < 2 * pictures.SIZE[1]
+
+
+def test_without_drafts_the_cards_have_all_the_room(visitor: Person) -> None:
+    stage = visitor.window.panels.layout.stage
+
+    assert home(visitor).strip.take_room(stage) == stage
+
+
+def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
+    draft = Draft.of(scenes.falling())
+    draft.change("{", "break it")
+    assert Recovery().keep(draft) == ""
+    recovery._OPEN.clear()
+
+    (left,) = recoverable()
+
+    assert "a level without a name" in strip.told(left)

@@ -60,6 +60,18 @@ def test_what_is_hidden_is_not_drawn_and_not_taken_hold_of(pen: Pen) -> None:
     assert stage.body_at((SIZE[0] / 2, SIZE[1] / 2)) == "red"
 
 
+def test_a_sensor_is_a_veil_over_what_is_in_it(pen: Pen) -> None:
+    """It is of another colour than what lies bare, and what is behind it is seen."""
+    sensor = {"type": "static", "sensor": True, "mass": None, "layer": 1}
+    small = {"shape": {"type": "disc", "radius": 0.5}, "position": [1, 0]}
+    picture = drawn(level(small, sensor, center=[0, 0]), pen)
+    red, veil, bare = (picture.get_at(at)[:3] for at in ((240, 150), (180, 150), (60, 150)))
+
+    assert red[0] > 150
+    assert veil[2] > bare[2] + 10
+    assert veil[0] < 60
+
+
 def test_a_still_body_is_raised_by_its_layer(pen: Pen) -> None:
     for layer, seen in ((0, RED), (1, BLUE)):
         box = {"shape": {"type": "box", "width": 4, "height": 3}}

@@ -28,9 +28,27 @@ def test_says_what_touches_and_how_hard(run: Run) -> None:
     assert "press on each other with 19.32 N" in told
 
 
+def test_says_the_forces_on_each_body_where_they_are_asked_for(run: Run) -> None:
+    """2 kg on a slope of 30° with a friction of 0.3: m g (sin 30° − 0.3 cos 30°) is left."""
+    asked = "describe", "newton/incline-with-friction", "--at", "0.5"
+
+    told = run(*asked, "--forces").out
+
+    assert "block: weight 19.62 N down; normal force from ramp 16.99 N left and up;" in told
+    assert "friction from ramp 5.097 N right and up; together 4.713 N left and down" in told
+    assert "it accelerates at 2.356 m/s²" in told
+    assert "Forces:" not in run(*asked).out
+
+
+def test_says_a_torque_beside_its_force(run: Run) -> None:
+    told = run("describe", "rotation/motor", "--at", "0.5", "--forces").out
+
+    assert "with a torque of 3.560 N m" in told
+
+
 @pytest.mark.parametrize("name", catalog.names()[::12])
 def test_any_level_can_be_described_at_its_start(run: Run, name: str) -> None:
-    result = run("describe", name)
+    result = run("describe", name, "--forces")
 
     assert result.status == 0
     assert "Bodies:" in result.out

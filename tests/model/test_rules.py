@@ -132,7 +132,7 @@ def test_the_place_in_a_landscape_is_no_parameter() -> None:
         (hanging, "joints.string.length", 8, None),
         (hanging, "joints.string.length", 7, "joints.string.length: the string is 7 m long, but its path is 8 m"),
         # effects
-        (bare, "effects.contact", {}, "effects.contact: 'contact' is declared but there is only one body"),
+        (bare, "effects.contact", {}, "effects.contact: 'contact' is declared but there is only one body that can touch another"),
         (bare, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
         (hanging, "effects.rotation", {}, "effects.rotation: 'rotation' is declared but nothing turns a body"),
         (bare, "effects", {"gravitation": {"constant": 1}}, "effects.gravitation: bodies attract each other, but only one is dynamic"),

@@ -18,8 +18,9 @@ from tests.physics.scenes import small_swings
 from validation.cli import app
 from validation.cost import command
 from validation.cost.report import as_json, milliseconds, order_in_words, times
-from validation.cost.summary import cost_to_reach, failed, headline, order, pareto
+from validation.cost.summary import cost_to_reach, failed, headline, next_digit, order, pareto
 from validation.cost.sweep import QUICK, Budget, Point, Sweep, errors, timed
+from validation.cost.trusted import digits
 from validation.cost.yardstick import yardstick
 
 LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]
@@ -76,6 +77,32 @@ def test_the_cost_to_reach_an_error_is_that_of_the_cheapest_run() -> None:
     assert cost_to_reach(points, 1e-2) == 1.0
     assert cost_to_reach(points, 1e-3) == 2.0
     assert cost_to_reach(points, 1e-9) is None
+
+
+def test_the_next_digit_costs_what_a_tenth_of_the_error_does() -> None:
+    """Of second order that is a step that is 4 times as short, of those that are tried."""
+    found = sweep(power(2.0, 1.0, "leapfrog"))
+
+    assert next_digit(found) == pytest.approx(4.0)
+    assert next_digit(sweep(power(2.0, 1.0, "leapfrog"), own_rate=1920.0)) is None, "none is closer"
+    assert next_digit(sweep([point(240.0, 3e-15, 1e-3)])) is None, "it is rounding"
+
+
+def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far() -> None:
+    """Held against a run with an eighth of the step."""
+    level = load(catalog.find("lagrange/simple-pendulum"))
+    place, *checked = digits(level, ["bob.position.x", "t", "system.energy"])
+    fine = level.stepping.at(8 * level.stepping.rate)
+    run, best = (
+        simulate(level, record=[place.quantity], stepping=s).columns[place.quantity]
+        for s in (level.stepping, fine)
+    )
+
+    off = max(abs(one - other) for one, other in zip(run, best[::8], strict=False))
+    assert ".position." in place.quantity
+    assert place.off == pytest.approx(off, rel=0.15)
+    assert place.until is None
+    assert {each.quantity for each in checked} <= {"bob.position.x", "system.energy"}
 
 
 def test_the_headline_compares_at_the_same_time_and_at_the_same_error() -> None:

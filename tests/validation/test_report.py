@@ -150,6 +150,8 @@ def test_every_part_says_what_it_found(text: str) -> None:
     assert all(name in text for name in HARD)
     assert "how far beyond" in text
     assert "Of 2 requests" in text
+    assert "Digits that hold" in text
+    assert "8 or more" in text
     assert "This part is missing" not in text
     assert "A quick report" in text
 

@@ -6,7 +6,16 @@ from dataclasses import asdict
 from rich.table import Table
 
 from sandbox.model.level import Scheme
-from validation.cost.summary import ROUNDING, TARGETS, cost_to_reach, headline, order, own, pareto
+from validation.cost.summary import (
+    ROUNDING,
+    TARGETS,
+    cost_to_reach,
+    headline,
+    next_digit,
+    order,
+    own,
+    pareto,
+)
 from validation.cost.sweep import NAIVE, OURS, Point, Sweep
 from validation.output import finite
 
@@ -41,6 +50,8 @@ def as_json(sweep: Sweep) -> dict[str, object]:
         "to_reach": {f"{target:g}": cost_to_reach(ours, target) for target in TARGETS},
         "naive_to_reach": {f"{target:g}": cost_to_reach(naive, target) for target in TARGETS},
         "headline": None if found is None else finite(asdict(found)),
+        "trusted": [{**finite(asdict(trust)), "digits": trust.digits} for trust in sweep.trusted],
+        "next_digit": next_digit(sweep),
     }
 
 

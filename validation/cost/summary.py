@@ -86,6 +86,19 @@ def own(sweep: Sweep) -> Point | None:
     )
 
 
+def next_digit(sweep: Sweep) -> float | None:
+    """Return how many times the price of a level one more digit costs.
+
+    That is the cheapest setting with a tenth of its error. None if its error is rounding, or no run
+    of the sweep comes so close.
+    """
+    here = own(sweep)
+    if here is None or here.error <= ROUNDING:
+        return None
+    price = cost_to_reach((p for p in sweep.points if p.scheme != NAIVE), here.error / 10)
+    return None if price is None else price / here.seconds_per_second
+
+
 def failed(sweeps: Iterable[Sweep]) -> list[str]:
     """Return the levels that do not come through at their own rate."""
     return [s.level for s in sweeps if s.failure or (s.points and own(s) is None)]

@@ -10,11 +10,13 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import BUDGET
+from sandbox.physics.accuracy.trust import Trust
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
 from validation.cost.requests import Request, ask, prices
+from validation.cost.trusted import digits
 from validation.cost.yardstick import Yardstick, run, yardstick
 
 RATES = tuple(15.0 * 2**i for i in range(10))
@@ -101,6 +103,8 @@ class Sweep:
         The settings that were tried, and the accuracies that were asked for.
     failure
         Why the level does not run at its own rate; empty if it does.
+    trusted
+        How far the place that is known least, and the quantities, can be trusted at that rate.
     """
 
     level: str
@@ -110,6 +114,7 @@ class Sweep:
     points: tuple[Point, ...]
     requests: tuple[Request, ...] = ()
     failure: str = ""
+    trusted: tuple[Trust, ...] = ()
 
 
 def errors(name: str, budget: Budget) -> Sweep:
@@ -123,7 +128,10 @@ def errors(name: str, budget: Budget) -> Sweep:
         return Sweep(name, "nothing: the level has no check", (), level.stepping.rate, ())
     points = tuple(_points(level, stick, budget))
     requests = tuple(ask(name, level, stick, budget.targets, budget.calibration))
-    return Sweep(name, stick.kind, stick.quantities, level.stepping.rate, points, requests)
+    return Sweep(
+        name, stick.kind, stick.quantities, level.stepping.rate, points, requests,
+        trusted=digits(level, stick.quantities),
+    )  # fmt: skip
 
 
 def _points(level: Level, stick: Yardstick, budget: Budget) -> Iterator[Point]:

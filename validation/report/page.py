@@ -9,11 +9,12 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from sandbox.model.errors import SandboxError
+from sandbox.physics.accuracy.trust import MOST_DIGITS
 from sandbox.reporting import pages, plots
 from sandbox.reporting.svg import inline
 from validation.cost import figure as cost_figure
 from validation.cost import report as cost_report
-from validation.cost.summary import TARGETS, cost_to_reach
+from validation.cost.summary import TARGETS, cost_to_reach, next_digit
 from validation.cost.sweep import NAIVE, Sweep
 from validation.effects import figure as effects_figure
 from validation.effects.costs import EffectCost, LevelCost
@@ -146,6 +147,8 @@ def html(found: Report) -> str:
         shown=SHOWN,
         targets=TARGETS,
         reach=_reach,
+        next_digit=next_digit,
+        most_digits=MOST_DIGITS,
         order=cost_report.order_in_words,
         environments=_environments(found.environments),
         now=datetime.now(UTC),

@@ -47,7 +47,7 @@ HARD = (
 """The hard cases and the frontier of a quick report."""
 
 OPTIONAL = {
-    "order", "stepping",
+    "order", "stepping", "until",
     "beyond", "axis", "unit", "frontier", "naive_frontier", "previous", "rate", "naive_rate",
 }  # fmt: skip
 """Figures that may be missing; others that JSON lacks are infinite or NaN."""
@@ -139,7 +139,11 @@ def outcomes(content: Content) -> list[Outcome]:
 def sweeps(content: Content) -> list[Sweep]:
     """Return the levels of `validation cost`; raise as `outcomes` does."""
     rows = [
-        {**row, "points": [_point(point) for point in _rows(row, "points")]}
+        {
+            **row,
+            "points": [_point(point) for point in _rows(row, "points")],
+            "trusted": [_filled(trust, size=inf, off=inf) for trust in _rows(row, "trusted")],
+        }
         for row in _rows(content, "levels")
     ]
     return _validated(TypeAdapter(list[Sweep]), rows)

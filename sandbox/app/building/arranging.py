@@ -53,6 +53,7 @@ def arrangements(work: Work) -> list[Act]:
     ]
     flat = [] if len(names) > 1 else [_flat(work, names[0])]
     return [
+        *_grouping(work, names),
         *(several if len(names) > 1 else flat),
         _arranging(
             work, say("Mirror across"), say("left becomes right"), partial(_mirror, names, "x")
@@ -61,6 +62,18 @@ def arrangements(work: Work) -> list[Act]:
             work, say("Mirror upright"), say("top becomes bottom"), partial(_mirror, names, "y")
         ),
     ]
+
+
+def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
+    """Return what makes bodies a group, and what takes apart the groups that they are in."""
+    found = [work.with_group(("bodies", name)) for name in names]
+    grouped = any(len(group) > 1 for group in found)
+    one = grouped and {part[1] for part in found[0]} == set(names)
+    ungroup = Act(say("Ungroup"), say("select each by itself (Ctrl Shift G)"), work.ungroup)
+    if one or len(names) < 2:
+        return [ungroup] if grouped else []
+    group = Act(say("Group"), say("select them together (Ctrl G)"), work.group)
+    return [group, *([ungroup] if grouped else [])]
 
 
 def _flat(work: Work, name: str) -> Act:

@@ -35,6 +35,7 @@ HELP: tuple[tuple[str, str], ...] = (
     ("Delete", "take out what is selected, and its joints"),
     ("Ctrl C, V, D", "copy, paste, duplicate"),
     ("Ctrl A", "select all"),
+    ("Ctrl G, Ctrl Shift G", "group what is selected; take the group apart"),
     ("Ctrl Z, Ctrl Y", "undo; do again (also Ctrl Shift Z), the run too"),
     ("Tab", "take the first name that is offered"),
     ("Ctrl S, Ctrl Shift S", "save; save under another name"),
@@ -119,6 +120,7 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
         pygame.K_y: redo,
         pygame.K_s: editor.save_as if shift else editor.save,
         pygame.K_a: work.select_all,
+        pygame.K_g: work.ungroup if shift else work.group,
         pygame.K_c: work.copy,
         pygame.K_v: work.paste,
         pygame.K_d: work.duplicate,
@@ -126,7 +128,7 @@ def _with_control(editor: Keyed, event: pygame.event.Event, session: Session) ->
     act = acts.get(event.key)
     if act is None:
         return False
-    if event.key in (pygame.K_c, pygame.K_v, pygame.K_d, pygame.K_a):
+    if event.key not in (pygame.K_z, pygame.K_y, pygame.K_s):
         editor.look(session)
     act()
     return True

@@ -52,14 +52,15 @@ def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
     name = left.path.name if left.path else say("a level without a file")
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
-    again = partial(_recover, left, editor, session)
-    recover = Act(say("Recover"), say("go on with it"), again)
+    going_on = partial(recover, left, editor, session)
+    act = Act(say("Recover"), say("go on with it"), going_on)
     forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
     told = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
-    return Offer(told, (recover, forget))
+    return Offer(told, (act, forget))
 
 
-def _recover(left: Recoverable, editor: Editor, session: Session) -> None:
+def recover(left: Recoverable, editor: Editor, session: Session) -> None:
+    """Go on with what a window has left; it is offered no more once it is kept as this one's."""
     editor.begin(session, left.draft())
     if why := editor.drafts.keep():
         editor.work.tell(why)

@@ -1,6 +1,7 @@
 """What is seen of the editor: the level as it is built, what is selected, and what is wrong."""
 
 from collections.abc import Collection, Sequence
+from math import sqrt
 
 import pygame
 
@@ -17,6 +18,7 @@ from sandbox.model.shapes import XY
 
 WIDE = 2.0  # px, of the line around what is selected
 PADDING = 8  # px, around a hint
+FRAME = 8.0  # px, between a group and the frame around it
 
 caught = preview.caught
 
@@ -38,6 +40,7 @@ class Picture:
             self._key = key
             work.sketch.draw(self._kept, camera, pen)
             draw_selected(self._kept, work.sketch, work.selected, camera)
+            draw_groups(self._kept, work)
         return self._kept
 
 
@@ -47,6 +50,18 @@ def draw_selected(
     """Draw a line around what is selected."""
     for family, name in selected:
         _around(surface, sketch, family, name, camera, theme.TEXT)
+
+
+def draw_groups(surface: pygame.Surface, work: Work) -> None:
+    """Draw a dashed frame around each group that is selected as a whole."""
+    chosen, bodies = set(work.chosen), work.sketch.bodies
+    for group in work.groups:
+        if chosen.issuperset(group):
+            corners = work.camera.path([point for name in group for point in bodies[name].corners])
+            (left, *_, right), (low, *_, high) = map(sorted, zip(*corners, strict=True))
+            left, low, right, high = left - FRAME, low - FRAME, right + FRAME, high + FRAME
+            box = [(left, low), (right, low), (right, high), (left, high), (left, low)]
+            lines.dashed(surface, theme.ACCENT, box)
 
 
 def draw_culprits(
@@ -70,10 +85,24 @@ def _around(
     points: Sequence[XY] = ()
     closed = False
     if family == "bodies" and name in sketch.bodies:
-        points, closed = sketch.bodies[name].corners, sketch.bodies[name].outline.closed
+        body = sketch.bodies[name]
+        if body.outline.radius is not None:
+            return _around_disc(surface, camera, body.position, body.outline.radius, color)
+        points, closed = body.corners, body.outline.closed
     elif family == "joints" and name in sketch.joints:
         points = sketch.joints[name].path
     return draw_around(surface, camera, points, color, closed=closed)
+
+
+def _around_disc(
+    surface: pygame.Surface, camera: Camera, center: XY, radius: float, color: Color
+) -> XY | None:
+    """Draw a line around a disc, and return where its upper right is on the stage [px]."""
+    (x, y), wide = camera.to_screen(center), max(radius * camera.scale, 2 * WIDE)
+    if wide > lines.FAR or not lines.near([(x, y)]):
+        return None
+    pygame.draw.aacircle(surface, color, (x, y), wide + WIDE / 2, round(WIDE))
+    return x + wide * sqrt(0.5), y - wide * sqrt(0.5)
 
 
 def draw_around(

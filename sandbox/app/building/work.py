@@ -10,7 +10,7 @@ from sandbox.app.building.spot import Part, Snapped
 from sandbox.app.camera import Camera
 from sandbox.app.language import later, say
 from sandbox.editing.draft import Draft
-from sandbox.editing.edits import bodies, copying, transforms
+from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.made import Made
 from sandbox.editing.plain import plain
 from sandbox.model.errors import SandboxError
@@ -196,6 +196,17 @@ class Work:
         names, by = self.chosen, self._aside
         self.make(say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by))
 
+    def group(self) -> None:
+        """Let the bodies that are selected be selected together from now on."""
+        names = self.chosen
+        if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
+            self.tell(say("A click selects the group now, a second one the body alone"))
+
+    def ungroup(self) -> None:
+        """Let each body that is selected be selected by itself again."""
+        names = self.chosen
+        self.change(say("ungroup"), lambda text, level: grouping.ungroup(text, level, names))
+
     @property
     def _aside(self) -> XY:
         """How far copies are put aside [m]."""
@@ -221,6 +232,18 @@ class Work:
     def chosen(self) -> list[str]:
         """The bodies that are selected."""
         return [name for family, name in self.selected if family == "bodies"]
+
+    @property
+    def groups(self) -> Sequence[Sequence[str]]:
+        """The bodies that are selected together; none while the level has mistakes."""
+        return self.draft.level.view.together if self.draft.level else ()
+
+    def with_group(self, part: Part) -> tuple[Part, ...]:
+        """Return what is selected with a part: the bodies of its group, or it alone."""
+        family, name = part
+        if family != "bodies" or self.draft.level is None:
+            return (part,)
+        return tuple((family, other) for other in grouping.group_of(self.draft.level, name))
 
     def part_at(self, pixel: XY) -> Part | None:
         """Return the body or joint at a pixel: pins and what moves come before lines and floors."""

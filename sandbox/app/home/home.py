@@ -8,11 +8,14 @@ import pygame
 
 from sandbox.app import lines, theme
 from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.preview import Preview
+from sandbox.app.home.strip import Strip
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.language import say
 from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen
+from sandbox.editing.recovery import Recoverable, recoverable
 from sandbox.model import catalog
 
 WHEEL = 90.0  # px, a notch
@@ -35,14 +38,22 @@ class Home:
         Whether it is shown.
     chosen
         The level that was chosen last, until it is taken.
+    recovered
+        The draft that was chosen to go on with, until it is taken.
     thumbnails
         The pictures on the cards.
+    preview
+        The level that plays on its card.
+    strip
+        The drafts that are offered above them.
     """
 
     def __init__(self, pen: Pen) -> None:
         self._pen = pen
         self.open = False
         self.chosen: Path | None = None
+        self.recovered: Recoverable | None = None
+        self.strip, self.preview = Strip(pen), Preview()
         self.thumbnails = Thumbnails()
         self._progress = Progress()
         self._area = pygame.Rect(0, 0, 1, 1)
@@ -52,6 +63,7 @@ class Home:
         self._focus = 0
         self._hovered: int | None = None
         self._pressed: int | None = None
+        self._held: Recoverable | None = None  # the draft on which the mouse was pressed
         self._here: Path | None = None  # the level that is played
         self._short = lru_cache(maxsize=600)(self._shortened)
 
@@ -60,17 +72,20 @@ class Home:
         self.open, self._progress = True, Progress()
         self.thumbnails.forget()
         self._laid_out, self._here = None, path
+        self.strip.offer(recoverable())
 
     def renew(self) -> None:
         """Lay out and draw all anew, in the present theme, scale and language."""
         self._short.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
+        self.preview.stop()
         self._laid_out = None
 
     def leave(self) -> None:
         """Show them no more."""
         self.open = False
+        self.preview.stop()
         self.thumbnails.cancel()
 
     @property
@@ -89,6 +104,7 @@ class Home:
 
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
         """Follow the window's size and what is looked for, and let pictures come in."""
+        area = self.strip.take_room(area)
         wanted = area.size, tuple(found), sought.strip()
         if wanted != self._laid_out:
             self._lay_out(area, found, sought, again=self._laid_out is not None)
@@ -96,6 +112,11 @@ class Home:
         self._area = area
         seen = [level.path for level, _ in self._seen()]
         self.thumbnails.follow(seen, [level.path for level, _ in self._grid.cards])
+
+    def play(self, seconds: float) -> None:
+        """Let the level under the mouse play for some time [s]."""
+        over = None if self._hovered is None else self._grid.cards[self._hovered][0].path
+        self.preview.follow(over, seconds)
 
     def _lay_out(
         self, area: pygame.Rect, found: Sequence[Entry], sought: str, *, again: bool
@@ -138,19 +159,22 @@ class Home:
         inside = self._area.collidepoint(event.pos)
         on = (event.pos[0] - self._area.x, event.pos[1] - self._area.y + self._top)
         self._hovered = self._grid.at(on) if inside else None
+        beside = self.strip.follow(event.pos)
         if event.type == pygame.MOUSEMOTION:
             return False
         if event.button == 1:
             self._click(down=event.type == pygame.MOUSEBUTTONDOWN)
-        return inside
+        return inside or beside
 
     def _click(self, *, down: bool) -> None:
         """Choose a card that is pressed and let go of."""
         if down:
-            self._pressed = self._hovered
+            self._pressed, self._held = self._hovered, self.strip.hovered
             self._focus = self._focus if self._hovered is None else self._hovered
         elif self._hovered is not None and self._hovered == self._pressed:
             self.chosen = self._grid.cards[self._hovered][0].path
+        elif self.strip.hovered is not None and self.strip.hovered is self._held:
+            self.recovered = self.strip.hovered
 
     def _key(self, event: pygame.event.Event) -> bool:
         focus, page = self.focus, self._area.height * 0.8
@@ -174,6 +198,7 @@ class Home:
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw what is in view, with the pictures that are there."""
+        self.strip.draw(surface)
         area = self._area.clip(surface.get_rect())
         if area.width == 0 or area.height == 0:
             return
@@ -202,7 +227,8 @@ class Home:
         lit = index == self._hovered
         pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
         top = pygame.Rect(place.topleft, self._grid.picture)
-        drawn = self.thumbnails.of(level.path)
+        drawn = self.preview.picture(level.path, top.size) if lit else None
+        drawn = drawn or self.thumbnails.of(level.path)
         if drawn is not None:
             surface.blit(drawn, top)
         else:

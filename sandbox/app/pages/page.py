@@ -78,6 +78,19 @@ class OnStage(Protocol):
         ...
 
 
+@runtime_checkable
+class Zoomed(Protocol):
+    """What a page shows that the wheel zooms, before it scrolls the page."""
+
+    def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
+        """Zoom about the mouse, if it is over that, and return whether it is."""
+        ...
+
+    def home(self) -> bool:
+        """Show all of it, and return whether that was not the case."""
+        ...
+
+
 class Desk(NamedTuple):
     """What a page works with."""
 

@@ -8,7 +8,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.load import Load
 from sandbox.app.pages import register
-from sandbox.app.pages.page import Desk
+from sandbox.app.pages.page import Desk, Zoomed
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.foot import FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
@@ -84,6 +84,14 @@ class SidePanel:
         if told is not None:
             self.page.update()
         return told
+
+    def zooms(self, event: pygame.event.Event) -> bool:
+        """Let the wheel, or the key Home, zoom what the page shows; return whether it did."""
+        if not isinstance(self.page, Zoomed):
+            return False
+        if event.type == pygame.MOUSEWHEEL:
+            return self.page.wheel(event.precise_y, pygame.mouse.get_pos())
+        return event.type == pygame.KEYDOWN and event.key == pygame.K_HOME and self.page.home()
 
     def tab(self, page: str) -> UIButton:
         """Return the tab of a page, given by its command."""

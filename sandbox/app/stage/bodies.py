@@ -16,6 +16,8 @@ FEW = 200
 
 LEAST = 3.0  # px, the radius at which even the smallest disc is drawn
 HATCH = 9  # px
+VEIL = 45
+"""Of 255, how much of what is in a sensor its colour covers."""
 
 
 def draw_body(
@@ -23,6 +25,9 @@ def draw_body(
     spoke: bool,
 ) -> None:  # fmt: skip
     """Draw a body that moves; a disc that can turn shows a spoke."""
+    if outline.sensor:
+        draw_area(surface, camera, outline, position, angle)
+        return
     rim = theme.mix(outline.color, theme.TEXT, 0.45)
     if outline.radius is not None:
         _disc(surface, camera, outline, position, rim)
@@ -50,6 +55,24 @@ def _disc(
     pygame.draw.aacircle(surface, outline.color, center, radius, width)
     if not outline.hollow and radius > 5:
         pygame.draw.aacircle(surface, rim, center, radius, 1)
+
+
+def draw_area(
+    surface: pygame.Surface, camera: Camera, outline: Outline, position: XY, angle: float
+) -> None:
+    """Draw a sensor: a veil over what is in it, within dashes."""
+    corners = camera.path(outline.placed(position, angle))
+    if not lines.near(corners):
+        return
+    (left, *_, right), (top, *_, bottom) = map(sorted, zip(*corners, strict=True))
+    seen = pygame.Rect(left, top, right - left + 1, bottom - top + 1).clip(surface.get_rect())
+    if seen.size == (0, 0):
+        return
+    veil = pygame.Surface(seen.size, pygame.SRCALPHA)
+    inside = [(x - seen.left, y - seen.top) for x, y in corners]
+    pygame.draw.polygon(veil, (*outline.color, VEIL), inside)
+    surface.blit(veil, seen)
+    lines.dashed(surface, outline.color, [*corners, corners[0]], 7, 5)
 
 
 def draw_crowd(
@@ -80,6 +103,9 @@ def draw_surface(
     inside
         A point of the plane where things happen [m].
     """
+    if outline.sensor:
+        draw_area(surface, camera, outline, position, angle)
+        return
     corners = camera.path(outline.placed(position, angle))
     edge = theme.SURFACE_EDGE
     if outline.hollow:

@@ -89,9 +89,11 @@ class Forces:
         return LONGEST * camera.size[0] / self._strongest if self._strongest else 0.0
 
     def arrows(self, world: World) -> Iterator[Arrow]:
-        """Yield the forces as they are now."""
+        """Yield the forces as they are now, but for those that are switched off."""
         snapshot = world.snapshot
         for force, row, handles in zip(self._forces, self._rows, self._handles, strict=True):
+            if not _acts(force, world):
+                continue
             turn = complex(np.exp(1j * float(snapshot.angle[row])))
             newtons = complex(*(float(part.over(world.values, snapshot.t)) for part in force.force))
             if force.frame == "body":
@@ -168,6 +170,12 @@ def write_beside(
     places = (place.move(0, off * image.height).clamp(seen) for off in (0, -1, 1))
     if found := labels.find(places):
         surface.blit(image, found)
+
+
+def _acts(force: Force, world: World) -> bool:
+    """Whether no event has switched a force off, alone or with all others."""
+    found = (world.scene.switches.get(name) for name in (force.name or "", force.effect.name))
+    return all(switch.at(world.snapshot.t) for switch in found if switch)
 
 
 def _shared(x: str, y: str) -> str:

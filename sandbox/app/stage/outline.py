@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, hypot, pi, sin
 
 from sandbox.app import lines, theme
@@ -41,6 +42,8 @@ class Outline:
         Whether only the rim is drawn.
     thickness
         Of a line [m].
+    sensor
+        Whether it is an area that others pass through.
     hidden
         Whether it is left out of the picture.
     layer
@@ -58,6 +61,7 @@ class Outline:
     curved: bool
     hollow: bool
     thickness: float
+    sensor: bool = False
     hidden: bool = False
     layer: int = 0
 
@@ -121,6 +125,7 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         curved=isinstance(shape, Curve),
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
+        sensor=spec.sensor,
         hidden=spec.hidden,
         layer=spec.layer,
     )
@@ -134,6 +139,7 @@ def _color(spec: Body, number: int) -> Color:
     return theme.BODIES[number % len(theme.BODIES)]
 
 
-def _circle(radius: float) -> list[XY]:
+@lru_cache(maxsize=1000)
+def _circle(radius: float) -> tuple[XY, ...]:
     turns = (2 * pi * i / CORNERS_OF_A_CIRCLE for i in range(CORNERS_OF_A_CIRCLE))
-    return [(radius * cos(turn), radius * sin(turn)) for turn in turns]
+    return tuple((radius * cos(turn), radius * sin(turn)) for turn in turns)

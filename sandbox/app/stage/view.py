@@ -17,6 +17,7 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
+    from sandbox.app.blows import Flash
     from sandbox.app.looking import Looking
     from sandbox.app.trail import Trail
 
@@ -48,6 +49,8 @@ class View:
         Where the bodies have been; None if nobody keeps it.
     looking
         At which body a person looks; None if nobody does.
+    flashes
+        Of the impacts that have just been.
     labels
         Where there is room for words in the present frame.
     """
@@ -65,6 +68,7 @@ class View:
         self.forces = Forces(world.level)
         self.trail: Trail | None = None
         self.looking: Looking | None = None
+        self.flashes: Sequence[Flash] = ()
         self.labels = Labels(pygame.Rect((0, 0), camera.size))
         self._fastest = marks.fastest(world, self.duration)
 

@@ -23,6 +23,7 @@ MANY = 600
 SIGNED = 4
 """How many signs stand on a line; those of other lines stand elsewhere along it."""
 DOT = 2.5  # px, the radius of a marked point
+MARGIN = 3  # px, around the field, in which what stands on its edge is drawn
 
 
 class Series(NamedTuple):
@@ -77,18 +78,26 @@ def scale(values: Sequence[Array], start: float, end: float, room: float) -> Sca
 
 
 def draw(
-    pen: Pen, size: tuple[int, int], series: Sequence[Series], span: Scale, cursor: float | None
-) -> pygame.Surface:
-    """Draw lines, the last on top; and a cursor at a value of x, if there is one."""
+    pen: Pen, size: tuple[int, int], series: Sequence[Series], span: Scale, cursor: float | None,
+    up: Scale | None = None,
+) -> pygame.Surface:  # fmt: skip
+    """Draw lines, the last on top; and a cursor at a value of x, if there is one.
+
+    Without a scale upwards there is room for all of them.
+    """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
-    up = scale([each.y for each in series], size[1] - pen.px(BELOW), pen.px(ABOVE), 0.06)
+    up = up or upwards(pen, size[1], [each.y for each in series])
     _draw_axes(surface, pen, span, up)
+    field = pygame.Rect(round(span.start), round(up.end), 0, 0)
+    field.size = round(span.end - span.start), round(up.start - up.end)
+    surface.set_clip(field.inflate(2 * MARGIN, 2 * MARGIN))
     for each in series:
         _draw_line(surface, each, span, up)
     if cursor is not None:
         x = round(float(span.pixels(np.array(cursor))))
         pygame.draw.line(surface, theme.NOTICE, (x, up.end), (x, up.start))
+    surface.set_clip(None)
     return surface
 
 
@@ -97,15 +106,39 @@ def across(pen: Pen, width: int, values: Sequence[Array]) -> Scale:
     return scale(values, pen.px(LEFT), width - pen.px(RIGHT), 0.0)
 
 
+def upwards(pen: Pen, height: int, values: Sequence[Array]) -> Scale:
+    """Return the scale of y for a graph of a height [px], with a little room at both ends."""
+    return scale(values, height - pen.px(BELOW), pen.px(ABOVE), 0.06)
+
+
 def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) -> None:
-    every = max(len(series.x) // MANY, 1)
-    kept = np.unique(np.append(np.arange(0, len(series.x), every), len(series.x) - 1))
-    found = np.column_stack((span.pixels(series.x[kept]), up.pixels(series.y[kept])))
-    points = [(float(x), float(y)) for x, y in found if np.isfinite(x + y)]
+    """Draw the parts of a line that come into the field."""
+    field = np.array([[span.start, up.end], [span.end, up.start]])
+    pixels = np.column_stack((span.pixels(series.x), up.pixels(series.y)))
+    for part in _parts(pixels[np.isfinite(pixels).all(axis=1)], field):
+        every = max(len(part) // MANY, 1)
+        kept = np.unique(np.append(np.arange(0, len(part), every), len(part) - 1))
+        _draw_part(surface, series, [(x, y) for x, y in part[kept].tolist()])
+
+
+def _parts(pixels: Array, field: Array) -> Iterator[Array]:
+    """Yield the pieces of a broken line, (k, 2), that come near a field: its two corners [px]."""
+    if len(pixels) < 2:
+        yield from (pixels,) if len(pixels) else ()
+        return
+    before, after = pixels[:-1], pixels[1:]
+    least, most = np.minimum(before, after), np.maximum(before, after)
+    near = ((most >= field[0] - MARGIN) & (least <= field[1] + MARGIN)).all(axis=1)
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], near, [False]))))
+    for start, end in edges.reshape(-1, 2).tolist():
+        yield pixels[start : end + 1]
+
+
+def _draw_part(surface: pygame.Surface, series: Series, points: Sequence[XY]) -> None:
     if series.marked:
         for point in points:
             pygame.draw.aacircle(surface, series.color, point, DOT)
-    if series.sign is not None and points:
+    if series.sign is not None and points and lines.near(points):
         _sign(surface, series.sign, series.color, points)
     if len(points) < 2:
         return
@@ -113,6 +146,8 @@ def _draw_line(surface: pygame.Surface, series: Series, span: Scale, up: Scale) 
         lines.dashed(surface, series.color, points)
     elif lines.near(points):
         pygame.draw.aalines(surface, series.color, False, points)
+    else:
+        lines.path(surface, series.color, points, 1)
 
 
 def _sign(surface: pygame.Surface, which: int, color: Color, points: Sequence[XY]) -> None:

@@ -13,6 +13,9 @@ def command(
     at: Annotated[
         float, typer.Option(metavar="S", help="The time that is described, in seconds.")
     ] = 0.0,
+    forces: Annotated[
+        bool, typer.Option("--forces", help="Tell the forces on each body, too.")
+    ] = False,
 ) -> None:
     """Say in words what is on the stage: for a terminal, or a screen reader.
 
@@ -21,4 +24,4 @@ def command(
     """
     from sandbox.cli.describe import describe
 
-    describe(level, set_ or [], at)
+    describe(level, set_ or [], at, with_forces=forces)

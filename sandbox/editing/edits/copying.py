@@ -25,8 +25,8 @@ Data = dict[str, Any]
 def copy(text: str, level: Level, names: Collection[str]) -> str:
     """Return bodies as the text of a level that has nothing else but what belongs to them.
 
-    Those are the joints that hold no other bodies, the level's constants, and the parameters that
-    all of these use.
+    Those are the joints that hold no other bodies, their groups, the level's constants, and the
+    parameters that all of these use.
 
     Raises
     ------
@@ -43,6 +43,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
     ]
     parts = [level.bodies[name] for name in names], [level.joints[name] for name in joints]
     used = names_in((*parts[0], *parts[1], *level.constants.values()))
+    groups = [list(group) for group in level.view.together if set(group) <= set(names)]
     return json.dumps(
         {
             "format": 1,
@@ -51,6 +52,7 @@ def copy(text: str, level: Level, names: Collection[str]) -> str:
             "constants": data.get("constants", {}),
             "bodies": {name: data["bodies"][name] for name in names},
             "joints": {name: data["joints"][name] for name in joints},
+            "view": {"together": groups},
         },
         ensure_ascii=False,
     )
@@ -79,6 +81,8 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
     for name, joint in source.joints.items():
         told = _joint(joint, data["joints"][name], names, complex(*by))
         changes["joints", names[name]] = told
+    for index, group in enumerate(source.view.together, start=len(level.view.together)):
+        changes["view", "together", index] = [names[name] for name in group]
     for kind in ("parameters", "constants"):
         for name in getattr(source, kind).keys() - getattr(level, kind).keys():
             changes[kind, name] = data[kind][name]

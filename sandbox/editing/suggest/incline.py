@@ -59,7 +59,7 @@ def suggestions(scene: Scene) -> Iterator[Suggestion]:
 def _lies_on(scene: Scene, block: Placed, slope: str) -> Iterator[complex]:
     """Yield the normal of a slope that stands still and that a block lies flat on."""
     under = scene.where[slope]
-    if under.name == block.name or under.body.type != "static":
+    if under.name == block.name or under.body.type != "static" or under.body.sensor:
         return
     for core in under.cores:
         for own in block.cores:

@@ -141,7 +141,8 @@ class Scene:
         """
         if self.level.effects.contact is None:
             return self.lasts
-        others = [other for other in self.where if other not in (name, *besides)]
+        solid = (other for other, at in self.where.items() if not at.body.sensor)
+        others = [other for other in solid if other not in (name, *besides)]
         for t in np.linspace(0, self.lasts, SAMPLES)[1:].tolist():
             if any(self.distance(name, way(t), other) < TOUCHING for other in others):
                 return t - self.lasts / (SAMPLES - 1)

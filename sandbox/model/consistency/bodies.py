@@ -6,7 +6,7 @@ from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
 from sandbox.model.parts import Fault, instants
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
-from sandbox.model.shapes import Polygon, Polyline, Shape
+from sandbox.model.shapes import Area, Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
 """How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
@@ -59,6 +59,32 @@ def rise_and_fall(level: Level) -> Iterator[Fault]:
                 yield Fault((*path, "body"), rule)
 
 
+def sensors_fit(level: Level) -> Iterator[Fault]:
+    """Sensors are areas, have no surface, and move at the most by themselves."""
+    for name, body in level.bodies.items():
+        if not body.sensor:
+            continue
+        path = ("bodies", name)
+        if not isinstance(body.shape, Area):
+            rule = f"a sensor is an area, a disc, a box or a polygon, and not a {body.shape.type}"
+            yield Fault((*path, "shape"), rule)
+        if body.type == "dynamic":
+            rule = "a sensor is static or kinematic: nothing pushes it"
+            yield Fault((*path, "sensor"), rule)
+        for field in ("friction", "static_friction", "restitution"):
+            if given(body, field):
+                yield Fault((*path, field), "a sensor has no surface; leave it out")
+
+
+def in_one_group(level: Level) -> Iterator[Fault]:
+    """No body is selected with two groups."""
+    taken: set[str] = set()
+    for index, group in enumerate(level.view.together):
+        for name in sorted(taken.intersection(group)):
+            yield Fault(("view", "together", index), f"'{brief(name)}' is in another group already")
+        taken.update(group)
+
+
 def given(body: Body, field: str) -> bool:
     """Whether a field says anything; its default may be written out."""
     return bool(getattr(body, field) != type(body).model_fields[field].default)
@@ -80,7 +106,7 @@ def not_too_many(level: Level) -> Iterator[Fault]:
     """Bodies that touch have no more surfaces than pymunk holds in reasonable time."""
     if level.effects.contact is None:
         return
-    count = sum(_pieces(body.shape) for body in level.bodies.values())
+    count = sum(_pieces(body.shape) for body in level.bodies.values() if not body.sensor)
     if count > MAX_SURFACES:
         rule = f"have {count:,} surfaces in all; {MAX_SURFACES:,} are the most that may touch"
         yield Fault(("bodies",), rule)

@@ -36,8 +36,10 @@ def effects_used(level: Level) -> Iterator[Fault]:
     dynamic = any(body.type == "dynamic" for body in level.bodies.values())
     for name in () if dynamic else level.effects.declared:
         yield Fault(("effects", name), f"'{name}' is declared but no body is dynamic")
-    if level.effects.contact and dynamic and len(level.bodies) < 2:
-        yield Fault(("effects", "contact"), "'contact' is declared but there is only one body")
+    touching = sum(not body.sensor for body in level.bodies.values())
+    if level.effects.contact and dynamic and touching < 2:
+        rule = "'contact' is declared but there is only one body that can touch another"
+        yield Fault(("effects", "contact"), rule)
     for kind, effect in EFFECTS.items():
         if effect.coefficient:
             yield from coefficients_fit(level, kind)

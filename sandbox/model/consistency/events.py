@@ -65,10 +65,11 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
 
 
 def drifts_cut_once(level: Level) -> Iterator[Fault]:
-    """No level has events that act where impacts, or ends of slipping, cut a drift as well."""
-    if not level.events:
+    """Nothing else happens where impacts, or ends of slipping, cut a drift as well."""
+    if not level.happens:
         return
-    effects, rule = level.effects, "cannot be had together with 'events'; leave out one"
+    what = "'events'" if level.events else "joints that break ('breaks_at')"
+    effects, rule = level.effects, f"cannot be had together with {what}; leave out one"
     for effect in (effects.contact, effects.friction):
         if effect and effect.located is not None:
             yield Fault(("effects", effect.effect.name, "located"), f"'located' {rule}")

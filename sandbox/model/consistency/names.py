@@ -19,6 +19,8 @@ LONGEST_CIRCLE = 10
 
 def parameters_fit(level: Level) -> Iterator[Fault]:
     """Parameters have values in their ranges, and change something in the scene."""
+    if not level.parameters:
+        return
     scene, formulas = _used(level, scene=True), _used(level, scene=False)
     for name, parameter in level.parameters.items():
         path = ("parameters", name)
@@ -39,6 +41,8 @@ def parameters_fit(level: Level) -> Iterator[Fault]:
 
 def constants_fit(level: Level) -> Iterator[Fault]:
     """Constants have names of their own, and something uses them."""
+    if not level.constants:
+        return
     used = set().union(*(expression.written for _, expression in expressions(level)))
     for name in level.constants:
         path = ("constants", name)

@@ -5,7 +5,12 @@ from collections.abc import Iterator, Sequence
 from sandbox.model.apart import apart
 from sandbox.model.bounds import MOST_PAIRS
 from sandbox.model.consistency.bodies import given
-from sandbox.model.consistency.mentions import bodies_of_flows, coefficients, named_quantities
+from sandbox.model.consistency.mentions import (
+    bodies_of_flows,
+    coefficients,
+    mentions,
+    named_quantities,
+)
 from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
@@ -64,8 +69,8 @@ def coefficients_fit(level: Level, kind: str) -> Iterator[Fault]:
         yield Fault(("effects", kind), f"'{kind}' is declared but no body has a coefficient")
         return
     known = paired.union(given)
-    for name in level.bodies:
-        if name not in known:
+    for name, body in level.bodies.items():
+        if name not in known and not body.sensor:
             yield Fault(
                 ("bodies", name),
                 f"needs a '{kind}' coefficient, for the level declares '{kind}'"
@@ -79,6 +84,18 @@ def _static_alone(level: Level) -> Iterator[Fault]:
         if body.static_friction is not None and body.friction is None:
             rule = "needs 'friction' beside it, the coefficient while the body slips"
             yield Fault(("bodies", name, "static_friction"), rule)
+
+
+def sensors_untouched(level: Level) -> Iterator[Fault]:
+    """Nothing waits for a sensor to be touched, or says how it is."""
+    sensors = {name for name, body in level.bodies.items() if body.sensor}
+    if not sensors:
+        return
+    for path, names, mention in mentions(level):
+        touches = mention.of == "couple" or path[:2] == ("effects", "contact")
+        for name in sorted(sensors.intersection(names)) if touches else ():
+            rule = f"'{brief(name)}' is a sensor, which nothing touches; wait for '.within.'"
+            yield Fault(path, rule)
 
 
 def apart_fits(level: Level) -> Iterator[Fault]:

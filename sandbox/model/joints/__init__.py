@@ -14,6 +14,7 @@ from sandbox.model.bounds import (
     Damping,
     Extent,
     LengthOverTime,
+    Load,
     SpinOverTime,
     SpringLaw,
     Stiffness,
@@ -49,6 +50,8 @@ class Rod(Model):
     """m, of the parameters and the time t; the distance at the start if left out"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks, whether it pulls or pushes; never if left out"""
 
 
 class Rope(Model):
@@ -63,6 +66,8 @@ class Rope(Model):
     """m; the distance at the start if left out, slack at first if longer"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
+    breaks_at: Load | None = None
+    """N, the tension at which it breaks; never if left out"""
 
 
 class Pulley(Model):
@@ -80,6 +85,8 @@ class Pulley(Model):
     """the pegs it runs over, from the first end to the second"""
     length: Extent | None = None
     """m; the length of its path at the start if left out, slack at first if longer"""
+    breaks_at: Load | None = None
+    """N, the tension at which it breaks; never if left out"""
 
 
 class Pivot(Model):
@@ -92,6 +99,8 @@ class Pivot(Model):
     """the points that it keeps together"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks; never if left out"""
 
 
 class Rail(Model):
@@ -104,6 +113,8 @@ class Rail(Model):
     """what runs on it, and what it goes through"""
     direction: Point
     """[x, y], the way it goes, of any length; it does not turn"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks; never if left out"""
 
 
 class Weld(Model):
@@ -116,6 +127,8 @@ class Weld(Model):
     """what it makes one; its tension and its torque are those at the second"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks; never if left out"""
 
 
 class Motor(Model):
@@ -130,6 +143,8 @@ class Motor(Model):
     """rad/s, counter-clockwise, of the parameters and the time t; it takes the torque it needs"""
     exact: bool = True
     """whether it holds to rounding; pymunk's own joint does not"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks; never if left out"""
 
 
 class Winding(Model):
@@ -146,6 +161,8 @@ class Winding(Model):
     """m, of the circle on which it is wound, about the wheel's centre of mass"""
     unwinds: Literal["clockwise", "counterclockwise"]
     """how the wheel turns when it gives off string"""
+    breaks_at: Load | None = None
+    """N, the tension at which it breaks; never if left out"""
 
 
 class Spring(Model):
@@ -169,6 +186,8 @@ class Spring(Model):
     """kg/s, c"""
     pushes_only: bool = False
     """whether it lets go beyond its length l0, as a bumper that is only touched"""
+    breaks_at: Load | None = None
+    """N, the force at which it breaks, whether it pulls or pushes; never if left out"""
 
 
 class Wire(Model):

@@ -3,7 +3,7 @@
 from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
-from sandbox.model.bounds import Extent, Ratio
+from sandbox.model.bounds import Extent, Load, Ratio
 from sandbox.model.joints.contract import Kind
 from sandbox.model.joints.ends import End
 from sandbox.model.mention import BodyName
@@ -41,3 +41,5 @@ class Rack(Model):
     direction: Point
     """[x, y], of any length: the way of the bar, seen from the wheel, as that turns
     counter-clockwise; it does not turn"""
+    breaks_at: Load | None = None
+    """N, the force between the teeth at which it breaks; never if left out"""

@@ -85,15 +85,18 @@ def _order(differences: Sequence[float], floor: float, most: int) -> tuple[float
     """Return the order by which differences fall, and the last of them.
 
     Impacts are found at steps, and how late each comes is a matter of chance: what falls now more
-    and now less is of first order at the best, and the larger of the last two counts.
+    and now less is of first order at the best, and the larger of the last two counts. Two runs may
+    agree by chance, too: no difference counts for less than the one before and the order allow.
     """
     last = differences[-1]
+    if len(differences) > 1 and floor < differences[-2] / 2**most < inf:
+        last = max(last, differences[-2] / 2**most)
     if len(differences) < 2 or not floor < last < inf:
         return None, last
     order = log2(differences[-2] / last) if 0 < differences[-2] < inf else 0.0
     if order >= LEAST_ORDER:
         return min(order, most), last
-    first, last = max(differences[:2]), max(differences[-2:])
+    first, last = max(differences[:2]), max(last, differences[-2])
     if len(differences) < 4 or not 0 < last < first < inf:
         return None, last
     order = log2(first / last) / (len(differences) - 2)

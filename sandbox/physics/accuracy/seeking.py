@@ -16,7 +16,7 @@ from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_prices
 from sandbox.physics.accuracy.richardson import ORDERS
-from sandbox.physics.accuracy.runs import Stop, Watched, record, scaled, stride
+from sandbox.physics.accuracy.runs import Stop, Watched, never, record, scaled, stride
 from sandbox.physics.accuracy.search import FEWEST, Progress, Refiner, price, refine
 from sandbox.physics.accuracy.sudden import onset
 from sandbox.physics.guarding.rate_limits import needs
@@ -98,7 +98,7 @@ class Seeker:
         SimulationError
             If it does not run at all.
         """
-        wanted = self._scaled(wanted)
+        wanted = with_scales(self.level, self.values, wanted, self.stop)
         refiners = [
             Refiner(self.level, self.values, start, wanted, self.target)
             for start in _candidates(self.level, self.values)
@@ -115,13 +115,6 @@ class Seeker:
         elif chosen.error <= self.target:
             chosen = self._refined(chosen, offers, wanted)
         return Found(self.level, self.values, self.target, wanted, offers, chosen)
-
-    def _scaled(self, wanted: Sequence[Watched]) -> Sequence[Watched]:
-        """Return what is watched with the scales of a run at the level's own rate."""
-        own = Stepping(rate=self.level.stepping.rate, iterations=self.level.stepping.iterations)
-        with suppress(SimulationError):
-            return scaled(wanted, self._run(own, wanted))
-        return wanted
 
     def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
         return record(self.level, self.values, stepping, wanted, self.stop)
@@ -158,6 +151,22 @@ class Seeker:
             return chosen._replace(error=float("inf"))
         spare = 1 + 1 / (2 ** (NEARLY * ORDERS[chosen.stepping.scheme]) - 1)
         return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
+
+
+def with_scales(
+    level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
+) -> Sequence[Watched]:
+    """Return what is watched with the scales of a run at the level's own rate.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    """
+    own = Stepping(rate=level.stepping.rate, iterations=level.stepping.iterations)
+    with suppress(SimulationError):
+        return scaled(wanted, record(level, values, own, wanted, stop))
+    return wanted
 
 
 def _candidates(level: Level, values: Values) -> Iterator[Stepping]:

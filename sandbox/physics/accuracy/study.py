@@ -3,11 +3,11 @@
 A study is a row of findings, each told as soon as it is known, for somebody who looks on.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice, zip_longest
+from itertools import islice
 from math import isfinite
 from typing import Literal
 
@@ -16,19 +16,25 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.refinement import Refinement, foot, held_against, step_prices
+from sandbox.physics.accuracy.refinement import (
+    Refinement,
+    foot,
+    held_against,
+    judged,
+    step_prices,
+)
 from sandbox.physics.accuracy.richardson import extrapolated
 from sandbox.physics.accuracy.runs import (
     Watched,
     by_check,
-    departure,
     never,
     record,
-    size,
+    scaled,
     watched,
 )
 from sandbox.physics.accuracy.search import Refiner, refine
-from sandbox.physics.accuracy.sudden import lateness
+from sandbox.physics.accuracy.seeking import with_scales
+from sandbox.physics.accuracy.trust import Trust, trusts
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
@@ -50,9 +56,6 @@ EXACT = 1e-10
 
 MANY = 200
 """Of how many quantities it is told, at the most, how far they can be trusted."""
-
-SEEN = 1e-2
-"""The share of its largest value by which a quantity is seen to be off in a graph."""
 
 
 Stage = Literal[
@@ -114,26 +117,6 @@ class Split:
 
 
 @dataclass(frozen=True, slots=True)
-class Trust:
-    """How far a quantity of the run can be trusted.
-
-    Attributes
-    ----------
-    quantity
-        Its name.
-    size, off
-        Its largest value, and its largest numerical error [its unit].
-    until
-        When half of the step makes a difference that is seen in a graph [s]; None if it never does.
-    """
-
-    quantity: str
-    size: float
-    off: float
-    until: float | None
-
-
-@dataclass(frozen=True, slots=True)
 class Failed:
     """Why there is no more to be found."""
 
@@ -169,38 +152,44 @@ def seek(level: Level, values: Values, target: float, seconds: float = SEARCH) -
         yield Failed(str(error))
 
 
+def trusted(level: Level, values: Values, names: Iterable[str]) -> tuple[Trust, ...]:
+    """Return how far quantities of a level's own run can be trusted.
+
+    Raises
+    ------
+    SimulationError
+        If it does not run, or not with half of its step.
+    """
+    items = [Watched(name) for name in names]
+    return tuple(trusts(list(_halved(level, values, items)), items))
+
+
 def _own(level: Level, values: Values) -> Iterator[Finding]:
-    """Run at half the level's own rate, at that, and at twice that."""
+    """Run at half the level's own rate, at that, and at twice that.
+
+    The error of the run is that of its checks and of all motion: a check may hold at instants at
+    which nothing moves.
+    """
     yield Progress(0.9, "halving the step")
     items = [by_check(check, values) for check in level.checks]
-    items = items or list(watched(level, values))
+    judging = watched(level, values)
     drawn = [Watched(found.name) for found in islice(momentary(level), MANY)]
     own = level.stepping
-    traces = list(_halved(level, values, [*items, *drawn]))
-    yield from _trusted(traces, drawn)
-    errors = [0.0]
+    traces = list(_halved(level, values, [*items, *judging, *drawn]))
+    yield from trusts(traces, drawn)
     results = zip(grade(traces[-2]), grade(traces[-1]), strict=True)
-    for index, (item, result) in enumerate(zip_longest(items, results)):
-        found = extrapolated(traces, item)
-        if found is None:
-            continue
-        *_, numerical, rest = found.relative
-        errors.append(numerical)
-        if result:
+    for index, (item, result) in enumerate(zip(items, results, strict=True)):
+        if found := extrapolated(traces, item):
+            *_, numerical, rest = found.relative
             yield _split(index, result, found.of[-2], numerical, rest)
     [step] = brief_costs(partial(make_world, level, values, own))
-    yield Here(own.scheme, own.rate, max(errors), step * own.rate)
+    yield Here(own.scheme, own.rate, _error(traces, judging), step * own.rate)
 
 
-def _trusted(traces: Sequence[Trace], drawn: Sequence[Watched]) -> Iterator[Trust]:
-    """Yield how far quantities of the run before the last can be trusted."""
-    run, finer = traces[-2:]
-    for item in drawn:
-        if found := extrapolated(traces, item):
-            largest, unit = size(finer, item), found.unit
-            late = lateness(finer, [item]).error * unit
-            until = departure(run, finer, item, SEEN)
-            yield Trust(item.quantity, largest, max(found.of[-2], late), until)
+def _error(traces: Sequence[Trace], wanted: Sequence[Watched]) -> float:
+    """Return the largest relative error of the run before the last; 0 if nothing moves."""
+    moving = scaled(wanted, traces[-2])
+    return judged(traces, moving).errors[-2] if moving else 0.0
 
 
 def _halved(level: Level, values: Values, items: Sequence[Watched]) -> Iterator[Trace]:
@@ -231,7 +220,7 @@ def _split(
 def _others(level: Level, values: Values) -> Iterator[Finding]:
     """Refine the step of each scheme, and hold all against the best."""
     starts = list(_starts(level))
-    wanted = watched(level, values)
+    wanted = with_scales(level, values, watched(level, values))
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
         yield Progress((1 + index) / (2 + len(starts)), "{scheme} at many rates", start.scheme)

@@ -15,7 +15,6 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.schemes import unsmooth
 from sandbox.physics.accuracy.runs import Watched, jumps, scale, size
 from sandbox.physics.measuring.recording import Trace
 
@@ -37,7 +36,7 @@ def lateness(trace: Trace, wanted: Sequence[Watched]) -> Off:
     """Return how far off a run may be for what it finds a step too late.
 
     A body that an impact turns back a step too late is off by what that changes of its velocity,
-    times the step. Impacts that are located are not late, and where all is smooth there are none.
+    times the step. Impacts that are located are not late, and where nothing touches there are none.
     """
     late = _found_late(trace, wanted)
     return _worst(trace, ((item, float(motion.jumps.max(initial=0.0))) for item, motion in late))
@@ -65,10 +64,12 @@ def onset(trace: Trace, wanted: Sequence[Watched], rate: float) -> Off:
 
 
 def _found_late(trace: Trace, wanted: Sequence[Watched]) -> Iterator[tuple[Watched, "_Motion"]]:
-    """Yield the coordinates of what may be hit without being located in time."""
-    if unsmooth(trace.level):
-        contact = trace.level.effects.contact
-        exact = (contact and contact.located) or ()
+    """Yield the coordinates of what may be hit without being located in time.
+
+    A joint that goes taut is none: it holds at the end of the step in which it does.
+    """
+    if contact := trace.level.effects.contact:
+        exact = contact.located or ()
         yield from _motions(trace, [i for i in wanted if i.quantity.partition(".")[0] not in exact])
 
 

@@ -57,6 +57,7 @@ def make_hollow(
     made = {
         name: _made(row, level.bodies[name], values, own)
         for row, (name, own) in enumerate(shapes.items())
+        if own  # a sensor has none
     }
     pairs = _pairs(level, values, made)
     if not pairs:

@@ -74,7 +74,9 @@ def skip_ids(space: pymunk.Space, level: Level) -> None:
 def make_surfaces(
     spec: Body, body: pymunk.Body, level: Level, values: Values, skin: float, kind: int
 ) -> list[pymunk.Shape]:
-    """Make the shapes with which a body touches others."""
+    """Make the shapes with which a body touches others; a sensor has none."""
+    if spec.sensor:
+        return []
     shapes = _outline(spec, spec.shape, body, values, skin, kind)
     effects = level.effects
     for shape in shapes:

@@ -46,7 +46,7 @@ def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
     """
     still = all(body.type != "kinematic" for body in level.bodies.values())
     simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
-    calm = still and not level.events
+    calm = still and not level.happens
     return simple and calm and all(_known(quantity(name, level)) for name in names)
 
 

@@ -79,17 +79,27 @@ class Acted(NamedTuple):
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:
-    """Return whether a quantity has crossed a value; one that begins there has not."""
+    """Return whether a quantity has crossed a value; one that begins there has not.
+
+    One that waits for a size is there at once if it begins beyond.
+    """
+    if crossing.direction == "beyond":
+        return abs(now) >= crossing.value
     rises, falls = before < crossing.value <= now, before > crossing.value >= now
     return {"up": rises, "down": falls, "either": rises or falls}[crossing.direction]
 
 
 def within(value: Callable[[float], float], crossing: Crossing, lasts: float) -> float:
     """Return how long it takes a quantity to cross a value, in less than `lasts` [s]."""
-    low, high, sign = 0.0, lasts, np.sign(value(0.0) - crossing.value)
+
+    def beyond(time: float) -> float:
+        reading = value(time)
+        return (abs(reading) if crossing.direction == "beyond" else reading) - crossing.value
+
+    low, high, sign = 0.0, lasts, np.sign(beyond(0.0))
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
-        if sign * (value(middle) - crossing.value) > 0:
+        if sign * beyond(middle) > 0:
             low = middle
         else:
             high = middle

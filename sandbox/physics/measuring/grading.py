@@ -140,7 +140,7 @@ def samples(trace: Trace, quantity: str, at: Instant | None) -> tuple[Array, Arr
         return _after_contact(trace, column, at)
     if isinstance(at, SeparationEvent):
         return _when_parted(trace, column, at)
-    time = _time(trace, at)
+    time = time_of(at, trace)
     if time is None:
         return None
     value = value_at(trace.t, column, time, smooth=trace.smooth)
@@ -168,8 +168,18 @@ def _when_parted(trace: Trace, column: Array, at: SeparationEvent) -> tuple[Arra
     return trace.t[then], column[then]
 
 
-def _time(trace: Trace, at: Expression | CrossingEvent | ApexEvent | LandingEvent) -> float | None:
-    """Return when an instant is [s], None if it has not come yet."""
+def time_of(
+    at: Expression | CrossingEvent | ApexEvent | LandingEvent, trace: Trace
+) -> float | None:
+    """Return when an instant is that is known between two steps [s], None if it has not come yet.
+
+    Parameters
+    ----------
+    at
+        The instant.
+    trace
+        A run that recorded the quantities that `needed_at` names for it.
+    """
     values = trace.values
     match at:
         case ApexEvent(body=body):

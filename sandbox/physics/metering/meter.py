@@ -9,7 +9,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.model.quantities import Component, Quantity, QuantityError, quantity
+from sandbox.model.quantities import WITHIN, Component, Quantity, QuantityError, quantity
 from sandbox.model.shapes import evaluate
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.anchor import Anchor
@@ -103,8 +103,14 @@ class Meter:
         return lambda s: s.tension[..., column]
 
     def _of_two(self, quantity: Quantity) -> Measurement:
-        """Measure a point of a body, or a body relative to another: what its points move by."""
+        """Measure a point of a body, or a body relative to another, or in a sensor."""
         row, (kind, _, attribute) = self._rows[quantity.subject], quantity.attribute.partition(".")
+        if kind == WITHIN:
+            from sandbox.physics.metering.sensing import sensing
+
+            return sensing(
+                row, self._rows[quantity.other], self._bodies[quantity.other], self._values
+            )
         if kind == "point":
             arm = complex(
                 *evaluate(self._bodies[quantity.subject].points[quantity.other], self._values)

@@ -122,7 +122,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     batch = Batch(space, list(bodies.values()))
     joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs.hollows)
     switches: Switches = {}
-    if level.events:
+    if level.happens:
         from sandbox.physics.scene.switches import make_switches
 
         switches = make_switches(level, joints)

@@ -15,6 +15,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.physics.accuracy import cache, study
 from sandbox.physics.accuracy.study import Here, Point
+from sandbox.physics.accuracy.trust import surviving
 from sandbox.physics.run import build
 from tests.app import scenes, work
 from tests.app.person import Person, until
@@ -266,7 +267,7 @@ def test_only_digits_that_survive_are_shown_and_how_far_they_go(informed: Person
 def test_digits_survive_that_are_larger_than_the_error(
     value: float, off: float, digits: int
 ) -> None:
-    assert wording.surviving(value, off) == digits
+    assert surviving(value, off) == digits
 
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:

@@ -1,15 +1,18 @@
 """Graphs: what is drawn is what was measured, at its place."""
 
+from pathlib import Path
+
 import numpy as np
 import pygame
 import pytest
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme, wording
+from sandbox.app import own_files, theme, wording
 from sandbox.app.history import History
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
+from sandbox.app.pages.graph.zoom import NOTCH, Zoom
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.trail import CAPACITY
@@ -17,8 +20,8 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.study import Trust
-from tests.app.person import Person
+from sandbox.physics.accuracy.trust import Trust
+from tests.app.person import Person, until
 
 
 def opened(name: str, steps: int) -> Session:
@@ -156,8 +159,8 @@ def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> N
     session, name = opened("kinematics/projectile", 30), "ball.position.y"
     told = Trust(name, size=8.0, off=1e-4, until=1.25)
 
-    without = graphs(pen, 278, session, [name], "t", None)
-    known = graphs(pen, 278, session, [name], "t", None, {name: told})
+    without, _ = graphs(pen, 278, session, [name], "t", None)
+    known, _ = graphs(pen, 278, session, [name], "t", None, {name: told})
 
     assert known.height - without.height == pen.height(12)
     assert wording.trusted(told) == "4 digits hold; foretold until t = 1.25 s"
@@ -209,3 +212,170 @@ def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_fu
     span = span_of(pen, 300, session, "t")
 
     assert span.high == pytest.approx(100 / 60, rel=1e-9)
+
+
+def zoomed(person: Person) -> Zoom:
+    return person.window.workers.of(Choice).zoom(person.session)
+
+
+@pytest.fixture
+def grapher(person: Person) -> Person:
+    """Somebody who looks at the graph of a whole throw, from 0 to the level's duration."""
+    person.window.open_level("kinematics/projectile")
+    for _ in range(person.session.end):
+        person.session.step()
+    person.press(pygame.K_d, "d")
+    return person
+
+
+def on_graph(person: Person, t: float, rise: float = 0.5) -> tuple[int, int]:
+    """Return where a time [s] is in the first graph, at a part of its height [px]."""
+    graph, corner = page(person)._zooming.graphs[0], page(person)._graphs.rect.topleft
+    x = float(graph.across.pixels(np.array(t))) + graph.place.x + corner[0]
+    y = graph.up.start + (graph.up.end - graph.up.start) * rise + graph.place.y + corner[1]
+    return round(x), round(y)
+
+
+def test_a_box_that_is_dragged_is_what_is_seen(grapher: Person) -> None:
+    rises = page(grapher)._zooming.graphs[0].up
+    low, high = (rises.low + share * (rises.high - rises.low) for share in (0.2, 0.8))
+
+    grapher.drag(on_graph(grapher, 1.0, 0.2), on_graph(grapher, 2.0, 0.8))
+
+    pixel = 0.03  # s, about
+    assert zoomed(grapher).across == pytest.approx((1.0, 2.0), abs=pixel)
+    assert zoomed(grapher).up["m"] == pytest.approx((low, high), rel=0.03)
+
+
+def test_a_flat_box_leaves_the_height_as_it_is(grapher: Person) -> None:
+    grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
+
+    assert zoomed(grapher).across == pytest.approx((1.0, 2.0), abs=0.03)
+    assert zoomed(grapher).up == {}
+
+
+def test_the_wheel_zooms_about_the_mouse_and_does_not_scroll_the_page(grapher: Person) -> None:
+    grapher.move(on_graph(grapher, 1.0))
+    before = page(grapher)._graphs.rect.y
+    for _ in range(5):
+        pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=1, precise_x=0.0, precise_y=1.0))
+        grapher.wait()
+
+    across = zoomed(grapher).across
+    assert across is not None
+    low, high = across
+    assert high - low == pytest.approx(grapher.session.t * NOTCH**5, rel=1e-6)
+    assert (1.0 - low) / (high - low) == pytest.approx(1.0 / grapher.session.t, abs=0.02)
+    assert page(grapher)._graphs.rect.y == before
+
+
+def test_the_other_button_moves_what_is_seen(grapher: Person) -> None:
+    grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
+    before = zoomed(grapher).across
+    assert before is not None
+
+    grapher.drag(on_graph(grapher, 1.75), on_graph(grapher, 1.25), which=3)
+
+    assert zoomed(grapher).across == pytest.approx((before[0] + 0.5, before[1] + 0.5), abs=0.03)
+
+
+def test_a_double_click_shows_all_again(grapher: Person, monkeypatch: pytest.MonkeyPatch) -> None:
+    grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
+    pixel = on_graph(grapher, 1.5)
+    monkeypatch.setattr(pygame.time, "get_ticks", lambda: 10_000)
+
+    grapher.click(pixel)
+    assert zoomed(grapher)
+    grapher.click(pixel)
+
+    assert not zoomed(grapher)
+
+
+def test_home_shows_all_again_and_restarts_only_then(grapher: Person) -> None:
+    grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
+
+    grapher.press(pygame.K_HOME)
+    assert not zoomed(grapher)
+    assert grapher.session.at_end
+    grapher.press(pygame.K_HOME)
+    assert grapher.session.world.steps == 0
+
+
+def test_buttons_zoom_and_move_along_for_those_who_have_no_mouse(grapher: Person) -> None:
+    whole = grapher.session.t
+
+    def press(caption: str) -> None:
+        panels = grapher.window.panels
+        for _ in range(300):
+            grapher.press(pygame.K_TAB)
+            if panels.focus.element(panels.manager, panels.layout) is page(grapher).button(caption):
+                break
+        grapher.press(pygame.K_RETURN, "\r")
+
+    press("+")
+    assert zoomed(grapher).across == pytest.approx((0.1 * whole, 0.9 * whole), rel=1e-9)
+    press(">")
+    assert zoomed(grapher).across == pytest.approx((0.3 * whole, 1.1 * whole), rel=1e-9)
+    press("<")
+    press("−")
+    assert zoomed(grapher).across == pytest.approx((0.0, whole), abs=1e-9)
+    press("All")
+    assert not zoomed(grapher)
+
+
+def test_of_a_zoomed_line_every_point_that_is_seen_is_drawn(pen: Pen) -> None:
+    """Of 100,000 points a few hundred are drawn; looked at closely, a peak of one is seen."""
+    x = np.linspace(0.0, 1.0, 100_001)
+    y = np.where(np.arange(len(x)) == 50_001, 1.0, 0.0)
+    series = [Series((255, 0, 0), x, y)]
+    span = plot.across(pen, 300, [x])
+    near = span._replace(low=0.4999, high=0.5001)
+
+    far_off, close = (plot.draw(pen, (300, 150), series, each, None) for each in (span, near))
+
+    def highest(drawn: pygame.Surface) -> int:
+        pixels = pygame.surfarray.array3d(drawn)
+        return int(np.argwhere((pixels[..., 0] > 100) & (pixels[..., 1] < 60))[:, 1].min())
+
+    assert highest(close) <= plot.ABOVE + 12 < highest(far_off)
+
+
+def test_what_lies_far_beyond_a_closely_seen_part_leaves_its_line_there(pen: Pen) -> None:
+    x = np.array([0.0, 1.0])
+    series = [Series((255, 0, 0), x, x), Series((0, 0, 255), x, 1 - x, dashed=True)]
+    span = plot.across(pen, 300, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
+    up = plot.upwards(pen, 150, [x])._replace(low=0.5 - 1e-7, high=0.5 + 1e-7)
+
+    pixels = pygame.surfarray.array3d(plot.draw(pen, (300, 150), series, span, None, up))
+
+    for channel in (0, 2):
+        drawn = np.argwhere(pixels[..., channel] > pixels[..., 1] + 60)
+        assert drawn[:, 0].min() <= plot.LEFT + 12
+        assert drawn[:, 0].max() >= 300 - plot.RIGHT - 12
+
+
+def test_what_is_saved_is_what_is_seen(
+    grapher: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(own_files, "folder", lambda: tmp_path / "files")
+    grapher.drag(on_graph(grapher, 1.0), on_graph(grapher, 2.0))
+    across = zoomed(grapher).across
+    assert across is not None
+    grapher.window.panels.turn(0.3)
+    grapher.wait(0.1)
+
+    grapher.click(page(grapher).button("Save CSV").rect)
+    grapher.wait(0.1)
+    (path,) = (tmp_path / "files").glob("*.csv")
+    lines = [x for x in path.read_text(encoding="utf-8").splitlines() if not x.startswith("#")]
+    times = [float(line.split(",")[0]) for line in lines[1:]]
+    dt = grapher.session.world.dt
+    assert times[0] == pytest.approx(across[0], abs=dt)
+    assert times[-1] == pytest.approx(across[1], abs=dt)
+
+    choice = grapher.window.workers.of(Choice)
+    grapher.click(page(grapher).button("Save picture").rect)
+    until(grapher, lambda: not choice.running)
+    (png,) = (tmp_path / "files").glob("*.png")
+    width, height = pygame.image.load(png).size
+    assert (width, height) == (1050, 480)

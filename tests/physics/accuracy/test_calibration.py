@@ -27,6 +27,7 @@ from sandbox.physics.accuracy import (
     calibration,
     candidates,
     search,
+    seeking,
 )
 from sandbox.physics.accuracy.cache import calibrated
 from sandbox.physics.accuracy.calibration import Setting, calibrate
@@ -495,6 +496,7 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
 ) -> None:
     for module in (calibration, candidates):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
+    monkeypatch.setattr(seeking, "step_prices", lambda _level, _values, *of: (3e-5,) * len(of))
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)
 

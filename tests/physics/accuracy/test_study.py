@@ -8,7 +8,10 @@ from sandbox.model.level import Stepping
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import Setting
-from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split, Trust
+from sandbox.physics.accuracy.refinement import furthest
+from sandbox.physics.accuracy.runs import motion, record, scaled
+from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split
+from sandbox.physics.accuracy.trust import Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 from tests.app import scenes
@@ -52,6 +55,20 @@ def test_it_is_told_until_when_a_motion_is_foretold() -> None:
     assert 0.1 < place.until < level.duration(level.defaults)
     assert place.off > 1e-2 * place.size
     assert found["upper.position"].until is None
+
+
+def test_the_error_of_a_run_is_that_of_its_motion_too() -> None:
+    """The checks of the trapdoor are of what rests: 1.6e-11, while the door is 8e-5 off."""
+    level = load(find("machines/trapdoor"))
+    fine = record(level, level.defaults, level.stepping.at(4 * 240), list(motion(level)))
+    run = record(level, level.defaults, level.stepping, list(motion(level)))
+    true, _ = furthest(run, fine, scaled(list(motion(level)), fine))
+
+    found = list(study.split(level, level.defaults))
+
+    assert max(split.numerical for split in splits(found).values()) < 1e-9
+    (here,) = (each for each in found if isinstance(each, Here))
+    assert true / 2 < here.error < 2 * true
 
 
 def test_an_exact_run_owes_nothing_to_its_step() -> None:

@@ -42,7 +42,10 @@ class Doing(Enum):
 
 
 class SelectTool:
-    """Selects by clicks or with a rubber band, and changes what is selected by its handles."""
+    """Selects by clicks or with a rubber band, and changes what is selected by its handles.
+
+    A body is selected with its group, and alone by a second click.
+    """
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -51,6 +54,7 @@ class SelectTool:
         self._now: Spot | None = None
         self._handle: Handle | None = None
         self._way = NOWHERE
+        self._again: Part | None = None  # pressed on while its group was selected
 
     @property
     def busy(self) -> bool:
@@ -79,17 +83,21 @@ class SelectTool:
         if part is None:
             self._doing = Doing.CATCHING
             return
-        self._choose(part, more=spot.shift)
+        group = bench.with_group(part)
+        self._again = part if set(group) == set(bench.selected) else None
+        self._choose(group, more=spot.shift)
         self._doing = Doing.MOVING
         bench.ignored = frozenset(self._moved)
 
-    def _choose(self, part: Part, *, more: bool) -> None:
+    def _choose(self, group: tuple[Part, ...], *, more: bool) -> None:
+        """Select a part with its group; one more, or one less."""
         chosen = self._bench.selected
+        there = set(group) <= set(chosen)
         if more:
-            kept = tuple(p for p in chosen if p != part)
-            self._bench.select(kept if part in chosen else (*chosen, part))
-        elif part not in chosen:
-            self._bench.select((part,))
+            kept = tuple(p for p in chosen if p not in group)
+            self._bench.select(kept if there else (*kept, *group))
+        elif not there:
+            self._bench.select(group)
 
     @property
     def _single(self) -> Drawn | None:
@@ -130,9 +138,11 @@ class SelectTool:
         self.cancel()
         if doing is Doing.CATCHING:
             kept = self._bench.selected if spot.shift else ()
-            self._bench.select((*kept, *(p for p in caught if p not in kept)))
+            found = dict.fromkeys(p for part in caught for p in self._bench.with_group(part))
+            self._bench.select((*kept, *(p for p in found if p not in kept)))
         elif still:
-            return
+            if doing is Doing.MOVING and self._again and not spot.shift:
+                self._bench.select((self._again,))
         elif doing is Doing.MOVING and by != (0.0, 0.0):
             self._move_by(by)
         elif doing is Doing.TURNING and body and turned:

@@ -49,6 +49,10 @@ class Bench(Protocol):
         """Select parts, in place of those that are."""
         ...
 
+    def with_group(self, part: Part) -> tuple[Part, ...]:
+        """Return what is selected with a part: the bodies of its group, or it alone."""
+        ...
+
     def part_at(self, pixel: XY) -> Part | None:
         """Return the body or joint at a pixel; what is on top comes first."""
         ...

@@ -10,7 +10,8 @@ from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check, Stepping
-from sandbox.physics.accuracy.study import Here, Progress, Split, Trust
+from sandbox.physics.accuracy.study import Here, Progress, Split
+from sandbox.physics.accuracy.trust import Trust
 
 PARTS = (later("model"), later("numerical"), later("remaining"))
 

@@ -1,7 +1,7 @@
 """Error against cost: what the next digit of a scene costs."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import ceil, floor, log10
+from math import ceil, floor, isfinite, log10
 from typing import NamedTuple
 
 import pygame
@@ -61,6 +61,7 @@ def draw(
     """
     surface = pygame.Surface(size)
     surface.fill(theme.STAGE)
+    here = here if here and isfinite(here.error) else None
     everything = [*points, *([here] if here else [])]
     if not everything:
         text = pen.write(say("not measured yet"), 12, theme.DIM)

@@ -12,8 +12,8 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
-from sandbox.physics.accuracy.runs import LITTLE
-from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split, Trust
+from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
+from sandbox.physics.accuracy.trust import Trust, least_known
 
 if TYPE_CHECKING:
     from sandbox.physics.accuracy.candidates import Offer
@@ -184,11 +184,8 @@ class Studying:
         return self._trust if self._knows(session) and not session.world.disturbed else {}
 
     def least_known(self, session: Session) -> Trust | None:
-        """Return the place that can be trusted least; what hardly leaves zero is none."""
-        places = [t for t in self.trust(session).values() if ".position." in t.quantity]
-        largest = max((place.size for place in places), default=0.0)
-        far = [place for place in places if place.size > LITTLE * largest]
-        return max(far, key=lambda place: place.off / place.size, default=None)
+        """Return the place that can be trusted least; None if none is known."""
+        return least_known(self.trust(session).values())
 
     def _knows(self, session: Session) -> bool:
         """Whether what is known is of the present run."""

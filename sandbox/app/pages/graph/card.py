@@ -1,6 +1,7 @@
 """Graphs of what was chosen: one for each unit, with the closed form and earlier runs."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 import pygame
@@ -9,6 +10,7 @@ from sandbox.app import signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.history import History
 from sandbox.app.language import later, say
+from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
@@ -16,7 +18,7 @@ from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.stepping.world import World
@@ -26,10 +28,17 @@ NOT_KNOWN: Mapping[str, Trust] = {}
 NOTHING = later("Choose a quantity below; several are drawn together.")
 
 
+class Graphs(NamedTuple):
+    """Graphs in one picture."""
+
+    picture: pygame.Surface
+    graphs: Sequence[Graph]
+
+
 def graphs(
     pen: Pen, width: int, session: Session, up: Sequence[str], across: str, cursor: float | None,
-    trust: Mapping[str, Trust] = NOT_KNOWN,
-) -> pygame.Surface:  # fmt: skip
+    trust: Mapping[str, Trust] = NOT_KNOWN, zoom: Zoom = WHOLE,
+) -> Graphs:  # fmt: skip
     """Draw quantities of the run so far against another.
 
     Parameters
@@ -44,18 +53,21 @@ def graphs(
         A value of the one across at which the others are told; None for their present values.
     trust
         How far quantities can be trusted, as far as that is known.
+    zoom
+        Which part of them is looked at.
     """
     card = Card(pen, width)
     if not up:
         card.text(say(NOTHING), 14, theme.DIM)
-        return card.drawn()
+        return Graphs(card.drawn(), ())
+    found: list[Graph] = []
     names = list(dict.fromkeys([across, *up]))
     columns, units = measured(session.world, session.history, names)
     earlier = [measured(run.world, run.history, names)[0] for run in session.earlier]
-    span = span_of(pen, width, session, across)
+    span = zoom.on(span_of(pen, width, session, across))
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _told(card, session, columns, these, up, units, across, cursor, trust)
+        _told(card, columns, these, up, units, across, cursor, trust)
         series = [
             *_faint(earlier, these, across),
             *_closed(session, columns, these, up, across),
@@ -64,11 +76,14 @@ def graphs(
                 for name in these
             ),
         ]
-        card.put(plot.draw(pen, (width, pen.px(HEIGHT)), series, span, cursor), 0)
-        card.y += pen.px(HEIGHT) + GAP
+        size = width, pen.px(HEIGHT)
+        rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
+        found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
+        card.put(plot.draw(pen, size, series, span, cursor, rise), 0)
+        card.y += size[1] + GAP
     told = say("against {quantity}", quantity=f"{across} [{units[across]}]")
     card.text(told, 12, theme.DIM)
-    return card.drawn()
+    return Graphs(card.drawn(), found)
 
 
 def span_of(pen: Pen, width: int, session: Session, across: str) -> Scale:
@@ -96,7 +111,7 @@ def _sign(name: str, up: Sequence[str]) -> int | None:
 
 
 def _told(
-    card: Card, session: Session, columns: Mapping[str, Array], these: Sequence[str],
+    card: Card, columns: Mapping[str, Array], these: Sequence[str],
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
     trust: Mapping[str, Trust],
 ) -> None:  # fmt: skip
@@ -118,9 +133,9 @@ def _told(
         card.y += left.height
         if name in trust:
             card.text(wording.trusted(trust[name]), 12, theme.DIM)
-    if cursor is not None and session.world.steps:
-        at = wording.quantity(float(columns[across][row]), units[across], 4)
-        card.text(say("at {quantity} = {value}", quantity=across, value=at), 12, theme.NOTICE)
+    at = wording.quantity(float(columns[across][row]), units[across], 4)
+    told = say("at {quantity} = {value}", quantity=across, value=at)
+    card.text(told, 12, theme.DIM if cursor is None else theme.NOTICE)
 
 
 def _faint(
@@ -136,7 +151,18 @@ def _closed(
     session: Session, columns: Mapping[str, Array], these: Sequence[str], up: Sequence[str],
     across: str,
 ) -> Iterator[Series]:  # fmt: skip
-    """Yield the closed forms of what holds at every step, where they still describe the run."""
+    """Yield the lines of closed forms."""
+    for name, x, y in closed_forms(session, columns, these, across):
+        yield Series(theme.mix(_color(name, up), theme.TEXT, 0.5), x, y, dashed=True)
+
+
+def closed_forms(
+    session: Session, columns: Mapping[str, Array], these: Sequence[str], across: str
+) -> Iterator[tuple[str, Array, Array]]:
+    """Yield the closed forms of what holds at every step, where they still describe the run.
+
+    Each is the name of its quantity, what it is drawn against, and its values: (k,).
+    """
     if session.changes or session.world.disturbed:
         return
     t = session.history.snapshots.t
@@ -147,6 +173,4 @@ def _closed(
             formula = check.formula.over(session.values, t)
         except ExpressionError:
             continue
-        x = formula if across == check.quantity else columns[across]
-        color = theme.mix(_color(check.quantity, up), theme.TEXT, 0.5)
-        yield Series(color, x, formula, dashed=True)
+        yield check.quantity, formula if across == check.quantity else columns[across], formula

@@ -1,7 +1,12 @@
 """Which quantities a person looks at, level by level, for as long as the window is open."""
 
 from itertools import chain, islice
+from pathlib import Path
 
+from sandbox.app.background import Background
+from sandbox.app.language import say
+from sandbox.app.pages.graph.figure import Figure, saved
+from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.session import Session
 from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
@@ -22,7 +27,7 @@ def offered(level: Level) -> list[str]:
 
 
 class Choice:
-    """Remembers what was chosen.
+    """Remembers what was chosen, and draws it for a file.
 
     Attributes
     ----------
@@ -30,12 +35,12 @@ class Choice:
         Another object whenever something else is chosen.
     """
 
-    running = False
-
     def __init__(self) -> None:
         self.news = object()
+        self._work = Background()
         self._up: dict[str, tuple[str, ...]] = {}
         self._across: dict[str, str] = {}
+        self._zooms: dict[str, Zoom] = {}
 
     def up(self, session: Session) -> tuple[str, ...]:
         """Return what is drawn: at first what the first check measures, or the first speed."""
@@ -52,17 +57,38 @@ class Choice:
         return chosen if chosen in offered(session.level) else TIME.name
 
     def choose(self, session: Session, up: tuple[str, ...]) -> None:
-        """Draw other quantities."""
+        """Draw other quantities; of those that stay, the same part."""
         self._up[session.original.title] = up
         self.news = object()
 
     def against(self, session: Session, name: str) -> None:
-        """Draw them against another quantity."""
+        """Draw them against another quantity, all of it."""
         self._across[session.original.title] = name
+        self.look(session, WHOLE)
+
+    def zoom(self, session: Session) -> Zoom:
+        """Return which part of them is looked at: all, at first."""
+        return self._zooms.get(session.original.title, WHOLE)
+
+    def look(self, session: Session, zoom: Zoom) -> None:
+        """Look at another part of them."""
+        self._zooms[session.original.title] = zoom
         self.news = object()
 
-    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
-        """There is nothing to find out."""
+    @property
+    def running(self) -> bool:
+        """Whether a picture is being drawn."""
+        return self._work.running
+
+    def draw(self, found: Figure, path: Path) -> str:
+        """Draw a picture of graphs into a file, and return what is told of that."""
+        self._work.start(saved, found, path)
+        return say("drawing ...")
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
+        """Return where the picture is once it is drawn."""
+        return next(iter([*self._work.found()][-1:]), None)
 
     def cancel(self) -> None:
-        """There is no work that could be ended."""
+        """End the work; there is no picture then."""
+        self._work.cancel()

@@ -1,26 +1,35 @@
 """The page of graphs: what is drawn is chosen from lists, and told under the mouse."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import pygame
 from pygame_gui import (
+    UI_BUTTON_PRESSED,
     UI_SELECTION_LIST_DROPPED_SELECTION,
     UI_SELECTION_LIST_NEW_SELECTION,
     UI_TEXT_ENTRY_CHANGED,
 )
-from pygame_gui.elements import UISelectionList
+from pygame_gui.elements import UIButton, UISelectionList
 
+from sandbox.app import theme
 from sandbox.app.cards.card import heading
 from sandbox.app.language import say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
+from sandbox.app.pages.graph.figure import figure
+from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
+from sandbox.app.pages.share import saving
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.model.errors import SandboxError
 from sandbox.model.quantities import TIME
 
 LISTS = 168, 92  # px, how high the two lists are
+BUTTON = 26  # px, how high a button is
+GAP = 6  # px, between buttons
 FIELD = 26  # px
 
 
@@ -39,8 +48,11 @@ class GraphPage:
         self._sheet, self._session = sheet, desk.session
         self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
         self._cursor: float | None = None
+        self._zooming = Zooming(self._choice.zoom(desk.session))
         names = self._names = offered(desk.session.level)
         self._graphs = sheet.image(self._drawn(), sheet.margin // 2)
+        self._acts: dict[UIButton, Callable[[], str]] = {}
+        self._rows = self._buttons()
         self._titles = [
             sheet.image(heading(sheet.pen, sheet.width, text), 0)
             for text in (say("Draw"), say("Against"))
@@ -74,9 +86,13 @@ class GraphPage:
 
     def process(self, event: pygame.event.Event) -> str | None:
         """Draw what was chosen, and follow the mouse."""
+        if event.type == UI_BUTTON_PRESSED and event.ui_element in self._acts:
+            return self._acts[event.ui_element]()
+        if event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            return self._zoomed(self._button(event))
         if event.type == pygame.MOUSEMOTION:
             self._follow(event.pos)
-            return None
+            return self._zoomed(self._zooming.move(self._inside(event.pos)))
         kinds = (UI_SELECTION_LIST_NEW_SELECTION, UI_SELECTION_LIST_DROPPED_SELECTION)
         if event.type == UI_TEXT_ENTRY_CHANGED and event.ui_element is self.sought:
             self._seek()
@@ -90,6 +106,106 @@ class GraphPage:
             self._cursor = None
         else:
             return None
+        return ""
+
+    def _buttons(self) -> list[list[UIButton]]:
+        """Put the buttons that zoom, and those that save what is seen."""
+        step, px = self._zooming.step, self._sheet.px
+        zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
+            ("+", say("look closer (the wheel over a graph)"), partial(step, NOTCH)),
+            ("−", say("look from further away"), partial(step, 1 / NOTCH)),
+            ("<", say("look at what was before"), partial(step, 1.0, -SHIFT)),
+            (">", say("look at what comes after"), partial(step, 1.0, SHIFT)),
+            (
+                say("All"),
+                say("show the whole graph (Home, or a double click on it)"),
+                self._show_all,
+            ),
+        )
+        saving = (
+            (say("Save picture"), say("save what is seen as a PNG"), self._save_picture),
+            (say("Save CSV"), say("save the values of what is seen"), self._save_table),
+        )
+        rows: list[list[UIButton]] = []
+        for row in (zooming, saving):
+            wide = (self._sheet.width - (len(row) - 1) * GAP) // len(row)
+            place = pygame.Rect(0, 0, wide, px(BUTTON))
+            rows.append([])
+            for i, (caption, tip, act) in enumerate(row):
+                button = self._sheet.button(place.move(i * (wide + GAP), 0), caption, tip)
+                rows[-1].append(button)
+                self._acts[button] = partial(self._act, act)
+        return rows
+
+    def button(self, caption: str) -> UIButton:
+        """Return the button with a caption."""
+        return next(button for button in self._acts if button.text == caption)
+
+    def _act(self, act: Callable[[], object]) -> str:
+        """Do what a button is for, and return what is to be told."""
+        told = act()
+        self._zoomed(changed=True)
+        return told if isinstance(told, str) else ""
+
+    def _show_all(self) -> None:
+        self._zooming.zoom = WHOLE
+
+    def _save_table(self) -> str:
+        session, choice = self._session, self._choice
+        up, across = choice.up(session), choice.across(session)
+        try:
+            path = saving.graphed(session, up, across, choice.zoom(session).across)
+        except SandboxError as error:
+            return str(error)
+        return say("saved {path}", path=path)
+
+    def _save_picture(self) -> str:
+        choice, session = self._choice, self._session
+        up, across = choice.up(session), choice.across(session)
+        found = figure(session, up, across, self._zooming.graphs)
+        if found is None:
+            return say("There is no graph to be saved; choose a quantity")
+        try:
+            return choice.draw(found, saving.path_for(session, ".png"))
+        except SandboxError as error:
+            return str(error)
+
+    def _inside(self, pixel: tuple[int, int]) -> tuple[int, int]:
+        """Return where a pixel of the window is in the picture of the graphs."""
+        return pixel[0] - self._graphs.rect.x, pixel[1] - self._graphs.rect.y
+
+    def _seen(self, pixel: tuple[int, int]) -> bool:
+        """Whether the graphs are seen at a pixel of the window, and not scrolled away there."""
+        seen = self._sheet.container.rect.collidepoint(pixel)
+        return seen and bool(self._graphs.rect.collidepoint(pixel))
+
+    def _button(self, event: pygame.event.Event) -> bool:
+        """Press or release a button of the mouse over the graphs; return whether it was there."""
+        if event.type == pygame.MOUSEBUTTONUP:
+            return self._zooming.release()
+        shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        inside = self._inside(event.pos)
+        return self._seen(event.pos) and self._zooming.press(inside, event.button, shifted=shifted)
+
+    def wheel(self, notches: float, pixel: tuple[int, int]) -> bool:
+        """Zoom about the mouse, if it is over a graph, and return whether it is."""
+        shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        inside = self._inside(pixel)
+        over = self._seen(pixel) and self._zooming.wheel(notches, inside, shifted=shifted)
+        return self._zoomed(over) is not None
+
+    def home(self) -> bool:
+        """Show all of the graphs, and return whether that was not the case."""
+        zoomed = bool(self._zooming.zoom)
+        self._show_all()
+        return self._zoomed(zoomed) is not None
+
+    def _zoomed(self, changed: bool) -> str | None:
+        """Draw what is looked at now, if it has changed; then there is an answer."""
+        if not changed:
+            return None
+        self._choice.look(self._session, self._zooming.zoom)
+        self.update()
         return ""
 
     def _seek(self) -> None:
@@ -116,6 +232,7 @@ class GraphPage:
         if place.collidepoint(pixel) and self._choice.up(self._session):
             across = self._choice.across(self._session)
             span = span_of(self._sheet.pen, self._sheet.width, self._session, across)
+            span = self._zooming.zoom.on(span)
             value = span.value(pixel[0] - place.x)
             self._cursor = min(max(value, span.low), span.high)
         if self._cursor != before:
@@ -126,8 +243,12 @@ class GraphPage:
         sheet = self._sheet
         sheet.replace(self._graphs, self._drawn())
         y = below(self._graphs) + 8
-        if y == self._titles[0].relative_rect.y:
+        if y == self._rows[0][0].relative_rect.y:
             return
+        for row in self._rows:
+            for button in row:
+                button.set_relative_position((button.relative_rect.x, y))
+            y += sheet.px(BUTTON) + GAP
         for title, chooser, height in zip(
             self._titles, (self.up, self.across), self._heights, strict=True
         ):
@@ -144,4 +265,11 @@ class GraphPage:
         sheet, session = self._sheet, self._session
         up, across = self._choice.up(session), self._choice.across(session)
         trust = self._studying.trust(session)
-        return graphs(sheet.pen, sheet.width, session, up, across, self._cursor, trust)
+        zooming = self._zooming
+        zooming.zoom = self._choice.zoom(session)
+        picture, zooming.graphs = graphs(
+            sheet.pen, sheet.width, session, up, across, self._cursor, trust, zooming.zoom
+        )
+        if zooming.box is not None:
+            pygame.draw.rect(picture, theme.NOTICE, zooming.box, 1)
+        return picture

@@ -8,9 +8,9 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import language, preferences, theme
+from sandbox.app import language, preferences, sounds, theme
 from sandbox.app.cards.card import heading, label
-from sandbox.app.language import say
+from sandbox.app.language import say, say_in
 from sandbox.app.pages.page import Desk
 from sandbox.app.preferences import Comfort
 from sandbox.app.widgets.gui import press
@@ -50,6 +50,12 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
             say("What a level says of itself stays in the language of its author."),
             list(_languages(comfort)),
         ),
+        Setting(
+            say("Motion"),
+            say("Reduced: no flashes at impacts, and cards stand still."),
+            list(_motion(comfort)),
+        ),
+        Setting(say("Sound"), _heard(comfort), list(_sound(comfort))),
     )
 
 
@@ -86,6 +92,46 @@ def _languages(comfort: Comfort) -> Sequence[Choice]:
         Choice(language.TITLES[name], "", partial(comfort.choose, language=name), chosen == name)
         for name in language.NAMES
     )]  # fmt: skip
+
+
+def _motion(comfort: Comfort) -> Sequence[Choice]:
+    now = comfort.chosen.reduced
+    return [
+        Choice(
+            say("Full"),
+            say("flashes at impacts, cards that play"),
+            partial(comfort.choose, reduced=False),
+            not now,
+        ),
+        Choice(
+            say("Reduced"),
+            say("no flashes, and cards stand still"),
+            partial(comfort.choose, reduced=True),
+            now,
+        ),
+    ]
+
+
+def _heard(comfort: Comfort) -> str:
+    """Return what the sound is like, or why there is none though it is wanted."""
+    why = sounds.opened() if comfort.chosen.sound else ""
+    if why:
+        return say("No sound can be made here ({reason}). On tries again.", reason=why)
+    return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
+
+
+def _sound(comfort: Comfort) -> Sequence[Choice]:
+    now = comfort.chosen.sound
+    return [
+        Choice(
+            say_in("sound", "Off"), say("nothing is heard"), partial(comfort.choose, sound=False),
+            not now,
+        ),
+        Choice(
+            say_in("sound", "On"), say("impacts are heard"), partial(comfort.choose, sound=True),
+            now,
+        ),
+    ]  # fmt: skip
 
 
 class SettingsPage:

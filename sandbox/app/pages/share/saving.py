@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from datetime import datetime
 from io import BytesIO
+from math import inf
 from pathlib import Path
 
 import pygame
@@ -12,6 +13,7 @@ from sandbox.app.language import say
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
+from sandbox.model.quantities import TIME
 from sandbox.model.writing import text
 from sandbox.physics.measuring.csv_export import write_csv
 from sandbox.physics.measuring.recording import Trace
@@ -62,14 +64,23 @@ def table(session: Session) -> Path:
     return path
 
 
-def graphed(session: Session, names: Sequence[str]) -> Path:
-    """Save quantities at every instant of the run that is kept, as a CSV file."""
+def graphed(
+    session: Session, names: Sequence[str], across: str = TIME.name,
+    within: tuple[float, float] | None = None,
+) -> Path:  # fmt: skip
+    """Save quantities at every instant of the run that is kept, as a CSV file.
+
+    Where an interval is given, save only the instants at which the quantity across is within it.
+    """
     world, path = session.world, path_for(session, ".csv")
-    meter = Meter(world, names)
+    meter = Meter(world, list(dict.fromkeys([across, *names])))
     states = session.history.snapshots
     units = {name: quantity.unit for name, quantity in meter.quantities.items()}
+    columns, (low, high) = meter(states), within or (-inf, inf)
+    seen = (columns[across] >= low) & (columns[across] <= high)
+    columns = {name: column[seen] for name, column in columns.items() if name != TIME.name}
     built = world.level, world.values, world.stepping
-    trace = Trace(*built, states.t, meter(states), units, meetings={}, partings={})
+    trace = Trace(*built, states.t[seen], columns, units, meetings={}, partings={})
     write_csv(path, trace, session.original.title, disturbed=world.disturbed)
     return path
 

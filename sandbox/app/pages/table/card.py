@@ -10,7 +10,7 @@ from sandbox.app.language import say
 from sandbox.app.pages.graph.card import measured
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
-from sandbox.physics.accuracy.study import Trust
+from sandbox.physics.accuracy.trust import Trust
 
 ROWS = 24
 """How many instants are shown, about: evenly spaced, the last one always."""

@@ -1,4 +1,4 @@
-"""The page of values: the table, and a button that saves all of it."""
+"""The page of values: the table, a button that saves all of it, and the stopwatch."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
@@ -9,15 +9,26 @@ from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values
+from sandbox.app.pages.table.stopwatch import Stopwatch
+from sandbox.app.pages.table.timing import Timing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button
+GAP = 12  # px, above the stopwatch
 TIP = later("save these quantities at every instant that is kept, with all digits")
 
 
 class TablePage:
-    """The quantities that the graph page draws, by time."""
+    """The quantities that the graph page draws, by time, and below them the stopwatch.
+
+    Attributes
+    ----------
+    save
+        The button that saves the table.
+    timing
+        The stopwatch.
+    """
 
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
@@ -26,12 +37,13 @@ class TablePage:
         place = pygame.Rect(0, sheet.margin // 2, sheet.room(caption), sheet.px(HEIGHT))
         self.save = sheet.button(place, caption, say(TIP))
         self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
+        self.timing = Timing(sheet, desk.session, desk.worker(Stopwatch))
         self.update()
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Save the table, and return where it is, or why it cannot be."""
+        """Save the table, and return where it is, or why it cannot be; or use the stopwatch."""
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
-            return None
+            return self.timing.process(event)
         try:
             path = saving.graphed(self._session, self._choice.up(self._session))
         except SandboxError as error:
@@ -39,9 +51,10 @@ class TablePage:
         return say("saved {path}", path=path)
 
     def update(self) -> None:
-        """Draw the table anew."""
+        """Draw the table and the stopwatch anew."""
         self._sheet.replace(self._table, self._drawn())
-        self._sheet.end(below(self._table) + 4)
+        self.timing.update()
+        self._sheet.end(self.timing.put(below(self._table) + GAP))
 
     def _drawn(self) -> pygame.Surface:
         sheet, session = self._sheet, self._session

@@ -5,6 +5,7 @@ from sandbox.app.stage.overlays import (
     arrows,
     center,
     components,
+    flashes,
     forces,
     ghosts,
     momenta,
@@ -16,6 +17,7 @@ from sandbox.app.stage.overlays.overlay import Overlay
 OVERLAYS: tuple[Overlay, ...] = (
     trail.OVERLAY,
     ghosts.OVERLAY,
+    flashes.OVERLAY,
     momenta.OVERLAY,
     accelerations.OVERLAY,
     components.OVERLAY,

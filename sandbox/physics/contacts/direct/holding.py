@@ -42,7 +42,7 @@ def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool
     found: Held | None = None
     try:
         found = newton(kick, kick.layout, kick.rows, motion, joints.drift, wanted, impulse, active)
-        grown = joints.kinetic(found[1]) > GROWS * joints.kinetic(motion)
+        grown = _grows(kick, motion, found)
         if not (grown or _squeezes(kick, motion, found)):
             return found
     except (JointFailure, NoForces):
@@ -59,6 +59,21 @@ def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool
         work = (flat[0] * (kick.here.jacobian @ (motion + flat[1])))[held]
         joints.refuse_gain(motion, flat[1], work)
     return flat
+
+
+def _grows(kick: Kick, motion: Array, found: Held) -> bool:
+    """Return whether energy comes from nowhere: from no winch, belt or kinematic body."""
+    impulse, moved, _ = found
+    joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
+    grown = joints.kinetic(moved) - GROWS * joints.kinetic(motion)
+    if grown <= 0:
+        return False
+    both, free = motion + moved, joints.inverse > 0
+    driven = (jacobian != 0) @ (~free & (both != 0))
+    driven[layout.joints] |= kick.joint_rates() != 0
+    driven[layout.slips] |= kick.runs != 0
+    work = impulse[driven] @ (jacobian[driven] @ (both * free)) / 2
+    return grown > float(work)
 
 
 def _squeezes(kick: Kick, motion: Array, found: Held) -> bool:

@@ -5,6 +5,10 @@ drift, by all that still acts, so that exact joints hold at its end. pymunk is t
 places and the velocities of a straight drift that leads there. A force that is only known at steps,
 such as that of a rod, is taken to change as it did in the last. Euler's schemes know no velocities
 at a step, and are no better than a step: there events act at the step that finds them.
+
+A joint that breaks is an event like others, which waits for its force. Where several bear too much
+at once, the one that is furthest beyond what it bears goes first, and may take the load off the
+rest. For a blow see `events/blows.py`.
 """
 
 from collections.abc import Callable, Iterator
@@ -12,10 +16,11 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.happenings import Crossing, Event, crossing
+from sandbox.model.happenings import Crossing, Happening, happenings, loads
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.acting import Part, acted, crosses, stored, within
+from sandbox.physics.events.blows import SUDDEN
 from sandbox.physics.joints.cutting import let_go
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.motion import Instant
@@ -45,19 +50,21 @@ def make(setup: Setup) -> Stage:
 
 
 class Acting:
-    """Waits for the events of a level, and does what they say; n bodies, j joints."""
+    """Waits for what happens in a level, and does what that says; n bodies, j joints."""
 
     def __init__(self, setup: Setup) -> None:
         level, scene = setup.level, setup.scene
         self._kicks, self._forces, self._scene = setup.kicks, setup.forces, scene
         self._dt, self._leapfrog = setup.kicks.clock.dt, setup.leapfrog
         self._touching = level.effects.contact is not None
-        waits = {n: (e, crossing(e.at, setup.values)) for n, e in level.events.items()}
-        self._pending = {n: wait for n, wait in waits.items() if n not in scene.happened}
-        self._meter = Meter(setup, {c.quantity for _, c in self._pending.values()} - {"t"})
+        found = happenings(level.events, level.joints, setup.values)
+        self._pending = {name: one for name, one in found.items() if name not in scene.happened}
+        self._meter = Meter(setup, {h.waits.quantity for h in self._pending.values()} - {"t"})
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
         self._springs = np.array([n in scene.joints.springs for n in level.joints], dtype=bool)
+        borne = loads(level.joints, setup.values)
+        self._sudden = SUDDEN * np.array([borne.get(n, np.inf) for n in level.joints])
         self._parts: list[Part] = []
         self._switched = 0.0
         self.start(scene.batch.velocity(), np.zeros_like(scene.inertia))
@@ -83,6 +90,8 @@ class Acting:
         """Let happen what does in the coming drift."""
         state, self._parts, self._switched = self._scene.batch.state(), [], 0.0
         before, self._begun = self._begun, state[:, 3:]
+        for broken in self._pending.keys() & self._scene.happened.keys():
+            del self._pending[broken]  # by a blow
         if not self._pending:
             return
         parts = list(self._follow(self._whole(state, before)))
@@ -117,9 +126,9 @@ class Acting:
             if found is None:
                 break
             name, wait = found
-            event, _ = self._pending.pop(name)
+            happening = self._pending.pop(name)
             yield part._replace(lasts=wait)
-            part = self._happen(name, event, part, wait)
+            part = self._happen(name, happening, part, wait)
         self._pulled = self._pulls(part.at(0.0))
         yield part
 
@@ -128,8 +137,9 @@ class Acting:
         forces = self._pulls(part.at(0.0))
         last = forces if self._pulled is None else self._pulled
         growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
+        growth[0] = np.where(np.abs(growth[0]) * self._dt > self._sudden, 0.0, growth[0])
         self._pulled = None
-        waits: dict[str, float] = {}
+        waits: dict[str, tuple[float, float]] = {}
         seen: dict[float, dict[str, Array]] = {}
 
         def value(quantity: str, time: float) -> float:
@@ -137,10 +147,15 @@ class Acting:
                 seen[time] = self._meter(self._snapshot(part, time, growth))
             return float(seen[time][quantity])
 
-        for name, (_, waited) in self._pending.items():
+        for name, (waited, *_) in self._pending.items():
             if (wait := self._wait(name, waited, part, value)) is not None:
-                waits[name] = wait
-        return min(waits.items(), key=lambda item: item[1]) if waits else None
+                beyond = waited.direction == "beyond"
+                load = abs(value(waited.quantity, wait)) / waited.value if beyond else 0.0
+                waits[name] = wait, -load
+        if not waits:
+            return None
+        first = min(waits, key=lambda name: waits[name])
+        return first, waits[first][0]
 
     def _wait(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
         """Return how long it takes until a quantity crosses its value; None if not in this part."""
@@ -177,14 +192,14 @@ class Acting:
             torque=torque + growth[1] * time,
         )
 
-    def _happen(self, name: str, event: Event, part: Part, wait: float) -> Part:
-        """Cut and switch what an event says; return what is left of the drift from there."""
+    def _happen(self, name: str, happening: Happening, part: Part, wait: float) -> Part:
+        """Cut and switch what is said; return what is left of the drift from there."""
         left, motion = part.lasts - wait, part.at(wait)
         ahead = 1 - left / self._dt if self._leapfrog else 0.0
         t = self._kicks.clock.after(ahead)
         motion = motion._replace(t=np.asarray(t))
         before = stored(self._laws, motion)
-        self._throw(event, t)
+        self._throw(happening, t)
         self._switched += stored(self._laws, motion) - before
         self._scene.happened[name] = t
         place = np.column_stack((motion.position, motion.angle))
@@ -198,16 +213,16 @@ class Acting:
         acceleration[self._fixed] = 0.0
         return Part(t, left, place, velocity, acceleration, self._forces.smooth)
 
-    def _throw(self, event: Event, t: float) -> None:
-        """Cut and switch what an event says, at a time [s]."""
-        scene = self._scene
-        for joint in event.cut:
+    def _throw(self, happening: Happening, t: float) -> None:
+        """Cut and switch what is said, at a time [s]."""
+        scene, (_, cut, on, off) = self._scene, happening
+        for joint in cut:
             let_go(scene.joints, joint, t)
-        if event.cut and scene.direct:
+        if cut and scene.direct:
             scene.direct.relay()
-        for name in (*event.cut, *event.off, *event.on):
+        for name in (*cut, *off, *on):
             if switch := scene.switches.get(name):
-                switch.turn(t, on=name in event.on)
+                switch.turn(t, on=name in on)
 
     def _go_on(self, last: Part, state: Array) -> None:
         """Hand pymunk a straight drift to where the last part leads; states are (n, 6)."""

@@ -40,7 +40,7 @@ def _has_cuts(setup: Setup) -> bool:
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
-    "events that act": (lambda s: bool(s.level.events), _by("acting")),
+    "events that act": (lambda s: s.level.happens, _by("acting")),
     "force laws": (lambda s: s.forces.acts, _by("laws")),
     "motions of kinematic bodies": (_has_motions, _by("motions")),
     "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("joints")),

@@ -2,6 +2,7 @@
 
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.stages.joints import bearing
 
 
 def make(setup: Setup) -> Stage:
@@ -18,4 +19,9 @@ def make(setup: Setup) -> Stage:
     def refit(_t: float) -> None:
         direct.forget()
 
-    return Stage(in_kick=begin, after_kick=solve, refit=refit, contacts=lambda: direct.contacts)
+    return Stage(
+        in_kick=begin,
+        after_kick=bearing(setup, solve),
+        refit=refit,
+        contacts=lambda: direct.contacts,
+    )

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from functools import partial
 
+from sandbox.model.happenings import loads
 from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.stepping.stage import Setup, Stage
 
@@ -12,8 +13,20 @@ def make(setup: Setup) -> Stage:
     scene = setup.scene
     joints, touching = scene.joints, setup.level.effects.contact is not None
     before = [string.warm_start for string in joints.strings.values()] if touching else []
-    after = joints.solvers(alone=scene.direct is None)
-    return Stage(in_kick=_all(before), after_kick=_all(after), refit=joints.refit)
+    after = _all(joints.solvers(alone=scene.direct is None))
+    if after and scene.direct is None:
+        after = bearing(setup, after)
+    return Stage(in_kick=_all(before), after_kick=after, refit=joints.refit)
+
+
+def bearing(setup: Setup, solve: Work) -> Work:
+    """Return what solves joints, so that those break that a blow goes through and that can."""
+    borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
+    if not (borne and together):
+        return solve
+    from sandbox.physics.events.blows import Blows
+
+    return Blows(setup.scene, together, borne, solve)
 
 
 def _all(work: Sequence[Work]) -> Work | None:

@@ -3,6 +3,7 @@
 from cmath import rect
 from itertools import pairwise
 from math import atan2, cos, pi, radians, sqrt
+from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -11,7 +12,8 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import complementarity, solver
+from sandbox.physics.contacts.direct import complementarity, holding, solver
+from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
@@ -498,6 +500,17 @@ def test_a_high_pile_begins_at_rest_without_a_long_search(monkeypatch: pytest.Mo
 
     assert kicks[0] < 50
     assert worst(world.snapshot.velocity, np.zeros(2)) < 1e-7
+
+
+@pytest.mark.parametrize("name", ["machines/cam", "machines/crane"])
+def test_what_is_driven_is_solved_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A cam, and a winch, give energy by right: nobody looks for another answer that gives none."""
+    world, solve = build(textbook(name)), Mock(side_effect=newton)
+    monkeypatch.setattr(holding, "newton", solve)
+    for _ in range(100):
+        world.step()
+
+    assert solve.call_count == 100
 
 
 def test_what_hangs_together_beyond_what_a_step_can_solve_is_refused() -> None:

@@ -1,0 +1,92 @@
+"""The impacts of a run as they are seen and heard: how hard each was for its scene, and when.
+
+They are noted step by step, so a run that is taken again has the same ones at the same steps. How
+hard an impact was is its impulse beside the largest momentum that a body has had so far. Where all
+is nearly at rest, a body that crosses the view in the level's duration stands for that.
+"""
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.impacts import Impacts, impacts
+from sandbox.physics.stepping.world import World
+
+FAINTEST = 0.04
+"""How hard an impact must be to be noted."""
+MOST = 256
+"""Impacts that are kept, the latest."""
+
+
+class Blow(NamedTuple):
+    """An impact.
+
+    Attributes
+    ----------
+    steps
+        How many steps the run had taken with it.
+    t
+        When it was [s].
+    at
+        Where the two bodies touched [m].
+    share
+        How hard it was, from `FAINTEST` to 1.
+    body
+        The index of the lighter body, of those that can be moved.
+    """
+
+    steps: int
+    t: float
+    at: XY
+    share: float
+    body: int
+
+
+class Flash(NamedTuple):
+    """What is left of an impact: from 1, all of it, to 0."""
+
+    blow: Blow
+    left: float
+
+
+class Blows:
+    """Notes the impacts of a world from where it stands now; told of every step."""
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        level, values = world.level, world.values
+        self._usual = level.view.width(values) / level.duration(values)  # m/s
+        self._peak = 0.0  # kg m/s
+        self._last: deque[Blow] = deque(maxlen=MOST)
+
+    def note(self) -> None:
+        """Take in a step."""
+        found = impacts(self._world)
+        if found is not None:
+            self._last.extend(self._judged(found))
+
+    def _judged(self, found: Impacts) -> Iterator[Blow]:
+        steps, t = self._world.steps, self._world.t
+        self._peak = max(self._peak, found.momentum)
+        usual = self._world.scene.mass[found.lighter] * self._usual
+        shares = np.minimum(found.impulse / np.maximum(usual, self._peak), 1.0)
+        for i in np.flatnonzero(shares >= FAINTEST).tolist():
+            x, y = found.at[i].tolist()
+            yield Blow(steps, t, (x, y), float(shares[i]), int(found.lighter[i]))
+
+    def since(self, steps: int) -> Sequence[Blow]:
+        """Return those that came after so many steps, the latest first."""
+        return list(takewhile(lambda blow: blow.steps > steps, reversed(self._last)))
+
+    def flashes(self, lasting: float) -> Sequence[Flash]:
+        """Return what is left now of those that fade in some time [s], the latest first.
+
+        At the step of an impact all of it is left, however quickly it fades.
+        """
+        now, lasting = self._world.t, max(lasting, self._world.dt / 2)
+        recent = takewhile(lambda blow: now - blow.t < lasting, reversed(self._last))
+        return [Flash(blow, 1 - (now - blow.t) / lasting) for blow in recent]

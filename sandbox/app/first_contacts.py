@@ -1,0 +1,46 @@
+"""When bodies first touched each other in a run."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from sandbox.physics.stepping.world import Pair, World
+
+
+class Met(NamedTuple):
+    """When two bodies first touched [s], and whether that was located between two steps."""
+
+    t: float
+    located: bool
+
+
+class FirstContacts:
+    """Watches a world from where it stands now; told of every step.
+
+    Attributes
+    ----------
+    met
+        The pairs that have touched so far.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world, self._names = world, list(world.scene.bodies)
+        self._met: dict[Pair, Met] = {}
+        self._note(world.contacts.bodies.tolist())
+
+    @property
+    def met(self) -> Mapping[Pair, Met]:
+        """The pairs that have touched so far."""
+        return self._met
+
+    def note(self) -> None:
+        """Take in a step."""
+        contacts = self._world.contacts
+        if len(contacts.first) and contacts.first.any():
+            for pair, t in self._world.impacts:
+                self._met.setdefault(pair, Met(t, located=True))
+            self._note(contacts.bodies[contacts.first].tolist())
+
+    def _note(self, pairs: list[list[int]]) -> None:
+        for first, second in pairs:
+            pair = frozenset((self._names[first], self._names[second]))
+            self._met.setdefault(pair, Met(self._world.t, located=False))

@@ -1,0 +1,117 @@
+"""A level that plays on its card while the mouse rests on it: the first seconds, and no dear one.
+
+All of it happens in the window's own frames, within a few milliseconds of each. A level is dear
+where it has many parts, waits for a search, or where its steps or its pictures do not fit. Then its
+card shows the picture that it showed before.
+"""
+
+from pathlib import Path
+from time import thread_time
+
+import pygame
+
+from sandbox.app.home.pictures import DRAWN
+from sandbox.app.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.text import Pen
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.loading import MAX_BYTES, load
+
+AFTER = 0.4  # s, that the mouse must rest on a card
+LASTING = 6.0  # s, of the run that are shown
+BUDGET = 0.003  # s, of a frame for steps
+MOST = 0.010  # s, of the processor that a frame may take for steps and picture, on average
+SMOOTHING = 0.2
+"""The weight of the last frame in that average."""
+PARTS = 16
+"""Bodies and joints of which a level may have so many."""
+LARGEST = min(20_000, MAX_BYTES)
+"""Bytes of a level's file; reading a larger one takes too long for a frame."""
+
+
+class Preview:
+    """Plays the level under the mouse, small.
+
+    Attributes
+    ----------
+    path
+        The level on which the mouse rests; None if it rests on none.
+    """
+
+    def __init__(self) -> None:
+        self.path: Path | None = None
+        self._rested = 0.0  # s
+        self._session: Session | None = None
+        self._dear: set[Path] = set()
+        self._cost = 0.0  # s
+
+    @property
+    def playing(self) -> bool:
+        """Whether a level is played, or soon will be."""
+        waits = self.path is not None and self.path not in self._dear and self._session is None
+        return waits or (self._session is not None and self._session.playing)
+
+    def stop(self) -> None:
+        """Show nothing."""
+        self.path, self._session = None, None
+
+    def follow(self, path: Path | None, seconds: float) -> None:
+        """Let the mouse rest on a card for some time [s], or on none."""
+        if path != self.path:
+            self.path, self._rested, self._session = path, 0.0, None
+        if path is None or path in self._dear:
+            return
+        self._rested += seconds
+        if self._session is not None:
+            self._play(self._session, path, seconds)
+        elif self._rested >= AFTER:
+            self._begin(path)
+
+    def _begin(self, path: Path) -> None:
+        """Open a level, unless it is dear."""
+        self._cost = 0.0
+        try:
+            level = load(path) if path.stat().st_size <= LARGEST else None
+            if level is None or is_dear(level):
+                self._dear.add(path)
+                return
+            session = Session(level, patient=False)
+        except (SandboxError, OSError):
+            self._dear.add(path)  # its page says why it cannot be opened
+            return
+        if session.waiting:
+            self._dear.add(path)
+            return
+        self._session, session.playing = session, True
+        self._stage, self._drawn = Stage(Pen(), DRAWN), pygame.Surface(DRAWN)
+        self._stage.use(session.world)
+        for overlay in self._stage.shown:
+            self._stage.shown[overlay] = overlay in ("trail", "flashes")
+        self._stage.fit()
+
+    def _play(self, session: Session, path: Path, seconds: float) -> None:
+        """Take the steps that are due and draw them; give up a level that takes too long."""
+        if not session.playing:
+            return
+        begun = thread_time()
+        session.update(seconds, BUDGET)
+        if session.t >= LASTING:
+            session.pause()
+        self._stage.view.flashes = session.flashes
+        self._stage.draw(self._drawn, session.trail)
+        self._cost += SMOOTHING * (thread_time() - begun - self._cost)
+        if self._cost > MOST or session.failure is not None:
+            self._dear.add(path)
+            self._session = None
+
+    def picture(self, path: Path, size: tuple[int, int]) -> pygame.Surface | None:
+        """Return what is seen of a level now [px]; None if it is not played."""
+        if path != self.path or self._session is None or not self._session.world.steps:
+            return None
+        return pygame.transform.smoothscale(self._drawn, size)
+
+
+def is_dear(level: Level) -> bool:
+    """Whether a level has too many parts to be built and drawn beside the cards."""
+    return len(level.bodies) + len(level.joints) > PARTS or level.stepping.accuracy is not None

@@ -1,0 +1,78 @@
+"""Above the cards: what was drawn and not saved, to go on with."""
+
+from collections.abc import Sequence
+from time import localtime, strftime
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.language import say
+from sandbox.app.text import Pen
+from sandbox.editing.recovery import Recoverable
+
+MOST = 3
+"""Of how many drafts, the newest, each has a row; the page Build tells of the others."""
+ROW = 34  # px, how high a row is
+MARGIN = 24  # px, left and right of it
+GAP = 6  # px, above and below each
+PADDING = 12  # px, beside its words
+
+
+class Strip:
+    """Rows of drafts, each of which can be clicked on.
+
+    Attributes
+    ----------
+    hovered
+        The draft under the mouse; None if none is.
+    """
+
+    def __init__(self, pen: Pen) -> None:
+        self._pen = pen
+        self._rows: Sequence[Recoverable] = ()
+        self._area = pygame.Rect(0, 0, 0, 0)
+        self.hovered: Recoverable | None = None
+
+    def offer(self, left: Sequence[Recoverable]) -> None:
+        """Offer other drafts from now on."""
+        self._rows, self.hovered = left[:MOST], None
+
+    def take_room(self, area: pygame.Rect) -> pygame.Rect:
+        """Stand at the top of an area, and return what is left of it."""
+        height = len(self._rows) * self._pen.px(ROW + GAP) + bool(self._rows) * self._pen.px(GAP)
+        self._area = pygame.Rect(area.topleft, (area.width, min(height, area.height)))
+        rest = area.height - self._area.height
+        return pygame.Rect(area.x, self._area.bottom, area.width, rest)
+
+    def place(self, index: int) -> pygame.Rect:
+        """Return where a row is."""
+        px, (x, y) = self._pen.px, self._area.topleft
+        top = y + px(GAP) + index * px(ROW + GAP)
+        return pygame.Rect(x + px(MARGIN), top, self._area.width - 2 * px(MARGIN), px(ROW))
+
+    def follow(self, pixel: tuple[int, int]) -> bool:
+        """Take note of where the mouse is, and return whether that is on the strip."""
+        places = {i: self.place(i).collidepoint(pixel) for i in range(len(self._rows))}
+        self.hovered = next((self._rows[i] for i, over in places.items() if over), None)
+        return self._area.collidepoint(pixel)
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """Draw the rows."""
+        surface.fill(theme.STAGE, self._area.clip(surface.get_rect()))
+        for i, left in enumerate(self._rows):
+            place, pad = self.place(i), self._pen.px(PADDING)
+            lit = left is self.hovered
+            pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
+            pygame.draw.rect(surface, theme.NOTICE, place, 1, border_radius=6)
+            text = self._pen.shorten(told(left), place.width - 2 * pad, 14)
+            image = self._pen.write(text, 14, theme.TEXT)
+            surface.blit(image, image.get_rect(midleft=(place.x + pad, place.centery)))
+
+
+def told(left: Recoverable) -> str:
+    """Return what is said of a draft."""
+    name = left.path.name if left.path else left.title or say("a level without a name")
+    when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
+    return say(
+        "Not saved: {name}, drawn {when}. Click to go on with it (or B).", name=name, when=when
+    )

@@ -1,0 +1,129 @@
+"""What is graphed, as a picture by matplotlib; it is drawn in another process."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+from sandbox.app.language import say
+from sandbox.app.pages.graph.card import closed_forms, measured
+from sandbox.app.pages.graph.zoom import Graph, Interval
+from sandbox.app.session import Session
+from sandbox.app.wording import with_unit_in_brackets
+from sandbox.extras import needed_for
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Array
+from sandbox.model.files import write_atomically
+
+WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
+STYLES = {"run": ("-", 1.6), "closed": ("--", 1.0), "earlier": ("-", 0.8)}
+"""How lines are drawn: their dashes and their widths [pt]."""
+FAINT = 0.45
+"""How strong earlier runs are."""
+
+
+class Curve(NamedTuple):
+    """A line: what it is called, which colour it has among the quantities, and its points."""
+
+    label: str
+    kind: Literal["run", "closed", "earlier"]
+    color: int
+    x: Array
+    y: Array
+
+
+class Field(NamedTuple):
+    """The lines of a unit, and what is seen along its axis."""
+
+    unit: str
+    curves: Sequence[Curve]
+    up: Interval
+
+
+class Figure(NamedTuple):
+    """Fields above each other, and what is seen along the axis that they share."""
+
+    title: str
+    across: str
+    interval: Interval
+    fields: Sequence[Field]
+
+
+def figure(
+    session: Session, up: Sequence[str], across: str, graphs: Sequence[Graph]
+) -> Figure | None:
+    """Return the graphs as they are seen in the window; None if there are none."""
+    if not graphs:
+        return None
+    columns, units = measured(session.world, session.history, list(dict.fromkeys([across, *up])))
+    fields = []
+    for graph in graphs:
+        these = [name for name in up if units[name] == graph.unit]
+        curves = [
+            *_earlier(session, these, up, across),
+            *(Curve(n, "run", list(up).index(n), columns[across], columns[n]) for n in these),
+            *(
+                Curve(
+                    say("{quantity}, closed form", quantity=name),
+                    "closed",
+                    list(up).index(name),
+                    x,
+                    y,
+                )
+                for name, x, y in closed_forms(session, columns, these, across)
+            ),
+        ]
+        fields.append(Field(graph.unit, curves, (graph.up.low, graph.up.high)))
+    span = graphs[0].across
+    label = with_unit_in_brackets(across, units[across])
+    return Figure(session.original.title, label, (span.low, span.high), fields)
+
+
+def _earlier(
+    session: Session, these: Sequence[str], up: Sequence[str], across: str
+) -> Iterator[Curve]:
+    names = list(dict.fromkeys([across, *these]))
+    for run in session.earlier:
+        columns, _ = measured(run.world, run.history, names)
+        for name in these:
+            color = list(up).index(name)
+            yield Curve(f"{name}, {run.told}", "earlier", color, columns[across], columns[name])
+
+
+def _of_the_formula(name: str) -> str:
+    return say("{quantity}, closed form", quantity=name)
+
+
+def saved(found: Figure, path: Path) -> Iterator[str]:
+    """Draw a picture and write it; yield where it is, or why there is none."""
+    try:
+        with needed_for("a picture of a graph"):
+            write_atomically(path, drawn(found))
+    except (SandboxError, OSError) as error:
+        yield say("no picture: {error}", error=error)
+        return
+    yield say("saved {path}", path=path)
+
+
+def drawn(found: Figure) -> bytes:
+    """Return a figure as the content of a PNG file."""
+    from matplotlib.figure import Figure as Drawing
+
+    from sandbox.reporting.plots import COLOURS, style, written
+
+    with style():
+        drawing = Drawing((WIDTH, HEIGHT * len(found.fields)), layout="constrained")
+        drawing.suptitle(found.title)
+        rows = drawing.subplots(len(found.fields), sharex=True, squeeze=False)[:, 0]
+        for axes, field in zip(rows, found.fields, strict=True):
+            for label, kind, color, x, y in field.curves:
+                dashes, width = STYLES[kind]
+                own = COLOURS[color % len(COLOURS)]
+                axes.plot(
+                    x, y, dashes, lw=width, label=label, color="black" if kind == "closed" else own,
+                    alpha=FAINT if kind == "earlier" else 1.0,
+                )  # fmt: skip
+            axes.set(xlim=found.interval, ylim=field.up, ylabel=field.unit)
+            axes.grid(visible=True)
+            axes.legend()
+        rows[-1].set_xlabel(found.across)
+    return written(drawing, "png")

@@ -1,0 +1,153 @@
+"""A stopwatch in the time of the run, started and stopped by hand or by what happens."""
+
+from math import ceil, log10
+from typing import NamedTuple
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.language import say
+from sandbox.app.live_run import LiveRun
+from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
+from sandbox.app.session import Session
+from sandbox.app.text import Pen
+
+BETWEEN = 0.01
+"""The part of a step by which the time of an event is known that lies between two steps."""
+CORNER = 16, 62  # px, from the upper right, clear of a banner of one line
+PADDING = 8  # px
+DIAL = 8  # px, the radius of the sign beside the time
+
+
+class Reading(NamedTuple):
+    """What a stopwatch shows.
+
+    Attributes
+    ----------
+    seconds
+        How long it has run [s].
+    decimals
+        How many of them mean something.
+    begun, going
+        Whether it has been started, and whether it has not been stopped since.
+    """
+
+    seconds: float
+    decimals: int
+    begun: bool
+    going: bool
+
+    @property
+    def text(self) -> str:
+        """The time, for a person to read."""
+        return f"{self.seconds:.{self.decimals}f} s"
+
+
+class Stopwatch:
+    """Tells the time between two moments of the run that is shown, as far as it has come.
+
+    Attributes
+    ----------
+    starts, stops
+        What does so.
+    shown
+        Whether it is in sight: it is, from its first use until it is put away.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    running = False
+
+    def __init__(self) -> None:
+        self._session: Session | None = None
+        self.put_away()
+
+    def put_away(self) -> None:
+        """Forget what it has timed, and what was to start and stop it."""
+        self.starts = self.stops = BY_HAND
+        self.reset()
+        self.shown = False
+
+    def reset(self) -> None:
+        """Forget when a hand has pressed it."""
+        self._began: float | None = None
+        self._ended: float | None = None
+        self._known: tuple[LiveRun, dict[Occasion, Found]] | None = None
+        self.news = object()
+
+    def choose(self, starts: Occasion, stops: Occasion) -> None:
+        """Let other things start and stop it."""
+        self.starts, self.stops = starts, stops
+        self.reset()
+        self.shown = True
+
+    def press(self, session: Session) -> str | None:
+        """Start it now, or stop it; return what is to be told, if that cannot be."""
+        self._take_up(session)
+        self.shown, self.news = True, object()
+        if BY_HAND not in (self.starts, self.stops):
+            return say("The run starts and stops the stopwatch; the page Table lets a hand do it")
+        again = self._began is None or self._ended is not None or self.stops is not BY_HAND
+        if self.starts is BY_HAND and again:
+            self._began, self._ended = session.t, None
+        else:
+            self._ended = session.t
+        return None
+
+    def reading(self, session: Session) -> Reading:
+        """Return what it shows at the step that is shown: the same one whenever it is."""
+        dt, now = session.world.dt, Found(session.t, between=False)
+        began = self._when(self.starts, self._began, session.run)
+        ended = self._when(self.stops, self._ended, session.run)
+        if began is None or began.t > now.t:
+            return Reading(0.0, _decimals(dt), begun=False, going=False)
+        going = ended is None or not began.t <= ended.t <= now.t
+        last = now if going or ended is None else ended
+        sharp = began.between and last.between
+        decimals = _decimals(dt * BETWEEN if sharp else dt)
+        return Reading(last.t - began.t, decimals, begun=True, going=going)
+
+    def _when(self, occasion: Occasion, pressed: float | None, run: LiveRun) -> Found | None:
+        if occasion.at is None:
+            return None if pressed is None else Found(pressed, between=False)
+        if self._known is None or self._known[0] is not run:
+            self._known = run, {}
+        known = self._known[1]
+        if occasion not in known and (found := find(occasion.at, run)) is not None:
+            known[occasion] = found
+        return known.get(occasion)
+
+    def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
+        """Put it away when another level is opened."""
+        self._take_up(session)
+        return None
+
+    def _take_up(self, session: Session) -> None:
+        if session is not self._session:
+            self._session = session
+            self.put_away()
+
+    def cancel(self) -> None:
+        """There is no work that could be ended."""
+
+    def draw(self, surface: pygame.Surface, pen: Pen, session: Session) -> None:
+        """Draw it in the upper right corner, if it is in sight."""
+        if not self.shown:
+            return
+        reading = self.reading(session)
+        color = theme.NOTICE if reading.going else theme.TEXT if reading.begun else theme.DIM
+        text = pen.write(reading.text, 20, color, True)
+        dial, pad = pen.px(DIAL), pen.px(PADDING)
+        box = pygame.Rect(0, 0, text.width + 2 * dial + 3 * pad, text.height + pad)
+        box.topright = surface.width - CORNER[0], CORNER[1]
+        pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
+        pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
+        center = box.left + pad + dial, box.centery
+        pygame.draw.aacircle(surface, color, center, dial, 2)
+        pygame.draw.line(surface, color, center, (center[0], center[1] - dial + 3), 2)
+        surface.blit(text, text.get_rect(midleft=(center[0] + dial + pad, box.centery)))
+
+
+def _decimals(resolution: float) -> int:
+    """Return how many decimals a time has that is known so far [s]."""
+    return max(ceil(-log10(resolution) - 1e-9), 0)

@@ -1,0 +1,48 @@
+"""Flashes: where bodies have just struck each other, the larger the harder they did."""
+
+from functools import lru_cache
+from math import hypot, sqrt
+
+import pygame
+
+from sandbox.app import lines, theme
+from sandbox.app.stage.overlays.overlay import Overlay
+from sandbox.app.stage.view import View
+from sandbox.app.theme import Color
+
+LARGEST, SMALLEST = 30, 6  # px, the radius of the hardest: about that of the body that was struck
+LEAST = 0.35
+"""The radius of the faintest, as a part of that of the hardest."""
+RINGS = 12
+"""Of how many discs, one over the other, the glow is made."""
+MOST = 24
+"""How many are drawn at once, the latest."""
+
+
+def _draw(surface: pygame.Surface, view: View) -> None:
+    names = list(view.outlines) if view.flashes else ()
+    for blow, left in view.flashes[:MOST]:
+        center = view.camera.to_screen(blow.at)
+        if not lines.near((center,)):
+            continue
+        reach = max(hypot(x, y) for x, y in view.outlines[names[blow.body]].points)
+        full = min(max(reach * view.camera.scale, SMALLEST), LARGEST)
+        radius = view.pen.px(round(full * (LEAST + (1 - LEAST) * sqrt(blow.share))))
+        glow = _glow(theme.FLAME_CORE, theme.FLAME, max(radius, 2))
+        glow.set_alpha(round(255 * left))
+        surface.blit(glow, glow.get_rect(center=center))
+
+
+@lru_cache(maxsize=64)
+def _glow(core: Color, rim: Color, radius: int) -> pygame.Surface:
+    """Draw a disc that fades towards its rim, and takes on its colour."""
+    drawn = pygame.Surface((2 * radius + 1, 2 * radius + 1), pygame.SRCALPHA)
+    drawn.fill((*rim, 0))
+    for ring in range(RINGS, 0, -1):
+        share = ring / RINGS
+        color = (*theme.mix(core, rim, share), round(255 * (1 - share**2)))
+        pygame.draw.circle(drawn, color, (radius, radius), radius * share)
+    return drawn
+
+
+OVERLAY = Overlay(name="flashes", key="!", text="flashes where bodies strike", draw=_draw)

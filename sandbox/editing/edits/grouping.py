@@ -1,0 +1,59 @@
+"""Bodies put into a group, which the editor selects with one click, and taken out of it.
+
+A group is a line of `view.together`. No body is in two of them.
+"""
+
+from collections.abc import Collection
+
+from sandbox.editing.layout import Json
+from sandbox.editing.patches import put, remove
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+
+PLACE = ("view", "together")
+
+
+def group(text: str, level: Level, names: Collection[str]) -> str:
+    """Return a level in which bodies are one group; each leaves the group that it was in.
+
+    Raises
+    ------
+    SandboxError
+        If they are fewer than two.
+    """
+    if len(names) < 2:
+        raise SandboxError("choose two bodies at least to make them a group")
+    return _with(text, level, [*_left(level, names), [n for n in level.bodies if n in names]])
+
+
+def ungroup(text: str, level: Level, names: Collection[str]) -> str:
+    """Return a level without the groups that some bodies are in.
+
+    Raises
+    ------
+    SandboxError
+        If none of them is in a group.
+    """
+    kept = [list(one) for one in level.view.together if not set(one) & set(names)]
+    if len(kept) == len(level.view.together):
+        raise SandboxError("none of these bodies is in a group")
+    return _with(text, level, kept)
+
+
+def group_of(level: Level, name: str) -> tuple[str, ...]:
+    """Return the bodies that are selected with one: those of its group, or it alone."""
+    return next((one for one in level.view.together if name in one), (name,))
+
+
+def _left(level: Level, names: Collection[str]) -> list[list[str]]:
+    """Return the groups that are left where some bodies leave them; one body is none."""
+    kept = ([name for name in one if name not in names] for one in level.view.together)
+    return [one for one in kept if len(one) > 1]
+
+
+def _with(text: str, level: Level, groups: list[list[str]]) -> str:
+    """Return a level with these groups and no others."""
+    if groups:
+        told: list[Json] = [list[Json](one) for one in groups]
+        return put(text, PLACE, told)
+    return remove(text, PLACE) if level.view.together else text

@@ -1,0 +1,31 @@
+"""How deep points are in a polygon: their distance from its outline, negative outside."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.state.anchor import Plane
+
+
+def depth(points: Plane, corners: Plane) -> Array:
+    """Return how deep points are in a polygon, convex or not: (...) [m].
+
+    Parameters
+    ----------
+    points
+        (...), points of the plane [m].
+    corners
+        (k,), those of the polygon in order around it, either way [m].
+    """
+    sides = np.roll(corners, -1) - corners
+    apart = points[..., None] - corners
+    share = np.clip((apart * sides.conj()).real / np.abs(sides) ** 2, 0.0, 1.0)
+    distance = np.abs(apart - share * sides).min(axis=-1)
+    return np.where(_inside(apart, sides), distance, -distance)
+
+
+def _inside(apart: Plane, sides: Plane) -> Array:
+    """Whether a ray to the right crosses the outline an odd number of times: (...)."""
+    low, high = apart.imag >= 0, apart.imag >= sides.imag
+    left = apart.real * sides.imag - apart.imag * sides.real
+    crosses = (low != high) & ((left < 0) == (sides.imag > 0))
+    return np.asarray(np.count_nonzero(crosses, axis=-1) % 2 == 1)

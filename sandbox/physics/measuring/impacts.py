@@ -1,0 +1,73 @@
+"""The impacts of a step: which bodies struck each other, where, and with what impulse.
+
+A contact that begins in a step gives the impulse that the engine reports for the pair. Bodies that
+touch already, as the balls of a Newton's cradle do, are struck in turn (`sequential_impacts`) or
+together (`contacts.direct`). Impacts in turn are reported body by body; the impulse of a pair is
+then at most the lesser of its bodies' two.
+
+What rests is given an impulse in every step, too. It changes a velocity by about as much as gravity
+and force laws do in a step, in the opposite direction; an impact changes it by more.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Integers
+from sandbox.physics.stepping.world import World
+
+SUDDEN = 2.0
+"""How many times as much as forces do in a step an impact changes a velocity, at the least."""
+
+
+class Impacts(NamedTuple):
+    """The impacts of one step; k pairs of bodies.
+
+    Attributes
+    ----------
+    bodies
+        (k, 2), the bodies' indices.
+    at
+        (k, 2), where they touched, the middle of two points [m].
+    impulse
+        (k,), the size along the normal [N s].
+    lighter
+        (k,), the index of the lighter of the two bodies, of those that can be moved.
+    momentum
+        The largest of a body as the kick began, after impacts located in time [kg m/s].
+    """
+
+    bodies: Integers
+    at: Array
+    impulse: Array
+    lighter: Integers
+    momentum: float
+
+
+def impacts(world: World) -> Impacts | None:
+    """Return the impacts of the step that a world observed last; None if there were none."""
+    contacts, scene = world.contacts, world.scene
+    if not len(contacts.bodies):
+        return None
+    struck, impulse = contacts.first, contacts.normal
+    solver = scene.sequence or scene.direct
+    if solver and (found := solver.last).struck.any():
+        struck = struck | found.struck[contacts.bodies].any(axis=1)
+        impulse = impulse + found.impulse[contacts.bodies].min(axis=1)
+    rows = np.flatnonzero(struck)
+    if not len(rows):
+        return None
+    step, bodies = world.last, contacts.bodies[rows]
+    yields = scene.inverse_mass[bodies, 0]
+    gives = np.hypot(*step.smooth[:, :2].T)[bodies].sum(axis=1) * step.dt
+    sudden = impulse[rows] * yields.sum(axis=1) > SUDDEN * gives
+    rows, bodies, yields = rows[sudden], bodies[sudden], yields[sudden]
+    if not len(rows):
+        return None
+    two = (contacts.touches[rows] == 2)[:, None]
+    first, second = contacts.points[rows].swapaxes(0, 1)
+    at = np.where(two, (first + second) / 2, first)
+    momentum = float((scene.mass * np.hypot(*step.begun[:, :2].T)).max(initial=0.0))
+    lighter = bodies[np.arange(len(rows)), yields.argmax(axis=1)]
+    return Impacts(bodies, at, impulse[rows], lighter, momentum)

@@ -1,0 +1,67 @@
+"""What runs with smaller and smaller steps tell of their errors."""
+
+from dataclasses import replace
+
+import pytest
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy.refinement import furthest, judged
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.runs import Watched, record, scaled, watched
+from sandbox.physics.accuracy.sudden import lateness
+from sandbox.physics.measuring.recording import Trace
+from tests.physics.scenes import GRAVITY, disc, level, orbit
+
+PLACE = Watched("planet.position.x")
+
+
+def runs(scene: Level, *rates: float) -> list[Trace]:
+    wanted = watched(scene, scene.defaults)
+    return [record(scene, scene.defaults, Stepping(rate=rate), wanted) for rate in rates]
+
+
+def test_errors_fall_by_the_order_of_the_scheme() -> None:
+    traces = runs(orbit(), 60, 120, 240)
+    found = extrapolated(traces, PLACE)
+
+    assert found is not None
+    assert found.order == pytest.approx(2, abs=0.01)
+    assert found.of[0] == pytest.approx(16 * found.of[-1], rel=0.05)
+
+
+def test_runs_that_agree_by_chance_are_told_no_better_than_the_order_allows() -> None:
+    """As where both find an impact at the same instant: what the run before said holds on."""
+    *coarse, fine = runs(orbit(), 60, 120, 240)
+    alike = replace(fine, columns={**fine.columns, PLACE.quantity: twice(coarse[-1], fine)})
+
+    true, found = extrapolated([*coarse, fine], PLACE), extrapolated([*coarse, alike], PLACE)
+
+    assert true is not None
+    assert found is not None
+    assert found.of[-1] == pytest.approx(true.of[-1], rel=0.05)
+
+
+def twice(coarse: Trace, fine: Trace) -> Array:
+    """Return a column that agrees with that of a coarser run at all instants of that."""
+    column = fine.columns[PLACE.quantity].copy()
+    column[::2] = coarse.columns[PLACE.quantity]
+    return column
+
+
+@pytest.mark.parametrize("x", [0.7, 0.93])
+def test_a_rope_that_goes_taut_is_told_as_it_is(x: float) -> None:
+    """It takes what it takes at the start of a step, and holds at the end of it: nothing is late.
+
+    The ratio of what is true to what is told is 0.9 to 1.1 at these and at six other places.
+    """
+    rope = {"type": "rope", "ends": [[0, 0], "ball"], "length": 1.2}
+    scene = level({"ball": disc((x, 0.2))}, GRAVITY, joints={"rope": rope}, duration=1.5)
+    traces = runs(scene, 60, 120, 240, 480)
+    [best] = runs(scene, 3840)
+    wanted = scaled(watched(scene, scene.defaults), best)
+
+    told = judged(traces, wanted).errors[-1]
+
+    assert lateness(traces[-1], wanted).item is None
+    assert 0.5 * told < furthest(traces[-1], best, wanted)[0] < 2 * told

@@ -1,0 +1,172 @@
+"""Joints that break: where their force comes to what they bear, and before a blow goes through."""
+
+from math import sqrt
+
+import numpy as np
+import pytest
+
+from sandbox.model.errors import LevelError
+from sandbox.model.level import Level
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.run import build
+from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.world import World
+from tests.physics.scenes import GRAVITY, G, box, disc, floor, level
+
+
+def booked(this: Level, seconds: float) -> tuple[World, Ledger]:
+    world = build(this)
+    books = Ledger(world)
+    for _ in range(round(seconds * this.stepping.rate)):
+        world.advance()
+        books.note()
+    return world, books
+
+
+def swung(load: float, rate: float = 240, **effects: object) -> Level:
+    """A bob that swings down from the right on a rod: its pull is 3 m g sin φ below the level."""
+    rod = {"type": "rod", "ends": [[0, 0], "bob"], "breaks_at": load}
+    bodies = {"bob": disc((1, 0)), "floor": floor(-50)}
+    return level(bodies, {**GRAVITY, **effects}, joints={"rod": rod}, stepping={"rate": rate})
+
+
+def caught(load: float, rate: float, height: float, **effects: object) -> Level:
+    """A bob that falls on a rope of a metre, and is caught by it if it holds."""
+    rope = {"type": "rope", "ends": [[0, 0], "bob"], "length": 1, "breaks_at": load}
+    bodies = {"bob": disc((0, height)), "floor": floor(-50)}
+    return level(bodies, {**GRAVITY, **effects}, joints={"rope": rope}, stepping={"rate": rate})
+
+
+@pytest.mark.parametrize("effects", [{}, {"contact": {}}])
+def test_a_rod_breaks_where_its_pull_comes_to_what_it_bears(effects: dict[str, object]) -> None:
+    world, books = booked(swung(20, 960, **effects), 1)
+    sine = 20 / (3 * G)
+
+    assert world.snapshot.velocity[0, 0] == pytest.approx(-sqrt(2 * G * sine) * sine, rel=1e-5)
+    assert world.snapshot.tension[0] == 0
+    assert abs(books.balance.unexplained) < 1e-4
+    assert np.abs(books.balance.unexplained_impulse).max() < 1e-11
+
+
+def test_the_instant_is_found_within_the_step_to_second_order() -> None:
+    sine = 20 / (3 * G)
+
+    def off(rate: float) -> float:
+        across = booked(swung(20, rate), 1)[0].snapshot.velocity[0, 0]
+        return abs(float(across) + sqrt(2 * G * sine) * sine)
+
+    assert off(30) < 1e-2
+    assert off(30) / off(960) > 32**2 / 2
+
+
+def test_what_bears_just_enough_holds() -> None:
+    most = 3 * G
+
+    assert not booked(swung(1.001 * most), 1)[0].scene.happened
+    assert booked(swung(0.999 * most), 1)[0].scene.happened
+
+
+def test_what_must_bear_too_much_from_the_start_breaks_there() -> None:
+    this = level(
+        {"bob": disc((0, 1), mass=4)},
+        GRAVITY,
+        joints={"strut": {"type": "rod", "ends": [[0, 0], "bob"], "breaks_at": 39}},
+    )
+    world, _ = booked(this, 1)
+
+    assert world.scene.happened == {"strut breaks": 0}
+    assert world.snapshot.velocity[0, 1] == pytest.approx(-G, rel=1e-12)
+
+
+def test_the_one_that_is_furthest_beyond_its_load_saves_the_rest() -> None:
+    """A bar hangs by a weld, and its pieces by each other: where one goes the others are free."""
+    pieces = {f"piece{i}": box((0.5 * i, 0)) for i in range(5)}
+    welds = {
+        f"weld{i}": {
+            "type": "weld",
+            "ends": [
+                {"body": f"piece{i - 1}", "at": [0.25, 0]} if i else [-0.25, 0],
+                {"body": f"piece{i}", "at": [-0.25, 0]},
+            ],
+            "breaks_at": (25, 15, 18, 18, 18)[i],
+        }
+        for i in range(5)
+    }
+    world, _ = booked(level(pieces, {**GRAVITY, "rotation": {}}, joints=welds), 0.5)
+
+    assert world.scene.happened == {"weld1 breaks": 0}
+
+
+@pytest.mark.parametrize("height", [0.1, 0.11, 0.12, 0.13])
+@pytest.mark.parametrize("effects", [{}, {"contact": {}}])
+def test_a_rope_that_a_jerk_breaks_takes_nothing_wherever_in_the_step_it_is(
+    height: float, effects: dict[str, object]
+) -> None:
+    world, books = booked(caught(500, 240, height, **effects), 0.8)
+
+    assert world.snapshot.velocity[0, 1] == pytest.approx(-0.8 * G, rel=1e-9)
+    assert list(world.scene.happened) == ["rope breaks"]
+    assert abs(books.balance.unexplained) < 1e-9
+    assert books.balance.loss["impacts"] == pytest.approx(0, abs=1e-12)
+
+
+def test_a_rope_that_bears_the_jerk_within_a_step_stops_the_fall() -> None:
+    world, books = booked(caught(2000, 240, 0.1), 0.8)
+
+    assert not world.scene.happened
+    assert world.snapshot.velocity[0, 1] == pytest.approx(0, abs=1e-12)
+    assert books.balance.loss["impacts"] == pytest.approx(1.1 * G, rel=1e-3)
+
+
+def test_a_blow_leaves_the_rope_that_it_does_not_go_through() -> None:
+    """Two weights that fall on ropes: the stronger rope is not asked to bear the other's jerk."""
+    ropes = {
+        name: {"type": "rope", "ends": [[x, 0], name], "length": 1, "breaks_at": load}
+        for name, x, load in (("weak", -2, 100), ("strong", 2, 1e5))
+    }
+    bodies = {"weak": disc((-2, 0)), "strong": disc((2, 0))}
+    ropes = {f"{name}_rope": rope for name, rope in ropes.items()}
+    world, _ = booked(level(bodies, GRAVITY, joints=ropes), 1)
+
+    assert list(world.scene.happened) == ["weak_rope breaks"]
+    assert world.snapshot.velocity[:, 1].tolist() == pytest.approx([-G, 0], abs=1e-9)
+
+
+def test_the_energy_in_a_spring_that_breaks_leaves_and_is_told() -> None:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 50, "length": 1}
+    this = level(
+        {"bob": disc((0, -1))},
+        GRAVITY,
+        joints={"spring": {**spring, "breaks_at": 18}},
+        stepping={"rate": 960},
+    )
+    world, books = booked(this, 1)
+
+    assert books.balance.work["events"] == pytest.approx(-(18**2) / 50 / 2, rel=1e-4)
+    assert abs(books.balance.unexplained) < 1e-4
+    assert world.snapshot.acceleration[0, 1] == pytest.approx(-G, rel=1e-12)
+
+
+def test_a_branch_knows_what_has_broken() -> None:
+    world, _ = booked(swung(20), 0.6)
+    other = branch(world, {})
+    other.advance(10)
+
+    assert other.scene.happened == world.scene.happened
+    assert other.snapshot.tension[0] == 0
+
+
+def test_a_load_that_is_nothing_is_told() -> None:
+    with pytest.raises(LevelError, match="breaks_at"):
+        swung(0)
+
+
+def test_what_breaks_has_no_scheme_of_fourth_order() -> None:
+    this = swung(20)
+    with pytest.raises(LevelError, match="that 'rod' may break"):
+        level(
+            {"bob": disc((1, 0))},
+            GRAVITY,
+            joints={"rod": this.joints["rod"].model_dump(mode="json", exclude_none=True)},
+            stepping={"scheme": "fourth-order"},
+        )
