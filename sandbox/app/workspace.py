@@ -5,10 +5,11 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import language, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
+from sandbox.app.language import later, say
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.load import Load
 from sandbox.app.pages.page import OnStage
@@ -83,6 +84,7 @@ class Workspace:
         self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
         self._followed = self.comfort.chosen
         theme.use(self._followed.theme)
+        language.use(self.comfort.language)
         self.pen = Pen(self.comfort.scale)
         self.stage = Stage(self.pen, size)
         self.hand = Hand(self.stage)
@@ -121,6 +123,7 @@ class Workspace:
             return
         self._followed = chosen
         theme.use(chosen.theme)
+        language.use(self.comfort.language)
         self.pen.renew(self.comfort.scale)
         self.panels.renew(self.surface.size)
         if self.session is not None:
@@ -206,15 +209,17 @@ class Workspace:
         try:
             same = self._read(path) == self.session.original
         except SandboxError:
-            self.banner.tell(f"{path.name} has mistakes now; F5 shows them", lasting=True)
+            told = say("{file} has mistakes now; F5 shows them", file=path.name)
+            self.banner.tell(told, lasting=True)
             return
         if same:
             self.banner.tell("")
         elif self.session.touched:
-            self.banner.tell(f"{path.name} has changed; F5 reads it again", lasting=True)
+            told = say("{file} has changed; F5 reads it again", file=path.name)
+            self.banner.tell(told, lasting=True)
         else:
             self.reload()
-            self.banner.tell(f"{path.name} has changed and was read again")
+            self.banner.tell(say("{file} has changed and was read again", file=path.name))
 
     def run_as_advised(self) -> None:
         """Run again at the rate that was offered."""
@@ -224,7 +229,8 @@ class Workspace:
         elif rate is not None:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
-            self.banner.tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            told = later("now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            self.banner.tell(say(told, rate=rate))
 
     def follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew, maybe from another file."""
