@@ -28,7 +28,7 @@ UNFINISHED := $(VENV)/.unfinished
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs site clean
+.PHONY: help run test sweep lint check-levels pytest validate quick fuzz soak faults lock audit packages report format docs texts site clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "make %-13s %s\n", $$1, $$2}' Makefile
@@ -92,6 +92,9 @@ docs: $(FOR_RUN) ## write anew what is generated: JSON Schemas, the reference, t
 	$(PY) -m sandbox.experiments.schema
 	$(PY) -m sandbox.cli.reference
 	$(PY) -m validation.chapter
+
+texts: $(FOR_TEST) ## bring the catalogues of the window's languages up to date with what the code says
+	$(HEADLESS) $(PY) -m sandbox.cli.texts
 
 site: $(FOR_SITE) ## the documents and a gallery of all levels as a site: out/site/index.html
 	$(HEADLESS) $(PY) -m mkdocs build --strict

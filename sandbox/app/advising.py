@@ -1,6 +1,7 @@
 """What helps a run that had to stop, tried in the background and told when it is known."""
 
 from sandbox.app.background import Background
+from sandbox.app.language import say
 from sandbox.app.session import Session
 from sandbox.physics.advising import remedies
 from sandbox.physics.advising.remedies import Advice
@@ -38,7 +39,7 @@ class Advising:
         for finding in self._work.found():
             found = finding
         if not (found.text or self._work.running):  # it has ended without any
-            session.take(Advice("what would help is not known"))
+            session.take(Advice(say("what would help is not known")))
         elif found.text:
             session.take(found)
 

@@ -13,7 +13,7 @@ from multiprocessing.reduction import ForkingPickler
 from threading import Thread, Timer
 from typing import Any
 
-from sandbox.app import theme
+from sandbox.app import language, theme
 
 LIMIT = 120.0  # s, how long a process may live
 POLITE = 5  # by how much its priority is lower, where there are priorities
@@ -47,7 +47,7 @@ class Background:
     def start(self, work: Work, *arguments: object) -> None:
         """Begin a piece of work, in place of what is under way."""
         self.cancel()
-        task = ForkingPickler.dumps((work, arguments, theme.used()))
+        task = ForkingPickler.dumps((work, arguments, theme.used(), language.used()))
         self._findings, sender = SpawnContext().Pipe(duplex=False)
         orders, order = SpawnContext().Pipe(duplex=False)
         self._process = SpawnProcess(target=_run, args=(sender, orders), daemon=True, name="study")
@@ -94,8 +94,9 @@ def _run(sender: Connection, orders: Connection) -> None:
     if hasattr(os, "nice"):
         os.nice(POLITE)
     try:
-        work, arguments, look = orders.recv()
+        work, arguments, look, spoken = orders.recv()
         theme.use(look)  # pictures that it draws look like the window
+        language.use(spoken)  # and it tells what it finds as the window does
         for finding in work(*arguments):
             sender.send(finding)
     except BrokenPipeError:

@@ -4,7 +4,8 @@ from math import inf
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import language, theme, wording
+from sandbox.app.language import later, say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.panels import messages
 from sandbox.app.session import Session
@@ -20,7 +21,7 @@ class Banner:
 
     def __init__(self) -> None:
         self._note, self._left = "", 0.0
-        self._ended: tuple[object, str] = None, ""
+        self._ended: tuple[object, str, str] = None, "", ""
 
     def tell(self, text: str, *, lasting: bool = False) -> None:
         """Show a note for a while, or until the next; an empty one takes the last away."""
@@ -44,15 +45,19 @@ class Banner:
     def _of_run(self, session: Session) -> tuple[str, Color] | None:
         """Return what is more pressing than a note, or else what takes the place of none."""
         if session.run.trying and isinstance(session.failure, SimulationError):
-            return f"{session.failure.told('')} – trying what helps …", theme.FAILED
+            told = say("{failure} – trying what helps …", failure=session.failure.told(""))
+            return told, theme.FAILED
         if session.failure is not None:
-            onwards = ", Space goes on, though it is no longer right" if session.doubted else ""
-            return f"{session.failure} – R restarts{onwards}", theme.FAILED
+            told = later("{failure} – R restarts")
+            if session.doubted:
+                told = later("{failure} – R restarts, Space goes on, though it is no longer right")
+            return say(told, failure=session.failure), theme.FAILED
         if session.halted:
-            return f"{session.halted} – Space goes on all the same", theme.NOTICE
+            told = say("{reason} – Space goes on all the same", reason=session.halted)
+            return told, theme.NOTICE
         if session.waiting:
             asked = wording.error(session.level.stepping.accuracy or 0.0)
-            text = f"Looking for the cheapest setting with an error of {asked} …"
+            text = say("Looking for the cheapest setting with an error of {asked} …", asked=asked)
             return text, theme.NOTICE
         if not (self._note and self._left > 0) and session.at_end and not session.playing:
             return self._complete(session), theme.ACCENT
@@ -62,10 +67,12 @@ class Banner:
         if session.changes:
             return self._compared(session)
         when = wording.seconds(session.duration)
-        return f"Run complete at {when} – R restarts, Space goes on"
+        return say("Run complete at {when} – R restarts, Space goes on", when=when)
 
     def _compared(self, session: Session) -> str:
         """Tell once for each run what the changed effects make of it."""
-        if self._ended[0] is not session.world:
-            self._ended = session.world, whatif.told(session, whatif.compared(session))
-        return self._ended[1]
+        world, spoken, told = self._ended
+        if world is not session.world or spoken != language.used():
+            told = whatif.told(session, whatif.compared(session))
+            self._ended = session.world, language.used(), told
+        return told

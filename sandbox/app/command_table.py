@@ -7,6 +7,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app.keys import AT_HOME
+from sandbox.app.language import say
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
@@ -156,7 +157,7 @@ class CommandTable:
         least = room(column, space.pen.scale, beside=space.panels.side is not None)
         enough = space.surface.width >= least
         if not enough:
-            self._tell(f"Make the window wider for that: {least} px are enough.")
+            self._tell(say("Make the window wider for that: {least} px are enough.", least=least))
         return enough
 
     def _show_checks(self) -> None:
@@ -204,7 +205,7 @@ class CommandTable:
         size = self._space.surface.size
         if any(have < least for have, least in zip(size, SMALLEST, strict=True)):
             least = " × ".join(map(str, SMALLEST))
-            self._tell(f"Make the window larger for that: {least} px are enough.")
+            self._tell(say("Make the window larger for that: {least} px are enough.", least=least))
             return
         recent = self._space.files.recent.paths
         self._space.panels.ask_for_file(recent[0].parent if recent else Path.home())
@@ -224,6 +225,8 @@ class CommandTable:
             space.panels.let_go()
         elif space.panels.home.open and not space.empty:
             space.go_home()
+        elif space.session is not None and space.session.stay():
+            self._tell("Stopped on the way; a click on the time's bar goes on")
         elif space.hand.tape is not None:
             space.hand.tape = None
         elif stopwatch.shown:

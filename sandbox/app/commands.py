@@ -3,6 +3,7 @@
 import pygame
 
 from sandbox.app.keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
+from sandbox.app.language import say, say_in
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
 
@@ -32,4 +33,4 @@ def command(event: pygame.event.Event) -> str | None:
 def tip(command: str) -> str:
     """Return what a button for a command says while the mouse rests on it."""
     binding = next(binding for binding in BINDINGS if binding.command == command)
-    return f"{binding.text} ({binding.shown})"
+    return f"{say(binding.text)} ({say_in('key', binding.shown)})"

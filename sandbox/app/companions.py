@@ -7,26 +7,28 @@ worlds but the time to which they have come.
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from sandbox.app import theme
+from sandbox.app import theme, wording
 from sandbox.app.clock import Clock
 from sandbox.app.grading import Grading, Reading
+from sandbox.app.language import say
 from sandbox.app.theme import Color
 from sandbox.app.trail import Trail
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
+from sandbox.model.variants import Variation
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
 
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Which of a level's effects are switched off, which others on, and how that is told."""
+    """Which of a level's effects are switched off, which others on, and what that does to each."""
 
     off: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
-    effects: str = ""
-    """these two in words"""
+    effects: tuple[Variation, ...] = ()
+    """what these two do to the level"""
     strength: Mapping[str, float] = field(default_factory=dict)
     """of those that are on, how many times the usual"""
     left: Scheme | None = None
@@ -37,8 +39,9 @@ class Changes:
 
     @property
     def told(self) -> str:
-        """What is changed."""
-        return f"{self.effects}, both by leapfrog" if self.left else self.effects
+        """What is changed, in words."""
+        told = wording.variations(self.effects)
+        return say("{changes}, both by leapfrog", changes=told) if self.left else told
 
 
 NONE = Changes()

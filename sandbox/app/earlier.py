@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from sandbox.app import theme
 from sandbox.app.history import History
+from sandbox.app.language import say
 from sandbox.app.trail import Trail
 from sandbox.model.expressions import Values
 from sandbox.physics.stepping.world import World
@@ -38,16 +39,26 @@ class Earlier(NamedTuple):
 
     Attributes
     ----------
-    told
-        The parameters that were changed after it, with the values that they had.
+    values
+        The parameters that were changed after it, with the values that they had, in words.
+    left
+        When a branch left it [s]; None if the next run started anew.
     trail, history, world
         As of what was observed.
     """
 
-    told: str
+    values: str
+    left: float | None
     trail: Trail
     history: History
     world: World
+
+    @property
+    def told(self) -> str:
+        """What it is, in words."""
+        if self.left is None:
+            return self.values
+        return say("{values}, left at {t:.2f} s", values=self.values, t=self.left)
 
 
 def kept(
@@ -67,12 +78,11 @@ def kept(
         When a branch left it [s]; None if the next run starts anew.
     """
     before = run.world.values
-    told = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
-    if left is not None:
-        told += f", left at {left:.2f} s"
-    if any(one.told == told for one in earlier) or _is_brief(run):
+    changed = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
+    made = Earlier(changed, left, *run)
+    if any(one.told == made.told for one in earlier) or _is_brief(run):
         return earlier
-    return (*earlier, Earlier(told, *run))[-len(theme.LANES) :]
+    return (*earlier, made)[-len(theme.LANES) :]
 
 
 def _is_brief(run: Observed) -> bool:

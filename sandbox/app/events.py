@@ -7,6 +7,7 @@ from sandbox.app.building.offering import recover
 from sandbox.app.command_table import CommandTable
 from sandbox.app.commands import command
 from sandbox.app.keys import WHILE_TYPING
+from sandbox.app.language import say
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
 from sandbox.app.session import Session
 from sandbox.app.widgets.parameters import Change
@@ -152,7 +153,7 @@ class Events:
         assert session is not None
         assert side is not None
         if change.value is None:
-            banner.tell(f"'{change.typed}' is not a number")
+            banner.tell(say("'{typed}' is not a number", typed=change.typed))
         elif change.value != session.values.get(change.name):
             try:
                 session.change({change.name: change.value}, otherwise=change.shifted)

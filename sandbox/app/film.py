@@ -8,6 +8,7 @@ from math import ceil
 from pathlib import Path
 from typing import Literal
 
+from sandbox.app.language import later, say
 from sandbox.app.runfile import Run
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
@@ -18,7 +19,7 @@ FRAMES = 25  # a second
 SIZE: dict[Kind, tuple[int, int]] = {"gif": (640, 400), "mp4": (1280, 720)}  # px
 LONGEST = 60.0
 """s, the longest film; of a longer run this is the beginning."""
-LACKING = "a film needs PyAV and Pillow: install mechanics-sandbox[film]"
+LACKING = later("a film needs PyAV and Pillow: install mechanics-sandbox[film]")
 
 
 def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
@@ -45,14 +46,14 @@ def film(run: Run, path: Path, kind: Kind) -> Iterator[float | str]:
         import av  # noqa: F401 (to say at once that it is missing)
         import PIL  # noqa: F401
     except ImportError:
-        yield LACKING
+        yield say(LACKING)
         return
     try:
         yield from _filmed(run, path, kind)
     except (SandboxError, OSError) as error:
-        yield f"no film: {error}"
+        yield say("no film: {error}", error=error)
         return
-    yield f"saved {path}"
+    yield say("saved {path}", path=path)
 
 
 def _filmed(run: Run, path: Path, kind: Kind) -> Iterator[float]:

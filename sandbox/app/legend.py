@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import pygame
 
 from sandbox.app import lines, signs, theme
+from sandbox.app.language import say
 from sandbox.app.pages.page import Row
 from sandbox.app.text import Pen
 
@@ -17,7 +18,7 @@ PADDING = 8  # px
 def earlier(told: Sequence[str]) -> Sequence[Row]:
     """Return a row for the run that is played and one for each earlier one, if there are any."""
     rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(told)]
-    return [(None, "this run"), *rows] if rows else []
+    return [(None, say("this run")), *rows] if rows else []
 
 
 def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:

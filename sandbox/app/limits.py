@@ -5,6 +5,7 @@ answers between any two steps.
 """
 
 from sandbox.app import wording
+from sandbox.app.language import later, say
 from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.stepping.patience import Patience
 
@@ -35,11 +36,14 @@ class Limits:
     def stepped(self, seconds: float) -> None:
         """Take note of a step and how long it took [s]."""
         if self._patience and self._patience.lost(seconds):
-            self.told = f"A step takes {wording.seconds(seconds)}; the window waits for each"
+            told = later("A step takes {time}; the window waits for each")
+            self.told = say(told, time=wording.seconds(seconds))
             self._patience = None  # somebody knows
         elif self._room and self._recorder.full:
-            count = len(self._recorder)
-            self.told = f"{count:,} instants are recorded, which is the most: checks see no more"
+            self.told = say(
+                "{count:,} instants are recorded, which is the most: checks see no more",
+                count=len(self._recorder),
+            )
             self._room = False
         else:
             self.told = ""

@@ -5,6 +5,7 @@ from itertools import cycle
 from typing import TYPE_CHECKING
 
 from sandbox.app import theme
+from sandbox.app.language import say
 from sandbox.app.theme import Color
 from sandbox.app.wording import number, rounded_up
 from sandbox.model.effects import EFFECTS
@@ -85,8 +86,15 @@ def colors() -> Mapping[str, Color]:
 def text(acting: Acting, found: FreeBody) -> str:
     """Return what is written beside a force: of several of a name, who gives each."""
     alone = sum(other.name == acting.name for other in felt(found)) == 1
-    name = acting.name if alone or not acting.by else f"from {acting.by}"
+    name = say(acting.name)
+    if acting.by and not alone:
+        name = say("from {giver}", giver=acting.by)
     return f"{name} {newtons(acting.size)} N"
+
+
+def title(acting: Acting) -> str:
+    """Say what a force is called, and who gives it."""
+    return f"{say(acting.name)}, {acting.by}" if acting.by else say(acting.name)
 
 
 def felt(found: FreeBody) -> Sequence[Acting]:

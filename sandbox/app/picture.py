@@ -11,6 +11,7 @@ from sandbox.app import graph, legend, theme, wording
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.companions import Changes
+from sandbox.app.language import say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.level.card import clock, header, settings
 from sandbox.app.pages.race import race
@@ -21,6 +22,7 @@ from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level
+from sandbox.model.variants import Variation
 
 SIZE = (1280, 720)  # px
 TELLING = 0.4
@@ -37,8 +39,8 @@ class Beside:
 
     level: Level
     """the same bodies, with effects more or less"""
-    told: str
-    """what makes the picture's own level differ from it, such as `without drag`"""
+    variations: tuple[Variation, ...]
+    """what makes the picture's own level differ from it"""
 
 
 def render(
@@ -91,7 +93,7 @@ def render(
 def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
     session = Session(beside.level if beside else level, values)
     if beside:
-        whatif.play_over(session, beside.level, level, Changes(effects=beside.told))
+        whatif.play_over(session, beside.level, level, Changes(effects=beside.variations))
     if racing:
         race.toggle(session)
     return session
@@ -136,7 +138,11 @@ def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
     """Fill the column of words; the energy stands at its foot."""
     width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
     level, y = session.level, MARGIN
-    when = f"t = {wording.seconds(session.t)} of {wording.seconds(session.duration)}"
+    when = say(
+        "t = {now} of {whole}",
+        now=wording.seconds(session.t),
+        whole=wording.seconds(session.duration),
+    )
     parts = [header(pen, width, level), clock(pen, width, when)]
     if level.parameters:
         parts.append(settings(pen, width, level, session.values))

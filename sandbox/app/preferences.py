@@ -6,6 +6,8 @@ from typing import Annotated
 from pydantic import AfterValidator, BaseModel, ConfigDict, TypeAdapter
 
 from sandbox.app import kept
+from sandbox.app.language import Name as Language
+from sandbox.app.language import of_system, say
 from sandbox.app.theme import DARK, NAMES, Name
 from sandbox.model.files import data_folder
 
@@ -30,6 +32,8 @@ class Preferences(BaseModel):
     theme: Name = DARK
     size: Annotated[int | None, AfterValidator(_one_of_the_sizes)] = None
     """of text [%]; None for what suits the screen"""
+    language: Language | None = None
+    """None for that of the system"""
     sound: bool = False
     """whether impacts are heard"""
     reduced: bool = False
@@ -73,6 +77,11 @@ class Comfort:
         return self._suiting if self.chosen.size is None else self.chosen.size
 
     @property
+    def language(self) -> Language:
+        """The language of the window."""
+        return self.chosen.language or of_system()
+
+    @property
     def scale(self) -> float:
         """How many times larger than usual text is, and what it stands in."""
         return self.size / 100
@@ -81,7 +90,7 @@ class Comfort:
         """Choose, and keep that; return why it cannot be kept, if so."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
         why = kept.keep(file(), _KIND, self.chosen)
-        return f"the settings are not kept for the next time: {why}" if why else ""
+        return say("the settings are not kept for the next time: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:
         """Choose the next larger size of text, or the next smaller one; see `choose`."""

@@ -6,6 +6,7 @@ from typing import Annotated
 from pydantic import Field, TypeAdapter
 
 from sandbox.app import kept
+from sandbox.app.language import say
 from sandbox.model.files import data_folder
 
 _STARS = TypeAdapter(dict[str, Annotated[int, Field(ge=1, le=3)]])
@@ -35,7 +36,7 @@ class Progress:
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
         why = kept.keep(file(), _STARS, self._stars)
-        return f"the stars are not kept for the next time: {why}" if why else ""
+        return say("the stars are not kept for the next time: {why}", why=why) if why else ""
 
 
 def _read() -> dict[str, int]:

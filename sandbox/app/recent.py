@@ -6,6 +6,7 @@ from pathlib import Path
 from pydantic import TypeAdapter
 
 from sandbox.app import kept
+from sandbox.app.language import later, say
 from sandbox.model.files import data_folder
 
 _PATHS = TypeAdapter(list[str])
@@ -40,7 +41,8 @@ class Recent:
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # another window's, too
         why = kept.keep(file(), _PATHS, [str(path), *others][:MOST])
-        return f"that this file was opened is not kept for the next time: {why}" if why else ""
+        told = later("that this file was opened is not kept for the next time: {why}")
+        return say(told, why=why) if why else ""
 
 
 def _read() -> list[str]:

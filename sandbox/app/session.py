@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from sandbox.app.actions import Action
 from sandbox.app.beginning import Beginning, at_rate, begin
 from sandbox.app.companions import NONE, Changes, Variant
+from sandbox.app.language import say
 from sandbox.app.live_run import LiveRun
 from sandbox.app.looking import Looking
 from sandbox.app.playback import Playback
@@ -137,7 +138,7 @@ class Session(Playback):
         if not self.world.steps:
             self.restart(settings)
             return
-        self._require_one_that_goes_on("with other parameters")
+        self._require_one_that_goes_on(say("with other parameters"))
         self.release()
         self.run.branch(settings)
 
@@ -149,9 +150,10 @@ class Session(Playback):
         SandboxError
             If that cannot be; then all stays as it was.
         """
-        self._require_one_that_goes_on("with other parts")
+        self._require_one_that_goes_on(say("with other parts"))
         if self.changes:
-            raise SandboxError("effects are switched off or on here; switch them back first (X)")
+            told = say("effects are switched off or on here; switch them back first (X)")
+            raise SandboxError(told)
         self.release()
         self.run.alter(text)
         if self.looking.body not in self.level.bodies:
@@ -159,8 +161,8 @@ class Session(Playback):
 
     def _require_one_that_goes_on(self, how: str) -> None:
         if self.companions or self.failure is not None:
-            why = "other runs go beside it" if self.companions else "it had to stop"
-            raise SandboxError(f"this run cannot go on {how}: {why}")
+            why = say("other runs go beside it") if self.companions else say("it had to stop")
+            raise SandboxError(say("this run cannot go on {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Take a run again from its start, and stand there; a long way takes some frames.

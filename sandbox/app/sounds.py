@@ -12,6 +12,7 @@ import numpy as np
 import pygame
 
 from sandbox.app.blows import Blow
+from sandbox.app.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 
@@ -39,7 +40,7 @@ def opened() -> str:
     try:
         pygame.mixer.init(RATE, -16, 1, BUFFER, allowedchanges=0)
     except (pygame.error, NotImplementedError) as error:  # the latter where there is no mixer
-        return str(error) or "no reason is known"
+        return str(error) or say("no reason is known")
     return ""
 
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sandbox.app import wording
 from sandbox.app.companions import Changes, Variant
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -13,7 +14,7 @@ from sandbox.model.level import Level
 TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
 MOST = 200
 """Changes that are remembered."""
-FORM, SPEED = "effects and stepping", "speed"
+FORM, SPEED = later("effects and stepping"), "speed"
 
 
 class Branch(NamedTuple):
@@ -72,7 +73,9 @@ class Undoing:
 
     def undo(self, session: Session) -> str:
         """Take the last change back, and return what is told of that; see `redo`."""
-        return self._go(session, self._past, self._future, "undone", "nothing to undo")
+        return self._go(
+            session, self._past, self._future, later("undone: {what}"), later("nothing to undo")
+        )
 
     def redo(self, session: Session) -> str:
         """Make a change again that was taken back, and return what is told of that.
@@ -82,20 +85,23 @@ class Undoing:
         SandboxError
             If that cannot be; then all stays as it was.
         """
-        return self._go(session, self._future, self._past, "done again", "nothing to do again")
+        return self._go(
+            session, self._future, self._past, later("done again: {what}"),
+            later("nothing to do again"),
+        )  # fmt: skip
 
     def _go(
         self, session: Session, come_from: list[Setup], go_to: list[Setup], told: str, nothing: str
     ) -> str:
         self.follow(session, 0.0)
         if not come_from:
-            return nothing
+            return say(nothing)
         wanted, before = come_from[-1], setup(session)
         apply(session, wanted)
         come_from.pop()
         go_to.append(before)
         self._rest(setup(session) if session.sought is None else wanted)
-        return f"{told}: {_words(before, wanted)}"
+        return say(told, what=_words(before, wanted))
 
     def _rest(self, now: Setup) -> None:
         """Take what is the case now as what the next change is a change of."""
@@ -150,7 +156,8 @@ def _branch(session: Session, branch: Branch) -> None:
     """Go on with other parameters from the step where the run has done so before."""
     session.go_to(branch.step)
     if session.sought is not None:
-        raise SandboxError("the run is on its way to where it branched; then do it again")
+        told = say("the run is on its way to where it branched; then do it again")
+        raise SandboxError(told)
     session.branch(branch.parameters)
 
 
@@ -167,9 +174,12 @@ def _is(a: object, b: object) -> bool:
 def _words(before: Setup, after: Setup) -> str:
     """Say what is as it was."""
     names = [name for name in after.values if after.values[name] != before.values.get(name)]
-    parts = [f"{name} is {wording.setting(after.values[name])}" for name in names]
+    parts = [
+        say("{name} is {value}", name=name, value=wording.setting(after.values[name]))
+        for name in names
+    ]
     if not _same_form(before, after):
-        parts.append(f"{FORM} as before")
+        parts.append(say("{what} as before", what=say(FORM)))
     if after.speed != before.speed:
-        parts.append(f"speed is {after.speed:g}×")
-    return ", ".join(parts) or "as before"
+        parts.append(say("speed is {speed:g}×", speed=after.speed))
+    return ", ".join(parts) or say("as before")

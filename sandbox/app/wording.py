@@ -1,8 +1,9 @@
 """How numbers and moments are put for a person to read."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
+from sandbox.app.language import later, plural, say
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -11,6 +12,7 @@ from sandbox.model.level import (
     LandingEvent,
     SeparationEvent,
 )
+from sandbox.model.variants import Variation, shown
 from sandbox.physics.accuracy.calibration import Setting
 from sandbox.physics.accuracy.candidates import Offer
 from sandbox.physics.accuracy.trust import Trust, surviving
@@ -18,7 +20,13 @@ from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.goals import Outcome
 
 MINUS = "−"
-NO_DIFFERENCE = "no difference"
+NO_DIFFERENCE = later("no difference")
+SCHEMES: Mapping[str, str] = {
+    "leapfrog": later("leapfrog"),
+    "symplectic-euler": later("symplectic Euler"),
+    "explicit-euler": later("explicit Euler"),
+    "fourth-order": later("fourth order"),
+}
 
 
 def number(value: float, digits: int = 5) -> str:
@@ -57,8 +65,10 @@ def bounds(outcome: Outcome) -> str:
     """Write what a goal asks for: the least, the most, or both."""
     least, most = (quantity(bound, outcome.unit, 4) for bound in (outcome.least, outcome.most))
     if outcome.least == -inf:
-        return f"at most {most}"
-    return f"at least {least}" if outcome.most == inf else f"{least} to {most}"
+        return say("at most {most}", most=most)
+    if outcome.most == inf:
+        return say("at least {least}", least=least)
+    return say("{least} to {most}", least=least, most=most)
 
 
 def measured(value: float, expected: float, unit: str) -> str:
@@ -115,52 +125,57 @@ def rounded_up(value: float) -> float:
     return below if below >= value * (1 - 1e-9) else nice(2.5 * below)
 
 
+def scheme(name: str) -> str:
+    """Write the name of a scheme."""
+    return say(SCHEMES.get(name, name))
+
+
 def moment(check: Check) -> str:
     """Name the moment at which a check can be made for the first time."""
     match check.at:
         case None:
-            return "the first step"
+            return say("the first step")
         case ApexEvent(body=body):
-            return f"the apex of {body}"
+            return say("the apex of {body}", body=body)
         case LandingEvent(body=body):
-            return f"the landing of {body}"
+            return say("the landing of {body}", body=body)
         case ContactEvent(bodies=(a, b), nth=nth):
-            return f"{a} to meet {b}{_times(nth)}"
+            return say("{a} to meet {b}", a=a, b=b) + _times(nth)
         case SeparationEvent(bodies=(a, b), nth=nth):
-            return f"{a} to part from {b}{_times(nth)}"
+            return say("{a} to part from {b}", a=a, b=b) + _times(nth)
         case CrossingEvent(quantity=name, value=value):
-            return f"{name} to cross {value.source}"
+            return say("{quantity} to cross {value}", quantity=name, value=value.source)
         case time:
             return f"t = {time.source} s"
 
 
 def _times(nth: int) -> str:
-    return f" {nth} times" if nth > 1 else ""
+    return say(" {nth} times", nth=nth) if nth > 1 else ""
 
 
 def occasion(check: Check) -> str:
     """Name in a word or two what a check waits for."""
     match check.at:
         case ApexEvent():
-            return "at apex"
+            return say("at apex")
         case LandingEvent():
-            return "landing"
+            return say("landing")
         case ContactEvent():
-            return "contact"
+            return say("contact")
         case SeparationEvent():
-            return "parting"
+            return say("parting")
         case CrossingEvent():
-            return "crossing"
+            return say("crossing")
         case _:
-            return "later"
+            return say("later")
 
 
 def difference(found: Difference) -> str:
     """Write how two runs differ: as a share if there is something to compare it with."""
     if found.share == 0:
-        return NO_DIFFERENCE
+        return say(NO_DIFFERENCE)
     if found.before is None or found.after is None:
-        return "comes" if found.before is None else "never comes"
+        return say("comes") if found.before is None else say("never comes")
     if found.relative is not None and abs(found.relative) < 10:
         return f"{100 * found.relative:+.3g} %"
     return f"{found.after - found.before:+.3g} {found.unit}"
@@ -168,7 +183,25 @@ def difference(found: Difference) -> str:
 
 def step_cost(seconds: float) -> str:
     """Write what a step costs more or less."""
-    return f"{round(1e3 * seconds, 4):+.2g} ms a step"
+    return say("{cost:+.2g} ms a step", cost=round(1e3 * seconds, 4))
+
+
+def variations(found: Iterable[Variation]) -> str:
+    """Write what was done to the effects of a level."""
+    return ", ".join(map(_variation, found))
+
+
+def _variation(found: Variation) -> str:
+    effect = say(found.effect)
+    if found.settings is None:
+        if not found.gone:
+            return say("without {effect}", effect=effect)
+        gone = ", ".join(map(say, found.gone))
+        return say("without {effect} (and so without {others})", effect=effect, others=gone)
+    said = ", ".join(f"{say(field)} {shown(value)}" for field, value in found.settings.items())
+    if not said:
+        return say("with {effect}", effect=effect)
+    return say("with {effect} ({settings})", effect=effect, settings=said)
 
 
 def summary(found: Sequence[Difference]) -> Iterator[str]:
@@ -182,25 +215,33 @@ def offer(setting: Setting) -> str:
     """Write which setting reaches an accuracy, or what can be had instead."""
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.chosen)}"
-    price = f"{setting.chosen.price:.2g} s of computing for 1 s"
-    return (
-        f"{error(setting.target)} cannot be had in real time: it takes {price}."
-        f" Instead: {_offer(setting.in_real_time)}"
+    return say(
+        "{error} cannot be had in real time: it takes {price:.2g} s of computing for 1 s."
+        " Instead: {offer}",
+        error=error(setting.target),
+        price=setting.chosen.price,
+        offer=_offer(setting.in_real_time),
     )
 
 
 def _offer(found: Offer) -> str:
-    price = f"{1e3 * found.price:.3g} ms of computing for 1 s"
-    stepping = found.stepping
-    return f"{stepping.scheme} at {stepping.rate:g} Hz, error {error(found.error)}, {price}"
+    return say(
+        "{scheme} at {rate:g} Hz, error {error}, {price:.3g} ms of computing for 1 s",
+        scheme=scheme(found.stepping.scheme),
+        rate=found.stepping.rate,
+        error=error(found.error),
+        price=1e3 * found.price,
+    )
 
 
 def trusted(found: Trust) -> str:
     """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
-    told = {0: "no digit holds", 1: "1 digit holds"}.get(
-        found.digits, f"{found.digits} digits hold"
-    )
-    return told if found.until is None else f"{told}; foretold until t = {seconds(found.until)}"
+    told = plural("{count} digit holds", "{count} digits hold", found.digits)
+    if not found.digits:
+        told = say("no digit holds")
+    if found.until is None:
+        return told
+    return say("{digits}; foretold until t = {t}", digits=told, t=seconds(found.until))
 
 
 def certain(value: float, off: float, unit: str) -> str:

@@ -5,15 +5,17 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app import language, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
+from sandbox.app.language import later, say
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.load import Load
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
+from sandbox.app.panels import messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
@@ -28,6 +30,11 @@ from sandbox.physics.state.errors import SimulationError
 
 TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
+
+LONG = 60_000
+"""Bytes of a file: to read a longer one takes so long that it is said before."""
+MANY = 100
+"""Bodies and joints of a level: to build one of more takes so long that it is said before."""
 
 
 class Workspace:
@@ -77,6 +84,7 @@ class Workspace:
         self.comfort = Comfort(max((h for _, h in pygame.display.get_desktop_sizes()), default=0))
         self._followed = self.comfort.chosen
         theme.use(self._followed.theme)
+        language.use(self.comfort.language)
         self.pen = Pen(self.comfort.scale)
         self.stage = Stage(self.pen, size)
         self.hand = Hand(self.stage)
@@ -115,6 +123,7 @@ class Workspace:
             return
         self._followed = chosen
         theme.use(chosen.theme)
+        language.use(self.comfort.language)
         self.pen.renew(self.comfort.scale)
         self.panels.renew(self.surface.size)
         if self.session is not None:
@@ -157,7 +166,12 @@ class Workspace:
         another = path != self.path
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         try:
+            if path.is_file() and path.stat().st_size > LONG:
+                self._say_first(f"Reading {path.name} …")
             level = self._read(path)
+            parts = len(level.bodies) + len(level.joints)
+            if parts > MANY:
+                self._say_first(f"Building {legible(level.title)}: {parts:,} bodies and joints …")
             session = Session(level, choose(level, self._settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, error)
@@ -176,6 +190,12 @@ class Workspace:
         self._entitle(level)
         self.lay_out()
 
+    def _say_first(self, text: str) -> None:
+        """Show a sentence at once, over what is shown: what comes now holds up the next frame."""
+        area = self.panels.layout.stage
+        messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
+        pygame.display.flip()
+
     def reload(self, rate: float | None = None) -> None:
         """Read the level's file again, and play it as it was opened, or at another rate [Hz]."""
         if self.path is not None:
@@ -189,15 +209,17 @@ class Workspace:
         try:
             same = self._read(path) == self.session.original
         except SandboxError:
-            self.banner.tell(f"{path.name} has mistakes now; F5 shows them", lasting=True)
+            told = say("{file} has mistakes now; F5 shows them", file=path.name)
+            self.banner.tell(told, lasting=True)
             return
         if same:
             self.banner.tell("")
         elif self.session.touched:
-            self.banner.tell(f"{path.name} has changed; F5 reads it again", lasting=True)
+            told = say("{file} has changed; F5 reads it again", file=path.name)
+            self.banner.tell(told, lasting=True)
         else:
             self.reload()
-            self.banner.tell(f"{path.name} has changed and was read again")
+            self.banner.tell(say("{file} has changed and was read again", file=path.name))
 
     def run_as_advised(self) -> None:
         """Run again at the rate that was offered."""
@@ -207,7 +229,8 @@ class Workspace:
         elif rate is not None:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
-            self.banner.tell(f"now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            told = later("now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            self.banner.tell(say(told, rate=rate))
 
     def follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew, maybe from another file."""

@@ -51,7 +51,7 @@ def render(
     from sandbox.app.picture import Beside, save_picture
 
     if varied:
-        beside = Beside(level, varied.change.description)
+        beside = Beside(level, varied.variations)
         save_picture(varied.level, values, output, at=at, beside=beside)
     else:
         save_picture(level, values, output, at=at, racing=racing)

@@ -10,6 +10,7 @@ from sandbox.cli.usage import UsageError
 from sandbox.model import variants
 from sandbox.model.errors import brief
 from sandbox.model.level import Level, Stepping
+from sandbox.model.variants import Variation
 from sandbox.physics.measuring.comparison import Difference
 from sandbox.physics.measuring.csv_export import Change
 
@@ -21,6 +22,7 @@ class Varied(NamedTuple):
 
     level: Level
     change: Change
+    variations: tuple[Variation, ...]
 
 
 def vary(
@@ -44,10 +46,11 @@ def vary(
     if both is not None:
         raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
     run = level if stepping is None else level.model_copy(update={"stepping": stepping})
-    changed, description = variants.vary(run, off, settings)
+    changed, variations = variants.vary(run, off, settings)
     options = [*(word for name in off for word in ("--without", name))]
     options += [word for text in on for word in ("--with", text)]
-    return Varied(changed, Change(level, description, tuple(options)))
+    description = ", ".join(map(str, variations))
+    return Varied(changed, Change(level, description, tuple(options)), variations)
 
 
 def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:

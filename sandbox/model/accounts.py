@@ -13,6 +13,9 @@ from sandbox.model.level import Level
 from sandbox.model.parts import names_in
 from sandbox.model.switches import switched
 
+OTHERS = ("bodies", "joints", "events", "damping", "supports")
+"""The accounts that are named after no effect and no joint."""
+
 
 def potentials(level: Level) -> tuple[str, ...]:
     """Return what stores energy: effects, and springs all together."""

@@ -6,7 +6,7 @@ switched off leaves without meaning goes with it: friction needs contact.
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from typing import cast
+from typing import NamedTuple, cast
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
@@ -36,6 +36,23 @@ _COEFFICIENTS: Mapping[str, type[Expression]] = {
     name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
 }
 """The effects that have a coefficient a body: 'coefficient' is that of every pair."""
+
+
+class Variation(NamedTuple):
+    """What is done to one effect of a level."""
+
+    effect: str
+    gone: tuple[str, ...] = ()
+    """the others that had to go with it"""
+    settings: Settings | None = None
+    """with which it is switched on; None if it is switched off"""
+
+    def __str__(self) -> str:
+        if self.settings is None:
+            also = f" (and so without {', without '.join(self.gone)})" if self.gone else ""
+            return f"without {self.effect}{also}"
+        said = ", ".join(f"{field} {shown(value)}" for field, value in self.settings.items())
+        return f"with {self.effect}" + (f" ({said})" if said else "")
 
 
 class EffectError(SandboxError):
@@ -145,8 +162,10 @@ def including(level: Level, effect: str, settings: Settings) -> Level:
     return changed
 
 
-def vary(level: Level, off: Sequence[str], on: Mapping[str, Settings]) -> tuple[Level, str]:
-    """Return a level with some effects switched off, then others on, and how that is told.
+def vary(
+    level: Level, off: Sequence[str], on: Mapping[str, Settings]
+) -> tuple[Level, tuple[Variation, ...]]:
+    """Return a level with some effects switched off, then others on, and what that did to each.
 
     Raises
     ------
@@ -154,21 +173,20 @@ def vary(level: Level, off: Sequence[str], on: Mapping[str, Settings]) -> tuple[
         If that makes no sense.
     """
     changed = level
-    parts: list[str] = []
+    parts: list[Variation] = []
     for name in dict.fromkeys(off):
         if name in level.effects.declared and name not in changed.effects.declared:
             continue  # it has gone with another
         changed, gone = without(changed, name)
-        also = f" (and so without {', without '.join(gone)})" if gone else ""
-        parts.append(f"without {name}{also}")
+        parts.append(Variation(name, gone))
     for name, fields in on.items():
         changed = including(changed, name, fields)
-        said = ", ".join(f"{field} {_shown(value)}" for field, value in fields.items())
-        parts.append(f"with {name}" + (f" ({said})" if said else ""))
-    return changed, ", ".join(parts)
+        parts.append(Variation(name, settings=fields))
+    return changed, tuple(parts)
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
+    """Return a setting as a person would type it."""
     return value if isinstance(value, str) else json.dumps(value)
 
 

@@ -4,6 +4,7 @@ import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 os.environ["SDL_AUDIODRIVER"] = "dummy"
+os.environ["LANGUAGE"] = "en"  # whoever runs them, wherever
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,7 +12,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import preferences, progress, recent, theme
+from sandbox.app import language, preferences, progress, recent, theme
 from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
@@ -57,4 +58,5 @@ def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> I
     window.close()
     pygame.event.get()
     theme.use(theme.DARK)
+    language.use(language.ENGLISH)
     pygame.display.quit()

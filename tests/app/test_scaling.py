@@ -7,6 +7,7 @@ import pytest
 from pygame_gui.elements import UIButton, UITextEntryLine
 
 from sandbox.app import preferences
+from sandbox.app.language import NAMES, Name
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels.layout import divide
 from sandbox.app.preferences import SIZES
@@ -17,8 +18,8 @@ SMALLEST, USUAL = (900, 600), (1280, 800)
 CONTROL = pygame.KMOD_LCTRL
 
 
-def choose(person: Person, size: int) -> None:
-    person.window.comfort.choose(size=size)
+def choose(person: Person, size: int, language: Name = "en") -> None:
+    person.window.comfort.choose(size=size, language=language)
     person.wait(0.05)
 
 
@@ -71,14 +72,15 @@ def test_the_parts_of_the_window_fill_it_and_do_not_overlap(
         assert layout.stage.height + layout.controls.height == window[1]
 
 
+@pytest.mark.parametrize("language", NAMES)
 @pytest.mark.parametrize("size", [80, 150, 200])
 @pytest.mark.parametrize("window", [SMALLEST, USUAL])
 def test_no_caption_is_larger_than_its_widget_on_any_page(
-    person: Person, tmp_path: Path, window: tuple[int, int], size: int
+    person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name
 ) -> None:
     person.resize(window)
     person.open(tmp_path, falling())
-    choose(person, size)
+    choose(person, size, language)
     pen = person.window.pen
     for page in PAGES:
         person.window.do(page.command)
@@ -90,14 +92,15 @@ def test_no_caption_is_larger_than_its_widget_on_any_page(
                 assert pen.height(11) <= each.rect.height, (page.name, each.text)
 
 
+@pytest.mark.parametrize("language", NAMES)
 @pytest.mark.parametrize("size", [80, 150, 200])
 @pytest.mark.parametrize("window", [SMALLEST, USUAL])
 def test_no_two_widgets_of_a_page_cover_each_other(
-    person: Person, tmp_path: Path, window: tuple[int, int], size: int
+    person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name
 ) -> None:
     person.resize(window)
     person.open(tmp_path, falling())
-    choose(person, size)
+    choose(person, size, language)
     for page in PAGES:
         person.window.do(page.command)
         person.wait()

@@ -20,6 +20,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.building.trial import Trial
 from sandbox.app.building.work import Work
+from sandbox.app.language import say
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -120,7 +121,7 @@ class Editor:
         self._played, self._tried = session.original, self.work.version
         self.refusal, self.culprits = "", frozenset()
         if draft.text != session.original.text:
-            self.work.tell("What you have changed is still here, and not saved")
+            self.work.tell(say("What you have changed is still here, and not saved"))
             self.settle(session)
 
     def begin(self, session: Session, draft: Draft) -> None:
@@ -139,7 +140,7 @@ class Editor:
         begun, work = perf_counter(), self.work
         level = work.draft.level
         if level is None:
-            work.tell(f"That cannot be: {work.mistake}")
+            work.tell(say("That cannot be: {mistake}", mistake=work.mistake))
             while level is None and work.draft.undo():
                 level = work.draft.level
             work.refresh()
@@ -214,7 +215,7 @@ class Editor:
             self.work.tell(str(error))
             return
         self.naming, self._tried = False, None  # its level has another place now
-        self.work.tell(f"Saved {draft.path}")
+        self.work.tell(say("Saved {path}", path=draft.path))
 
     def save_as(self) -> None:
         """Ask for the name under which to save."""
@@ -235,7 +236,7 @@ class Editor:
             return
         self.drafts.outside = False
         self.work.refresh()
-        self.work.tell("Read again; Ctrl+Z brings back what was here before")
+        self.work.tell(say("Read again; Ctrl+Z brings back what was here before"))
 
     @property
     def proposed(self) -> Path:
@@ -302,10 +303,10 @@ class Editor:
             self.work.undo()
         elif self.trial.changed(session):
             self.trial.take_back(session)
-            self.bench.tell("Undone: what was changed in the run")
+            self.bench.tell(say("Undone: what was changed in the run"))
         else:
             self.back(session)
-            self.work.tell("Undone: the run; Ctrl Y comes back to it")
+            self.work.tell(say("Undone: the run; Ctrl Y comes back to it"))
 
     def redo(self, session: Session) -> None:
         """Do again what was undone last: a change of the run, the run, or a change of the level."""
@@ -315,7 +316,7 @@ class Editor:
             except SandboxError as error:
                 self.bench.tell(str(error))
             else:
-                self.bench.tell("Done again" if done else "There is nothing to do again")
+                self.bench.tell(say("Done again") if done else say("There is nothing to do again"))
         elif self.trial.is_undone(self.work.draft.text):
             self.come_back(session)
         else:
@@ -325,14 +326,16 @@ class Editor:
         """Return what would be undone next, in words."""
         if not self.trying(session):
             return self.work.draft.undoes
-        return "the last change of the run" if self.trial.changed(session) else "the run"
+        if self.trial.changed(session):
+            return say("the last change of the run")
+        return say("the run")
 
     def redoes(self, session: Session) -> str | None:
         """Return what would be done again next, in words."""
         if self.trying(session):
-            return "change the run" if self.trial.is_taken_back(session) else None
+            return say("change the run") if self.trial.is_taken_back(session) else None
         if self.trial.is_undone(self.work.draft.text):
-            return "the run"
+            return say("the run")
         return self.work.draft.redoes
 
     def keep_run(self, session: Session) -> None:
@@ -344,7 +347,7 @@ class Editor:
             return
         self.begin(session, draft)
         self._look_at(session)
-        self.work.tell(KEPT)
+        self.work.tell(say(KEPT))
 
     def command(self, command: str, session: Session) -> bool:
         """Refuse to run what cannot; read a file again without losing what was changed."""
@@ -354,7 +357,7 @@ class Editor:
             if self.running:
                 self.settle(session)
             if self.refusal:
-                self.work.tell(f"It cannot run yet: {self.refusal}")
+                self.work.tell(say("It cannot run yet: {reason}", reason=self.refusal))
             return bool(self.refusal)
         if command == "next field":
             return self.complete()
@@ -435,7 +438,7 @@ class Editor:
         if self._spot is not None and self.tool not in ("select", "delete"):
             painting.caught(surface, camera, pen, self._spot.snapped)
         self.hand.draw(surface, pen)
-        painting.draw_hint(surface, pen, self.hand.hint)
+        painting.draw_hint(surface, pen, say(self.hand.hint))
         return True
 
     def draw_over(self, surface: pygame.Surface, stage: Stage, pen: Pen) -> None:
@@ -453,4 +456,5 @@ class Editor:
             painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             self.hand.draw(surface, pen)
-        painting.draw_hint(surface, pen, f"{self.hand.hint}; time stands until it is done")
+        told = say("{hint}; time stands until it is done", hint=say(self.hand.hint))
+        painting.draw_hint(surface, pen, told)

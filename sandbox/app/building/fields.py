@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from sandbox.app.language import say
 from sandbox.editing.layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
@@ -34,7 +35,7 @@ class Entry:
     path
         Where in the level.
     label, help, unit
-        What it is called, what is said of it, and its unit.
+        What it is called and what is said of it, in the language in use, and its unit.
     sort
         How it is set: `json` stands for whatever has no field of its own, and is typed as it
         stands in a file.
@@ -124,24 +125,24 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
         said = {}
     if get_origin(kind) is Literal and len(get_args(kind)) == 1:
         return  # the type of a shape or a joint
-    told = " ".join((field.description or "").split())
+    told = say(help_of(field))
     if isinstance(said, Mapping) and (model := model_of(kind, said)):
         yield Section(
-            path, key.replace("_", " "), told or _first(model), tuple(rows(model, said, path))
+            path, _label(key), told or say(first_of(model)), tuple(rows(model, said, path))
         )
     elif _members(kind) and isinstance(said, Sequence) and _are_parts(said):
-        yield Section(path, key.replace("_", " "), told, tuple(_items(kind, said, path)))
+        yield Section(path, _label(key), told, tuple(_items(kind, said, path)))
     elif (
         get_origin(kind) is Mapping
         and isinstance(said, Mapping)
         and model_of(get_args(kind)[1], {})
     ):
-        yield Section(path, key.replace("_", " "), told, tuple(_named(kind, said, path)))
+        yield Section(path, _label(key), told, tuple(_named(kind, said, path)))
     elif _is_point(kind):
         values = said if isinstance(said, Sequence) and len(said) == 2 else (None, None)
         defaults = field.default if isinstance(field.default, tuple) else (None, None)
         yield tuple(
-            _entry(f"{key} {axis}", types, value, (*path, i), told, default, required=True)
+            _entry(f"{_label(key)} {axis}", types, value, (*path, i), told, default, required=True)
             for i, (axis, types, value, default) in enumerate(
                 zip("xy", get_args(kind), values, defaults, strict=True)
             )
@@ -149,7 +150,7 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
     else:
         default = None if field.is_required() else field.default
         mentions = (extra.of for extra in field.metadata if isinstance(extra, Mention))
-        entry = _entry(key, kind, said, path, told, default, required=field.is_required())
+        entry = _entry(_label(key), kind, said, path, told, default, required=field.is_required())
         yield (replace(entry, names=next(mentions, "")),)
 
 
@@ -165,7 +166,8 @@ def _items(kind: Any, said: Sequence[Json], path: Path) -> Iterator[Section]:  #
         if model is not None and isinstance(item, Mapping):
             place = (*path, index)
             label = str(item.get("quantity") or item.get("body") or index + 1)
-            yield Section(place, label, _first(model), tuple(rows(model, item, place)))
+            told = say(first_of(model))
+            yield Section(place, label, told, tuple(rows(model, item, place)))
 
 
 def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
@@ -173,11 +175,12 @@ def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]
         model = model_of(get_args(kind)[1], item) if isinstance(item, Mapping) else None
         if model is not None and isinstance(item, Mapping):
             place = (*path, name)
-            yield Section(place, name, _first(model), tuple(rows(model, item, place)))
+            told = say(first_of(model))
+            yield Section(place, name, told, tuple(rows(model, item, place)))
 
 
 def _entry(
-    key: str, kind: Any, said: Json, path: Path, told: str, default: object, *, required: bool,  # noqa: ANN401
+    label: str, kind: Any, said: Json, path: Path, told: str, default: object, *, required: bool,  # noqa: ANN401
 ) -> Entry:  # fmt: skip
     kind, unit = bare(kind), ""
     sort: Sort = "json"
@@ -192,7 +195,6 @@ def _entry(
         sort = "text"
     elif get_origin(kind) is Literal and all(isinstance(c, str) for c in get_args(kind)):
         sort, choices = "choice", get_args(kind)
-    label = key.replace("_", " ")
     shown = _shown(said)
     return Entry(path, label, told, unit, sort, shown, _default(default), choices, required)
 
@@ -262,6 +264,33 @@ def _is_point(kind: Any) -> bool:  # noqa: ANN401
     )
 
 
-def _first(model: type[Model]) -> str:
-    """Return the first sentence that is said of a model."""
+def _label(key: str) -> str:
+    """Return what a field is called."""
+    return say(label_of(key))
+
+
+def label_of(key: str) -> str:
+    """Return what a field is called in English."""
+    return key.replace("_", " ")
+
+
+def help_of(field: FieldInfo) -> str:
+    """Return what is said of a field in English; empty if nothing is."""
+    return " ".join((field.description or "").split())
+
+
+def choices_of(kind: Any) -> tuple[str, ...]:  # noqa: ANN401 (a type is any object)
+    """Return what a type lets choose from, as it is written in English; nothing for most types."""
+    kind = bare(kind)
+    said = get_args(kind) if get_origin(kind) is Literal else ()
+    return tuple(caption_of(each) for each in said if isinstance(each, str))
+
+
+def caption_of(choice: str) -> str:
+    """Return how something to choose is written in English."""
+    return choice.replace("-", " ")
+
+
+def first_of(model: type[Model]) -> str:
+    """Return the first sentence that is said of a model, in English."""
     return " ".join((model.__doc__ or "").split("\n\n")[0].split())

@@ -6,6 +6,7 @@ and keeps it among its actions, so that it can be taken again, shared, and taken
 
 from sandbox.app.building.spot import Part
 from sandbox.app.building.work import Work
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.editing.draft import Draft
 from sandbox.editing.present import MOVES, as_it_stands
@@ -13,7 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
-KEPT = "The present state is a level of its own now; the one that it came of stays as it was"
+KEPT = later("The present state is a level of its own now; the one that it came of stays as it was")
 
 
 class Live(Work):
@@ -50,7 +51,7 @@ class Live(Work):
         try:
             self._refused, text = "", as_it_stands(self.session.world, anew=False)
         except SandboxError as error:
-            self._refused = f"Nothing can be changed while it runs: {error}"
+            self._refused = say("Nothing can be changed while it runs: {error}", error=error)
             return
         self.take(Draft.of(text))
         self.select(chosen)
@@ -70,7 +71,8 @@ class Live(Work):
         self.session.alter(text)
         super().put(text, said, merge)
         self._seen = self._now
-        self.tell(f"{said[:1].upper()}{said[1:]}, at {self.session.t:.2f} s")
+        change = f"{said[:1].upper()}{said[1:]}"
+        self.tell(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
 
     def part_at(self, pixel: XY) -> Part | None:
         """Return the body or joint at a pixel; none while nobody has looked where they are."""
@@ -85,5 +87,5 @@ class Live(Work):
             If no level can begin like that.
         """
         draft = Draft.of(self.session.original.text)
-        draft.change(as_it_stands(self.session.world, anew=True), "keep the run as a level")
+        draft.change(as_it_stands(self.session.world, anew=True), say("keep the run as a level"))
         return draft

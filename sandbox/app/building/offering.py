@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
+from sandbox.app.language import plural, say
 from sandbox.app.session import Session
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable
@@ -26,30 +27,36 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(Offer("Drawn before, and not saved:", ways))
+        found.append(Offer(say("Drawn before, and not saved:"), ways))
     if editor.drafts.outside:
-        reading = Act("Read it", "take over what it holds; Ctrl+Z brings yours back", editor.reload)
-        mine = Act("Keep mine", "the next time it is saved write over it", partial(_keep, editor))
-        found.append(Offer("Something else has changed the file.", (reading, mine)))
+        tip = say("take over what it holds; Ctrl+Z brings yours back")
+        reading = Act(say("Read it"), tip, editor.reload)
+        tip = say("the next time it is saved write over it")
+        mine = Act(say("Keep mine"), tip, partial(_keep, editor))
+        found.append(Offer(say("Something else has changed the file."), (reading, mine)))
     return found
 
 
 def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
     """Return what goes on with a draft that another one hides."""
     level = draft.level
-    title = level.title if level is not None else "a level with mistakes"
+    title = level.title if level is not None else say("a level with mistakes")
     caption = title if draft.path is None else draft.path.name
-    bodies = f"{len(level.bodies)} bodies; " if level is not None else ""
-    return Act(caption, f"{bodies}go on with it", partial(editor.begin, session, draft))
+    tip = say("go on with it")
+    if level is not None:
+        count = len(level.bodies)
+        tip = plural("{count} body; go on with it", "{count} bodies; go on with it", count)
+    return Act(caption, tip, partial(editor.begin, session, draft))
 
 
 def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
-    name = left.path.name if left.path else "a level without a file"
-    when = strftime("%d %b %H:%M", localtime(left.when))
+    name = left.path.name if left.path else say("a level without a file")
+    when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
     going_on = partial(recover, left, editor, session)
-    act = Act("Recover", "go on with it", going_on)
-    forget = Act("Forget it", "throw it away", partial(_forget, left, editor))
-    return Offer(f"What was drawn in {name} ({when}) was not saved.", (act, forget))
+    act = Act(say("Recover"), say("go on with it"), going_on)
+    forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
+    told = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
+    return Offer(told, (act, forget))
 
 
 def recover(left: Recoverable, editor: Editor, session: Session) -> None:

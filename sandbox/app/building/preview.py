@@ -7,6 +7,7 @@ import pygame
 from sandbox.app import lines, theme
 from sandbox.app.building.spot import Snapped
 from sandbox.app.camera import Camera
+from sandbox.app.language import say
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
 from sandbox.model.shapes import XY
@@ -58,5 +59,5 @@ def caught(surface: pygame.Surface, camera: Camera, pen: Pen, snapped: Snapped) 
             lines.stroke(surface, theme.NOTICE, a, b, 1)
         return
     pygame.draw.aacircle(surface, theme.NOTICE, (x, y), MARK, 2)
-    text = pen.outlined(snapped.by)
+    text = pen.outlined(say(snapped.by))
     surface.blit(text, text.get_rect(midbottom=(round(x), round(y) - 10)))

@@ -1,17 +1,24 @@
 """What catches points and bodies while they are drawn or moved, at the scale that is seen."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from sandbox.app.building.spot import Snapped
 from sandbox.app.camera import Camera
+from sandbox.app.language import later, say
 from sandbox.editing import snapping
+from sandbox.editing.snapping import Kind
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 
-TOLD = {"center": "centre"}
-"""What catches a point, for a person to read, where that differs from its name."""
+TOLD: Mapping[Kind, str] = {
+    "grid": later("grid"),
+    "corner": later("corner"),
+    "center": later("centre"),
+    "end": later("end"),
+}
+"""What catches a point, for a person to read."""
 
 REACH = 10.0  # px, from which a point or a body is caught
 
@@ -50,7 +57,7 @@ class Snapping:
             found = snapping.snap_point(work.level, free, self._reach, self.grid, work.ignored)
         except SandboxError:  # what was made last is no level, and is about to be taken back
             return Snapped(free, "")
-        return Snapped(found.point, TOLD.get(found.kind or "", found.kind or ""))
+        return Snapped(found.point, TOLD.get(found.kind, "") if found.kind else "")
 
     def moved(self, names: Sequence[str], by: XY) -> Snapped:
         """Return by how much to move bodies so that they touch what they come near [m]."""
@@ -58,5 +65,6 @@ class Snapping:
             found = snapping.snap_body(self._work.level, names, by, self._reach, self.grid)
         except SandboxError:
             return Snapped(by, "")
-        touches = f"touches {' and '.join(found.bodies)}" if found.kind == "contact" else ""
+        touched = say(" and ").join(found.bodies)
+        touches = say("touches {bodies}", bodies=touched) if found.kind == "contact" else ""
         return Snapped(found.point, touches)

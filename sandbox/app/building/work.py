@@ -8,6 +8,7 @@ from sandbox.app.building.sketch import Sketch
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.building.spot import Part, Snapped
 from sandbox.app.camera import Camera
+from sandbox.app.language import later, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.made import Made
@@ -99,7 +100,9 @@ class Work:
         """Go over to another text."""
         if text != self.text:
             if self.text != self.draft.text:
-                self.tell("What repeats, and groups, are written out now; Ctrl Z brings them back")
+                self.tell(
+                    say("What repeats, and groups, are written out now; Ctrl Z brings them back")
+                )
             self.draft.change(text, said, merge)
         self.refresh()
 
@@ -150,21 +153,23 @@ class Work:
 
     def undo(self) -> None:
         """Take the last step back."""
-        self._stepped("Undone", self.draft.undo(), "There is nothing more to undo")
+        told = later("Undone: {step}"), later("There is nothing more to undo")
+        self._stepped(*told, self.draft.undo())
 
     def redo(self) -> None:
         """Take the step again that was taken back last."""
-        self._stepped("Done again", self.draft.redo(), "There is nothing to do again")
+        told = later("Done again: {step}"), later("There is nothing to do again")
+        self._stepped(*told, self.draft.redo())
 
-    def _stepped(self, how: str, said: str | None, otherwise: str) -> None:
-        self.tell(f"{how}: {said}" if said else otherwise)
+    def _stepped(self, told: str, otherwise: str, step: str | None) -> None:
+        self.tell(say(told, step=step) if step else say(otherwise))
         self.refresh()
 
     def delete(self) -> None:
         """Take out what is selected."""
         names = [name for _, name in self.selected]
         if names:
-            said = f"delete {', '.join(names)}"
+            said = say("delete {names}", names=", ".join(names))
             self.change(said, lambda text, level: bodies.take_out(text, level, names))
 
     def nudge(self, across: int, upwards: int, share: float) -> None:
@@ -172,7 +177,7 @@ class Work:
         step, names = self.snapping.grid * share, self.chosen
         by = across * step, upwards * step
         if names:
-            self.change("move", lambda t, level: transforms.move(t, level, names, by), "nudge")
+            self.change(say("move"), lambda t, level: transforms.move(t, level, names, by), "nudge")
 
     def copy(self) -> None:
         """Copy the bodies that are selected, with the joints between them."""
@@ -184,23 +189,23 @@ class Work:
     def paste(self) -> None:
         """Put what was copied beside it, and select that."""
         copied, by = self._copied, self._aside
-        self.make("paste", lambda text, level: copying.paste(text, level, copied, by))
+        self.make(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
 
     def duplicate(self) -> None:
         """Put what is selected a second time beside it, and select that."""
         names, by = self.chosen, self._aside
-        self.make("duplicate", lambda text, level: copying.duplicate(text, level, names, by))
+        self.make(say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by))
 
     def group(self) -> None:
         """Let the bodies that are selected be selected together from now on."""
         names = self.chosen
-        if self.change("group", lambda text, level: grouping.group(text, level, names)):
-            self.tell("A click selects the group now, a second one the body alone")
+        if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
+            self.tell(say("A click selects the group now, a second one the body alone"))
 
     def ungroup(self) -> None:
         """Let each body that is selected be selected by itself again."""
         names = self.chosen
-        self.change("ungroup", lambda text, level: grouping.ungroup(text, level, names))
+        self.change(say("ungroup"), lambda text, level: grouping.ungroup(text, level, names))
 
     @property
     def _aside(self) -> XY:

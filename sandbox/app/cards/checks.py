@@ -7,13 +7,14 @@ import pygame
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.grading import Reading
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check
 from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
-TOUCHED = "A hand has touched this run, or changed it on the way: no formula describes it."
+TOUCHED = later("A hand has touched this run, or changed it on the way: no formula describes it.")
 
 
 def checks(
@@ -29,28 +30,30 @@ def checks(
     Of a check whose numerical error is known, only the digits that survive it are shown.
     """
     card = Card(pen, width)
-    card.heading("Checks")
+    card.heading(say("Checks"))
     if disturbed:
-        card.text(TOUCHED, 14, theme.NOTICE)
-        card.text("Restart (R) to check again.", 13, theme.DIM)
+        card.text(say(TOUCHED), 14, theme.NOTICE)
+        card.text(say("Restart (R) to check again."), 13, theme.DIM)
     elif not readings:
-        card.text("This level states no closed form.", 14, theme.DIM)
+        card.text(say("This level states no closed form."), 14, theme.DIM)
     else:
-        card.columns([(name, theme.DIM) for name in ("measured", "expected", "error")], 12)
+        heads = (say("measured"), say("expected"), say("error"))
+        card.columns([(head, theme.DIM) for head in heads], 12)
         for index, reading in enumerate(readings):
             card.y += GAP
             _check(card, reading, splits.get(index))
     if left_out:
-        card.text(f"and {left_out} more", 12, theme.DIM, indent=card.indent)
+        card.text(say("and {count} more", count=left_out), 12, theme.DIM, indent=card.indent)
     return card.drawn()
 
 
 def unjudged(pen: Pen, width: int) -> pygame.Surface:
     """Draw that the formulas say nothing of a run with other effects."""
     card = Card(pen, width)
-    card.heading("Checks")
-    card.text("The effects are changed: the formulas do not describe this run.", 14, theme.NOTICE)
-    card.text("The tab Effects tells what differs (X).", 13, theme.DIM)
+    card.heading(say("Checks"))
+    told = say("The effects are changed: the formulas do not describe this run.")
+    card.text(told, 14, theme.NOTICE)
+    card.text(say("The tab Effects tells what differs (X)."), 13, theme.DIM)
     return card.drawn()
 
 
@@ -62,9 +65,11 @@ def _check(card: Card, reading: Reading, split: Split | None) -> None:
     _check_title(card, check)
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
-        card.text(f"does not apply: it needs {source}", 12, theme.DIM, indent=card.indent)
+        told = say("does not apply: it needs {condition}", condition=source)
+        card.text(told, 12, theme.DIM, indent=card.indent)
     elif reading.measured is None:
-        card.text(f"waiting for {wording.moment(check)}", 12, color, indent=card.indent)
+        told = say("waiting for {moment}", moment=wording.moment(check))
+        card.text(told, 12, color, indent=card.indent)
     elif reading.expected is None or result.error is None:
         ahead = reading.expected
         expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
@@ -82,9 +87,14 @@ def _check(card: Card, reading: Reading, split: Split | None) -> None:
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
         if split is not None:
             off = wording.quantity(split.off, result.unit, 1)
-            card.text(f"± {off} by halving the step", 12, theme.DIM, indent=card.indent)
+            told = say("± {off} by halving the step", off=off)
+            card.text(told, 12, theme.DIM, indent=card.indent)
     if result.verdict == "failed" and result.t is not None:
-        worst = f"worst at {wording.seconds(result.t)}; {wording.error(check.tolerance)} is allowed"
+        worst = say(
+            "worst at {t}; {error} is allowed",
+            t=wording.seconds(result.t),
+            error=wording.error(check.tolerance),
+        )
         card.text(worst, 12, color, indent=card.indent)
 
 

@@ -7,6 +7,7 @@ import pygame
 from sandbox.app import graph, theme, wording
 from sandbox.app.books import Energies
 from sandbox.app.cards.card import Card, bar
+from sandbox.app.language import later, say, say_in
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.physics.energy.balance import Balance
@@ -20,17 +21,17 @@ def energy(
 ) -> pygame.Surface:
     """Draw the energies above a graph of them, and what has become of their sum."""
     card = Card(pen, width)
-    card.heading("Energy")
+    card.heading(say("Energy"))
     rows = (
-        ("kinetic", now.kinetic, theme.KINETIC),
-        ("potential", now.potential, theme.POTENTIAL),
-        ("total", now.total, theme.TOTAL),
+        (say("kinetic"), now.kinetic, theme.KINETIC),
+        (say_in("energy", "potential"), now.potential, theme.POTENTIAL),
+        (say("total"), now.total, theme.TOTAL),
     )
     _legend(card, rows)
     card.put(drawn, 0)
     card.y += drawn.height + 3
     text = pen.write(_change(start, now), 13)
-    card.put(pen.write("change", 13, theme.DIM), 0)
+    card.put(pen.write(say("change"), 13, theme.DIM), 0)
     card.put(text, width - text.width)
     card.y += text.height
     return card.drawn()
@@ -39,8 +40,9 @@ def energy(
 def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surface:
     """Draw the sum of the energies alone, and what has become of it."""
     card = Card(pen, width)
-    card.heading("Energy")
-    card.text(f"{wording.quantity(now.total, 'J', 4)}, change {_change(start, now)}", 13)
+    card.heading(say("Energy"))
+    whole = wording.quantity(now.total, "J", 4)
+    card.text(say("{energy}, change {change}", energy=whole, change=_change(start, now)), 13)
     return card.drawn()
 
 
@@ -50,16 +52,22 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
     Books that are read in the middle of a drift are told to be half a step `ahead`.
     """
     card = Card(pen, width)
-    card.heading("Energy")
-    note = pen.write("half a step ahead" if ahead else "", 12, theme.DIM)
-    card.put(note, card.pen.px(LABEL), -note.height - 4)
+    card.heading(say("Energy"))
+    if ahead:
+        card.text(say("half a step ahead"), 12, theme.DIM)
     rows = [
-        ("kinetic", books.kinetic, theme.KINETIC),
-        *((name, value, theme.POTENTIAL) for name, value in books.potential.items()),
-        ("total", books.energy, theme.TOTAL),
-        *((f"work: {name}", value, theme.ACCENT) for name, value in books.work.items()),
-        *((f"lost: {name}", value, theme.NOTICE) for name, value in books.loss.items()),
-        ("unexplained", books.unexplained, theme.FAILED),
+        (say("kinetic"), books.kinetic, theme.KINETIC),
+        *((say(name), value, theme.POTENTIAL) for name, value in books.potential.items()),
+        (say("total"), books.energy, theme.TOTAL),
+        *(
+            (_named(later("work: {account}"), name), value, theme.ACCENT)
+            for name, value in books.work.items()
+        ),
+        *(
+            (_named(later("lost: {account}"), name), value, theme.NOTICE)
+            for name, value in books.loss.items()
+        ),
+        (say("unexplained"), books.unexplained, theme.FAILED),
     ]
     scale = max(abs(value) for _, value, _ in rows)
     for name, value, color in rows:
@@ -71,6 +79,11 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         card.put(drawn, pen.px(LABEL), pen.px(5))
         card.y += pen.height(13) + 1
     return card.drawn()
+
+
+def _named(kind: str, account: str) -> str:
+    """Say what an account of the books is of."""
+    return say(kind, account=say(account))
 
 
 def _change(start: Energies, now: Energies) -> str:

@@ -7,6 +7,7 @@ import pygame
 
 from sandbox.app import theme
 from sandbox.app.cards.card import Card
+from sandbox.app.language import say
 from sandbox.app.text import Pen, legible
 from sandbox.model.errors import Mistake
 from sandbox.model.locating import TOKEN
@@ -124,5 +125,5 @@ class _Sheet:
 
 def _told(mistake: Mistake) -> str:
     """Return what is wrong, and within what."""
-    found = f" (found {mistake.value})" if mistake.value else ""
+    found = say(" (found {value})", value=mistake.value) if mistake.value else ""
     return f"{mistake.path}: {mistake.rule}{found}" if mistake.path else f"{mistake.rule}{found}"

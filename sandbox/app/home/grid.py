@@ -6,6 +6,7 @@ from itertools import groupby
 
 from pygame import Rect
 
+from sandbox.app.language import say
 from sandbox.app.listed import Entry
 
 MARGIN = 24  # px, around all
@@ -96,5 +97,5 @@ def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[En
     """Part levels by chapter; what was sought for stays together, the likeliest first."""
     if not sought.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
-        return [(chapter.capitalize(), list(levels)) for chapter, levels in chapters]
-    return [("Found" if found else "No level has these words", found)]
+        return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]
+    return [(say("Found") if found else say("No level has these words"), found)]

@@ -11,6 +11,7 @@ from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.preview import Preview
 from sandbox.app.home.strip import Strip
 from sandbox.app.home.thumbnails import Thumbnails
+from sandbox.app.language import say
 from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen
@@ -74,7 +75,7 @@ class Home:
         self.strip.offer(recoverable())
 
     def renew(self) -> None:
-        """Lay out and draw all anew, in the present theme and scale."""
+        """Lay out and draw all anew, in the present theme, scale and language."""
         self._short.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
@@ -233,7 +234,7 @@ class Home:
         else:
             surface.fill(theme.GRID, top)
             hopeless = self.thumbnails.hopeless(level.path)
-            told = self._pen.write("no picture" if hopeless else "…", 13, theme.DIM)
+            told = self._pen.write(say("no picture") if hopeless else "…", 13, theme.DIM)
             surface.blit(told, told.get_rect(center=top.center))
         self._draw_words(surface, level, pygame.Rect(top.x, top.bottom, place.width, 0))
         focused = index == self._focus

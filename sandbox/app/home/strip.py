@@ -6,6 +6,7 @@ from time import localtime, strftime
 import pygame
 
 from sandbox.app import theme
+from sandbox.app.language import say
 from sandbox.app.text import Pen
 from sandbox.editing.recovery import Recoverable
 
@@ -70,6 +71,8 @@ class Strip:
 
 def told(left: Recoverable) -> str:
     """Return what is said of a draft."""
-    name = left.path.name if left.path else left.title or "a level without a name"
-    when = strftime("%d %b %H:%M", localtime(left.when))
-    return f"Not saved: {name}, drawn {when}. Click to go on with it (or B)."
+    name = left.path.name if left.path else left.title or say("a level without a name")
+    when = strftime("%Y-%m-%d %H:%M", localtime(left.when))
+    return say(
+        "Not saved: {name}, drawn {when}. Click to go on with it (or B).", name=name, when=when
+    )

@@ -9,6 +9,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app import theme, wording
 from sandbox.app.commands import tip
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
 from sandbox.app.text import Pen
@@ -22,13 +23,14 @@ SPEED = 58  # px, for the number between the two buttons
 ROOMY = 900  # px, the window's width from which on there is room for what is shown
 TIGHT = 560  # px, the width below which the clock takes the place of the speed
 
-LEFT: tuple[tuple[str, str, int], ...] = (
-    ("play", "Play", 76), ("step", "Step", 56), ("restart", "Restart", 70),
+PLAY, PAUSE = later("Play"), later("Pause")
+LEFT: tuple[tuple[str, str], ...] = (
+    ("play", PLAY), ("step", later("Step")), ("restart", later("Restart")),
 )  # fmt: skip
-WAYS: tuple[tuple[str, str, int], ...] = (("fit", "Fit", 40), ("help", "Help", 52))
+WAYS: tuple[tuple[str, str], ...] = (("fit", later("Fit")), ("help", later("Help")))
 KNOB = 7.0  # px, the radius of what is dragged along the time
 REACH = 24  # px, how much higher than the bar of the time the area is that can be clicked on
-PADDING = 22  # px, beside the caption of an overlay's button
+PADDING = 22  # px, beside the caption of a button, left and right together
 
 
 class Controls:
@@ -39,27 +41,26 @@ class Controls:
         self._buttons: dict[str, UIButton] = {}
         px = pen.px
         x = px(MARGIN)
-        for command, text, width in LEFT:
-            x = self._button(command, text, x, width)
+        for command, text in LEFT:
+            x = self._button(command, say(text), x, self._room(command, text))
         self._speed = pygame.Rect(0, 0, 0, 0)
         if rect.width >= px(TIGHT):
             x = self._button("slower", "−", x + px(GAP), 32)
             self._speed = pygame.Rect(x, 0, px(SPEED), 0)
             x = self._button("faster", "+", x + px(SPEED), 32)
-        shown = (*self._overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
+        captions = (*_overlays(), *WAYS) if rect.width >= px(ROOMY) else WAYS[-1:]
+        shown = [(command, say(text), self._room(command, text)) for command, text in captions]
         right = rect.width - px(MARGIN - GAP) - sum(px(width) + px(GAP) for _, _, width in shown)
         self._clock = pygame.Rect(x + px(12), rect.y, right - x - px(28), rect.height)
         self._seeking = False
         for command, text, width in shown:
             right = self._button(command, text, right, width)
 
-    def _overlays(self) -> list[tuple[str, str, int]]:
-        """Return the overlays that have buttons, their captions and the buttons' widths."""
-        captions = [(each.name, each.caption) for each in OVERLAYS if each.caption]
-        return [
-            (name, text, round(self._pen.write(text).width / self._pen.scale) + PADDING)
-            for name, text in captions
-        ]
+    def _room(self, command: str, caption: str) -> int:
+        """Return how wide a button is at the usual scale, whatever its caption will be [px]."""
+        captions = (PLAY, PAUSE) if command == "play" else (caption,)
+        widest = max(self._pen.write(say(each)).width for each in captions)
+        return round(widest / self._pen.scale) + PADDING
 
     def _button(self, command: str, text: str, x: int, width: int) -> int:
         """Make a button, and return where the next one begins."""
@@ -103,7 +104,7 @@ class Controls:
     def update(self, session: Session | None, shown: Mapping[str, bool]) -> None:
         """Let the buttons say what is the case."""
         playing = session is not None and session.playing
-        text = "Pause" if playing else "Play"
+        text = say(PAUSE if playing else PLAY)
         if self._buttons["play"].text != text:
             self._buttons["play"].set_text(text)
         for command, on in shown.items():
@@ -144,17 +145,23 @@ class Controls:
             pygame.draw.aacircle(surface, theme.NOTICE, goal, pen.px(KNOB), 2)
 
 
+def _overlays() -> list[tuple[str, str]]:
+    """Return the overlays that have buttons, and their captions."""
+    return [(each.name, each.caption) for each in OVERLAYS if each.caption]
+
+
 def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     """Yield what is said beside the time, the longest first: there may be no room for it."""
     reduced = session.pace.reduced if session.playing else None
     if reduced is None:
-        yield f"of {wording.seconds(session.duration)}", theme.DIM
+        yield say("of {time}", time=wording.seconds(session.duration)), theme.DIM
         return
-    told = f"running at {reduced:.2g}×"
+    told = say("running at {speed:.2g}×", speed=reduced)
     if session.remaining:
-        yield (
-            f"{told}, not {session.speed:g}×: {wording.span(session.remaining)} more",
-            theme.NOTICE,
+        more = wording.span(session.remaining)
+        wanted = say(
+            "{told}, not {speed:g}×: {time} more", told=told, speed=session.speed, time=more
         )
-        yield f"{told}: {wording.span(session.remaining)} more", theme.NOTICE
+        yield wanted, theme.NOTICE
+        yield say("{told}: {time} more", told=told, time=more), theme.NOTICE
     yield told, theme.NOTICE

@@ -12,6 +12,7 @@ from pygame_gui.elements import UIButton, UIImage
 from sandbox.app import graph
 from sandbox.app.cards.energy import energy, ledger, total
 from sandbox.app.commands import tip
+from sandbox.app.language import later, plural, say
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.sheet import MARGIN, Sheet
@@ -24,15 +25,16 @@ FOLDED: View = "total"
 """The lowest of them."""
 
 NEXT: Mapping[View, tuple[View, str]] = {
-    "graph": ("bars", "Bars"),
-    "bars": ("total", "Fold"),
-    "total": ("graph", "Graph"),
+    "graph": ("bars", later("Bars")),
+    "bars": ("total", later("Fold")),
+    "total": ("graph", later("Graph")),
 }
 """What follows each view, and the caption of the button that leads there."""
 
 HIGH = 66, 120  # px, how high the graph may be
 CAPTION = 82  # px, what stands above and below the graph
-SWITCH = 58, 22  # px, the button that leads to the next view
+SWITCH = 22  # px, the height of the button that leads to the next view
+PADDING = 22  # px, beside its caption, left and right together
 VERDICTS = 24  # px, the line that counts the checks
 LAST = 8  # px, left free below all
 
@@ -69,11 +71,12 @@ class Foot:
                 line, told(session), manager, tool_tip_text=tip("checks"),
                 object_id=ObjectID(class_id="@section"),
             )  # fmt: skip
-        switch = px(SWITCH[0]), px(SWITCH[1])
+        caption = say(NEXT[view][1])
+        switch = pen.write(caption).width + px(PADDING), px(SWITCH)
         self._energy = UIImage(place, drawn, manager)
         self.switch = UIButton(
             pygame.Rect((place.right - switch[0], place.top + px(4)), switch),
-            NEXT[view][1], manager, tool_tip_text=tip("energy"),
+            caption, manager, tool_tip_text=tip("energy"),
         )  # fmt: skip
 
     def kill(self) -> None:
@@ -107,24 +110,22 @@ class Foot:
 def told(session: Session) -> str:
     """Return how the checks of a run stand, in words."""
     if session.changes:
-        return "Checks: not judged, effects are changed"
+        return say("Checks: not judged, effects are changed")
     if session.world.disturbed:
-        return "Checks: not judged, a hand was here"
-    return f"Checks: {counted([reading.result.verdict for reading in session.readings()])}"
+        return say("Checks: not judged, a hand was here")
+    verdicts = [reading.result.verdict for reading in session.readings()]
+    return say("Checks: {verdicts}", verdicts=counted(verdicts))
 
 
 def counted(verdicts: Sequence[Verdict]) -> str:
     """Return how many checks hold, fail and wait, in words."""
-    words: Mapping[Verdict, tuple[str, str]] = {
-        "passed": ("holds", "hold"),
-        "failed": ("fails", "fail"),
-        "waiting": ("waits", "wait"),
-        "not applicable": ("does not apply", "do not apply"),
-    }
     found = Counter(verdicts)
-    parts = (
-        f"{found[v]} {one if found[v] == 1 else more}"
-        for v, (one, more) in words.items()
-        if found[v]
-    )
-    return ", ".join(parts)
+    words: Mapping[Verdict, str] = {
+        "passed": plural("{count} holds", "{count} hold", found["passed"]),
+        "failed": plural("{count} fails", "{count} fail", found["failed"]),
+        "waiting": plural("{count} waits", "{count} wait", found["waiting"]),
+        "not applicable": plural(
+            "{count} does not apply", "{count} do not apply", found["not applicable"]
+        ),
+    }
+    return ", ".join(told for verdict, told in words.items() if found[verdict])

@@ -16,6 +16,7 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
 from sandbox.app import theme
 from sandbox.app.commands import tip
+from sandbox.app.language import plural, say
 from sandbox.app.listed import Entry
 from sandbox.app.progress import Progress
 from sandbox.app.text import Pen, legible
@@ -94,7 +95,7 @@ class LevelList:
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
-            initial_text=sought, placeholder_text="Find a level ( / )",
+            initial_text=sought, placeholder_text=say("Find a level ( / )"),
         )  # fmt: skip
         self.field.set_forbidden_characters(["/"])  # the key that leads here
         self.field.set_text_length_limit(LONGEST)
@@ -104,21 +105,23 @@ class LevelList:
             below, manager, container=self.column, allow_scroll_x=False
         )
         self._width = width - self._px(SCROLL_BAR)
-        self._none = self._image(manager, pen, "No level has these words.", theme.DIM, bold=False)
+        self._none = self._image(
+            manager, pen, say("No level has these words."), theme.DIM, bold=False
+        )
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
         self._progress = Progress()
         for level in levels:
             if level.chapter not in self._headings:
                 self._headings[level.chapter] = self._image(
-                    manager, pen, level.chapter.capitalize(), theme.ACCENT, bold=True
+                    manager, pen, say(level.chapter.capitalize()), theme.ACCENT, bold=True
                 )
             self._buttons[self._button(manager, pen, level)] = level
         self._show()
 
     def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
         """Make the buttons that lead to other levels, with the commands that they call for."""
-        ways = (("home", "Home"), ("new scene", "New"), ("open file", "Open …"))
+        ways = (("home", say("Home")), ("new scene", say("New")), ("open file", say("Open …")))
         each = (width + self._px(MARGIN)) // len(ways)
         for i, (command, text) in enumerate(ways):
             gap = self._px(MARGIN)
@@ -151,7 +154,7 @@ class LevelList:
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)
-        earned = f"{stars} {'star' if stars == 1 else 'stars'} earned" if stars else None
+        earned = plural("{count} star earned", "{count} stars earned", stars) if stars else None
         return UIButton(
             pygame.Rect(self._px(MARGIN), 0, self._width, self._px(ROW)), shown + mark, manager,
             container=self._container, object_id=ObjectID(class_id="@level"),

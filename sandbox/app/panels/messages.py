@@ -11,6 +11,7 @@ from pygame_gui.elements import UIButton
 from sandbox.app import theme
 from sandbox.app.commands import BINDINGS
 from sandbox.app.keys import MOUSE
+from sandbox.app.language import say, say_in
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 
@@ -57,7 +58,7 @@ def draw_help(
     sheet = pygame.Surface(whole, pygame.SRCALPHA)
     pygame.draw.rect(sheet, theme.PANEL, sheet.get_rect(), border_radius=8)
     pygame.draw.rect(sheet, theme.ACCENT, sheet.get_rect(), 1, border_radius=8)
-    sheet.blit(pen.write("Keys and mouse", 18, bold=True), (px(24), px(16)))
+    sheet.blit(pen.write(say("Keys and mouse"), 18, bold=True), (px(24), px(16)))
     x = px(24)
     for table in tables:
         sheet.blit(table, (x, px(52)))
@@ -70,8 +71,8 @@ def draw_help(
 
 def _table(pen: Pen, rows: Sequence[tuple[str, str]], height: int, size: int) -> pygame.Surface:
     """Draw keys and what they do, a row each."""
-    keys = [pen.write(key, size, theme.ACCENT, True) for key, _ in rows]
-    texts = [pen.write(text, size) for _, text in rows]
+    keys = [pen.write(say_in("key", key), size, theme.ACCENT, True) for key, _ in rows]
+    texts = [pen.write(say(text), size) for _, text in rows]
     left = max(key.width for key in keys) + pen.px(28)
     table = pygame.Surface((left + max(text.width for text in texts), len(rows) * height))
     table.fill(theme.PANEL)
@@ -84,4 +85,6 @@ def offer(manager: UIManager, pen: Pen, stage: pygame.Rect, rate: float) -> UIBu
     """Offer to run again at a rate at which it should hold."""
     box = pygame.Rect((0, 0), (pen.px(OFFER[0]), pen.px(OFFER[1])))
     box.midbottom = stage.centerx, stage.bottom - 16
-    return UIButton(box, f"Run at {rate:,.0f} Hz", manager, object_id=ObjectID(class_id="@main"))
+    return UIButton(
+        box, say("Run at {rate:,.0f} Hz", rate=rate), manager, object_id=ObjectID(class_id="@main")
+    )

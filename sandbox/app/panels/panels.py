@@ -8,7 +8,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import UIContainer
 
-from sandbox.app import theme
+from sandbox.app import language, theme
 from sandbox.app.home.home import Home
 from sandbox.app.listed import Entry
 from sandbox.app.load import Load
@@ -78,14 +78,15 @@ class Panels:
         self.renew(size)
 
     def renew(self, size: tuple[int, int]) -> None:
-        """Make all in the present theme and scale, from the next building on."""
+        """Make all in the present theme, scale and language, from the next building on."""
         self._dialog: OpenDialog | None = None
         self._sought = self.sought
         self.list = None
         self.offer: UIButton | None = None
         self.manager = UIManager(
-            size, theme.widgets(self._pen.scale), enable_live_theme_updates=False
-        )
+            size, theme.widgets(self._pen.scale), enable_live_theme_updates=False,
+            starting_language=language.used(),
+        )  # fmt: skip
         self.home.renew()
 
     def hide_or_show(self, column: str) -> None:

@@ -8,6 +8,7 @@ from pygame_gui import UIManager
 from sandbox.app import theme
 from sandbox.app.cards import mistakes
 from sandbox.app.cards.card import Card
+from sandbox.app.language import plural, say
 from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import scroll, scrolled
 from sandbox.app.widgets.sheet import Sheet, below
@@ -53,15 +54,18 @@ class Refusal:
 
 def _head(pen: Pen, width: int, error: SandboxError, *, mendable: bool) -> pygame.Surface:
     card = Card(pen, width)
-    card.text("This level cannot be opened", 20, theme.FAILED, bold=True)
+    card.text(say("This level cannot be opened"), 20, theme.FAILED, bold=True)
     card.y += 4
-    way_out = "Choose another level."
+    way_out = say("Choose another level.")
     if isinstance(error, LevelError):
         card.text(error.mistakes[0].source, 13, theme.DIM)
         count = len(error.mistakes)
         if mendable:
-            told = "1 mistake" if count == 1 else f"{count} mistakes"
-            way_out = f"{told}: mend the file, and this page follows until the level opens."
+            way_out = plural(
+                "{count} mistake: mend the file, and this page follows until the level opens.",
+                "{count} mistakes: mend the file, and this page follows until the level opens.",
+                count,
+            )
     else:
         card.text(str(error))
     card.text(way_out, 13, theme.DIM)

@@ -9,9 +9,10 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
 from sandbox.app.commands import tip
+from sandbox.app.language import say
 from sandbox.app.pages.page import Page
 from sandbox.app.text import Pen
-from sandbox.app.widgets.gui import press
+from sandbox.app.widgets.gui import press, stretched
 
 HEIGHT = 26  # px, of a tab
 GAP = 4  # px, between two
@@ -36,12 +37,13 @@ class Tabs:
         px = pen.px
         self.bottom = px(TOP)
         for row in rows(pen, pages, area.width):
-            widths = _stretched([_width(pen, page) for page in row], area.width, px(GAP))
+            room = area.width - px(GAP) * (len(row) - 1)
+            widths = stretched([_width(pen, page) for page in row], room)
             x = area.x
             for page, width in zip(row, widths, strict=True):
                 place = pygame.Rect(x, self.bottom, width, px(HEIGHT))
                 tab = UIButton(
-                    place, page.caption, manager, tool_tip_text=tip(page.command),
+                    place, say(page.caption), manager, tool_tip_text=tip(page.command),
                     object_id=ObjectID(class_id="@tab"),
                 )  # fmt: skip
                 press(tab, page.command == chosen)
@@ -79,11 +81,4 @@ def _length(pen: Pen, row: Sequence[Page]) -> int:
 
 
 def _width(pen: Pen, page: Page) -> int:
-    return pen.write(page.caption, SIZE).width + pen.px(PADDING)
-
-
-def _stretched(widths: Sequence[int], width: int, gap: int) -> list[int]:
-    """Widen each by the same, so that together they fill a width [px]."""
-    spare = max(width - sum(widths) - gap * (len(widths) - 1), 0)
-    ends = [spare * i // len(widths) for i in range(len(widths) + 1)]
-    return [own + b - a for own, (a, b) in zip(widths, pairwise(ends), strict=True)]
+    return pen.write(say(page.caption), SIZE).width + pen.px(PADDING)

@@ -10,6 +10,7 @@ import pygame
 
 from sandbox.app import lines, theme
 from sandbox.app.camera import Camera
+from sandbox.app.language import say
 from sandbox.app.stage.labels import Labels
 from sandbox.app.text import Pen
 from sandbox.app.wording import MINUS, number
@@ -143,7 +144,8 @@ def _draw_sum(
         at = end
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
-    write_beside(surface, pen, f"sum {_pair(x, y)}, {number(hypot(x, y), 3)} N", start, at, labels)
+    told = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
+    write_beside(surface, pen, told, start, at, labels)
 
 
 def _pair(x: float, y: float) -> str:

@@ -1,5 +1,8 @@
 """Small things that pygame_gui's widgets need from several panels."""
 
+from collections.abc import Sequence
+from itertools import pairwise
+
 from pygame_gui.elements import UIButton, UIScrollingContainer
 
 
@@ -17,6 +20,13 @@ def allow(button: UIButton, possible: bool) -> None:
         button.enable()  # type: ignore[no-untyped-call]
     elif not possible and button.is_enabled:
         button.disable()  # type: ignore[no-untyped-call]
+
+
+def stretched(widths: Sequence[int], room: int) -> list[int]:
+    """Widen each by the same, so that together they fill what room there is [px]."""
+    spare = max(room - sum(widths), 0)
+    ends = [spare * i // len(widths) for i in range(len(widths) + 1)]
+    return [own + b - a for own, (a, b) in zip(widths, pairwise(ends), strict=True)]
 
 
 def scroll(container: UIScrollingContainer, top: float) -> None:

@@ -15,6 +15,7 @@ from pygame_gui import (
 )
 from pygame_gui.windows import UIFileDialog
 
+from sandbox.app.language import say
 from sandbox.app.text import legible
 from sandbox.app.widgets.field import Field
 
@@ -32,7 +33,7 @@ class OpenDialog(UIFileDialog):
         rect.center = stage.center
         with _as_before():
             super().__init__(
-                rect, manager, "Open a level", {".json"}, str(_nameable(folder)),
+                rect, manager, say("Open a level"), {".json"}, str(_nameable(folder)),
                 allow_existing_files_only=True,
             )  # fmt: skip
         self._take_letters_that_can_be_drawn(manager)

@@ -12,6 +12,7 @@ from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px
 BAR = 26  # px, kept free for the scroll bar
+PADDING = 26  # px, beside a caption, left and right together
 
 
 class Typed(Protocol):
@@ -75,6 +76,10 @@ class Sheet:
             container=self.container, tool_tip_text=tip,
             object_id=ObjectID(class_id=kind) if kind else None,
         )  # fmt: skip
+
+    def room(self, *captions: str) -> int:
+        """Return how wide a button must be for any of some captions [px]."""
+        return max(self.pen.write(each, 14).width for each in captions) + self.px(PADDING)
 
     @staticmethod
     def replace(image: UIImage, surface: pygame.Surface) -> None:

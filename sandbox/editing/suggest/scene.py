@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -30,6 +30,12 @@ SAMPLES = 400
 """At how many times it is looked for what is in the way."""
 
 
+Setup = Literal[
+    "Atwood machine", "collision", "block that a slope holds", "block on a slope", "oscillator",
+    "pendulum", "thrown body", "falling body",
+]  # fmt: skip
+
+
 @dataclass(frozen=True)
 class Suggestion:
     """A known set-up, and the checks that hold it against its closed form.
@@ -37,7 +43,7 @@ class Suggestion:
     Attributes
     ----------
     setup
-        What it is: `Atwood machine`, say.
+        What it is.
     about
         The bodies that it is made of.
     checks
@@ -46,7 +52,7 @@ class Suggestion:
         Hz, that they need at the least.
     """
 
-    setup: str
+    setup: Setup
     about: tuple[str, ...]
     checks: tuple[Check, ...]
     rate: float = 60.0

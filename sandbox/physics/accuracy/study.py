@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 from math import isfinite
+from typing import Literal
 
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -57,12 +58,18 @@ MANY = 200
 """Of how many quantities it is told, at the most, how far they can be trusted."""
 
 
+Stage = Literal[
+    "starting", "looking for the cheapest setting", "halving the step", "{scheme} at many rates"
+]
+
+
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Which share is done, and what comes next."""
+    """Which share is done, and what comes next, with `{scheme}` for the scheme that is tried."""
 
     share: float
-    told: str
+    told: Stage
+    scheme: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -216,7 +223,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
     wanted = with_scales(level, values, watched(level, values))
     refinements: list[Refinement] = []
     for index, start in enumerate(starts):
-        yield Progress((1 + index) / (2 + len(starts)), f"{start.scheme} at many rates")
+        yield Progress((1 + index) / (2 + len(starts)), "{scheme} at many rates", start.scheme)
         refiner = Refiner(level, values, start, wanted, FINEST)
         refine([refiner], REFINING, never)
         refinements += [refiner.refinement] if refiner.refinement else []

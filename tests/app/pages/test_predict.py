@@ -19,6 +19,7 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.variants import Variation
 from sandbox.physics.run import simulate
 from tests.app import scenes
 from tests.app.person import Person
@@ -388,7 +389,7 @@ def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:
 
 def test_an_effect_that_delays_an_instant_for_ever_is_told(pen: Pen, written: list[str]) -> None:
     outcome = Outcome(5.0, 5.0, 5.0, "m", 5.0)
-    trial = neglected.Trial("with drag", 5.0, None)
+    trial = neglected.Trial((Variation("drag", settings={}),), 5.0, None)
 
     card.result(pen, 280, Session(scenes.level()), outcome, [trial], None)
 

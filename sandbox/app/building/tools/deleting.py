@@ -5,6 +5,7 @@ import pygame
 from sandbox.app import lines, theme
 from sandbox.app.building.spot import Part, Spot
 from sandbox.app.building.tools.tool import Bench
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.editing.edits import bodies
 from sandbox.model.level import Level
@@ -16,7 +17,7 @@ class DeleteTool:
     """Takes out what is clicked on."""
 
     busy = False
-    hint = "Click what is to go; its joints go with a body"
+    hint = later("Click what is to go; its joints go with a body")
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -32,7 +33,7 @@ class DeleteTool:
             def edit(text: str, level: Level) -> str:
                 return bodies.take_out(text, level, [name])
 
-            self._bench.change(f"delete {name}", edit)
+            self._bench.change(say("delete {names}", names=name), edit)
         self._under = None
 
     def move(self, spot: Spot) -> None:

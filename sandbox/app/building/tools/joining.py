@@ -9,6 +9,7 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.editing.edits import joints
 from sandbox.editing.edits.joints import Pick
@@ -27,27 +28,31 @@ class Clicks(NamedTuple):
     several: bool = False
 
 
-PLAIN = Clicks(("Click what it holds at one end", "Click what it holds at the other end"))
+PLAIN = Clicks(
+    (later("Click what it holds at one end"), later("Click what it holds at the other end"))
+)
 
 CLICKS: Mapping[str, Clicks] = {
     "pulley": Clicks(
         (
-            "Click what hangs at one end of the string",
-            "Click the first peg that it runs over",
-            "Click another peg, or what hangs at the other end; Enter ends it at a fixed point",
+            later("Click what hangs at one end of the string"),
+            later("Click the first peg that it runs over"),
+            later(
+                "Click another peg, or what hangs at the other end; Enter ends it at a fixed point"
+            ),
         ),
         several=True,
     ),
-    "pivot": Clicks(("Click where the pin goes, through one body or through two",)),
-    "motor": Clicks(("Click where the driven pin goes, through one body or through two",)),
-    "rail": Clicks(("Click what runs on the rail", "Click where the rail leads")),
+    "pivot": Clicks((later("Click where the pin goes, through one body or through two"),)),
+    "motor": Clicks((later("Click where the driven pin goes, through one body or through two"),)),
+    "rail": Clicks((later("Click what runs on the rail"), later("Click where the rail leads"))),
     "winding": Clicks(
         (
-            "Click what is tied to the string",
-            "Click the wheel, on the side on which the string leaves it",
+            later("Click what is tied to the string"),
+            later("Click the wheel, on the side on which the string leaves it"),
         )
     ),
-    "wire": Clicks(("Click the bead", "Click a point that its wire goes through")),
+    "wire": Clicks((later("Click the bead"), later("Click a point that its wire goes through"))),
 }
 """What is clicked for joints that are not simply held at two ends."""
 
@@ -139,7 +144,7 @@ class JoinTool:
         def edit(text: str, level: Level) -> Made:
             return joints.add_joint(text, level, kind, picks)
 
-        self._bench.make(f"tie a {kind}", edit, "joints")
+        self._bench.make(say("tie a {joint}", joint=say(kind)), edit, "joints")
 
     def cancel(self) -> None:
         """Take the last place back."""

@@ -13,6 +13,7 @@ from sandbox.app.building.handles import Handle
 from sandbox.app.building.sketch import Drawn
 from sandbox.app.building.spot import Part, Snapped, Spot
 from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
 from sandbox.editing.edits import transforms
@@ -64,8 +65,8 @@ class SelectTool:
     def hint(self) -> str:
         """What to do next, in a few words."""
         if self._bench.selected:
-            return "Drag to move, a handle to turn or resize; arrows nudge, Delete removes"
-        return "Click a body or a joint to change it, or drag a frame around several"
+            return later("Drag to move, a handle to turn or resize; arrows nudge, Delete removes")
+        return later("Click a body or a joint to change it, or drag a frame around several")
 
     def press(self, spot: Spot) -> None:
         """Take hold of a handle, of a part, or of a corner of a rubber band."""
@@ -156,19 +157,19 @@ class SelectTool:
             return transforms.move(text, level, moved, by)
 
         if moved:
-            self._bench.change("move", edit)
+            self._bench.change(say("move"), edit)
 
     def _turn_by(self, body: Drawn, by: float) -> None:
         def edit(text: str, level: Level) -> str:
             return transforms.turn(text, level, [body.outline.name], by, body.position)
 
-        self._bench.change("turn", edit)
+        self._bench.change(say("turn"), edit)
 
     def _drag_handle(self, name: str, index: int, to: XY) -> None:
         def edit(text: str, level: Level) -> str:
             return drag_handle(text, level, name, index, to)
 
-        self._bench.change("resize", edit)
+        self._bench.change(say("resize"), edit)
 
     def finish(self) -> None:
         """Do nothing: to let go ends it."""

@@ -8,6 +8,7 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.made import Made
@@ -34,7 +35,7 @@ class Stretching(ABC):
     @property
     def hint(self) -> str:
         """What to do next, in a few words."""
-        return "Let go, or click, where it ends" if self.busy else self.begins
+        return later("Let go, or click, where it ends") if self.busy else self.begins
 
     def press(self, spot: Spot) -> None:
         """Set the first point."""
@@ -87,7 +88,7 @@ class Stretching(ABC):
 class DiscTool(Stretching):
     """Draws discs from their centres."""
 
-    begins = "Press at the disc's centre, and drag to its rim"
+    begins = later("Press at the disc's centre, and drag to its rim")
 
     def make(self, one: XY, other: XY) -> None:
         """Put a disc into the level."""
@@ -95,7 +96,7 @@ class DiscTool(Stretching):
         def edit(text: str, level: Level) -> Made:
             return bodies.add_disc(text, level, one, other)
 
-        self._bench.make("draw a disc", edit)
+        self._bench.make(say("draw a disc"), edit)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return the circle."""
@@ -111,7 +112,7 @@ class DiscTool(Stretching):
 class BoxTool(Stretching):
     """Draws boxes from corner to corner."""
 
-    begins = "Press at one corner of the box, and drag to the opposite one"
+    begins = later("Press at one corner of the box, and drag to the opposite one")
 
     def make(self, one: XY, other: XY) -> None:
         """Put a box into the level."""
@@ -119,7 +120,7 @@ class BoxTool(Stretching):
         def edit(text: str, level: Level) -> Made:
             return bodies.add_box(text, level, one, other)
 
-        self._bench.make("draw a box", edit)
+        self._bench.make(say("draw a box"), edit)
 
     def corners(self, one: XY, other: XY) -> list[XY]:
         """Return the rectangle."""

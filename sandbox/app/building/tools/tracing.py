@@ -7,6 +7,7 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.app.wording import number
 from sandbox.editing.edits import bodies
@@ -24,8 +25,10 @@ class Tracing:
 
     least = 2
     closed = False
-    begins = "Click where the surface begins"
-    goes_on = "Click the next point; Enter or a double click ends it, Backspace takes one back"
+    begins = later("Click where the surface begins")
+    goes_on = later(
+        "Click the next point; Enter or a double click ends it, Backspace takes one back"
+    )
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench
@@ -93,7 +96,7 @@ class Tracing:
         def edit(text: str, level: Level) -> Made:
             return bodies.add_surface(text, level, points)
 
-        self._bench.make("draw a surface", edit)
+        self._bench.make(say("draw a surface"), edit)
 
 
 class SurfaceTool(Tracing):
@@ -105,8 +108,10 @@ class PolygonTool(Tracing):
 
     least = 3
     closed = True
-    begins = "Click the corners of the polygon, one after the other"
-    goes_on = "Click the next corner; the first one or Enter closes it, Backspace takes one back"
+    begins = later("Click the corners of the polygon, one after the other")
+    goes_on = later(
+        "Click the next corner; the first one or Enter closes it, Backspace takes one back"
+    )
 
     def make(self, points: tuple[XY, ...]) -> None:
         """Put a polygon into the level."""
@@ -114,7 +119,7 @@ class PolygonTool(Tracing):
         def edit(text: str, level: Level) -> Made:
             return bodies.add_polygon(text, level, points)
 
-        self._bench.make("draw a polygon", edit)
+        self._bench.make(say("draw a polygon"), edit)
 
 
 class CurveTool:
@@ -133,7 +138,7 @@ class CurveTool:
     @property
     def hint(self) -> str:
         """What to do next, in a few words."""
-        return "Draw while you press; come back to the beginning for a closed body"
+        return later("Draw while you press; come back to the beginning for a closed body")
 
     def press(self, spot: Spot) -> None:
         """Begin a stroke."""
@@ -156,7 +161,7 @@ class CurveTool:
             return bodies.add_curve(text, level, points, tolerance)
 
         if len(points) > 2:
-            self._bench.make("draw freely", edit)
+            self._bench.make(say("draw freely"), edit)
 
     def finish(self) -> None:
         """Do nothing: to let go ends it."""

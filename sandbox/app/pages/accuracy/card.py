@@ -6,14 +6,14 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.pages.race import race
+from sandbox.app.language import later, say
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check, Stepping
 from sandbox.physics.accuracy.study import Here, Progress, Split
 from sandbox.physics.accuracy.trust import Trust
 
-PARTS = ("model", "numerical", "remaining")
+PARTS = (later("model"), later("numerical"), later("remaining"))
 
 
 def ends(pen: Pen, width: int, left: str, right: str) -> pygame.Surface:
@@ -32,12 +32,15 @@ def asked(
 ) -> pygame.Surface:  # fmt: skip
     """Draw what accuracy is asked for, the present setting, and how far that can be trusted."""
     card = Card(pen, width)
-    card.heading("Accuracy and its price")
-    wanted = "Ask for an accuracy:" if target is None else f"Asked for: {wording.error(target)}"
+    card.heading(say("Accuracy and its price"))
+    wanted = say("Ask for an accuracy:")
+    if target is not None:
+        wanted = say("Asked for: {error}", error=wording.error(target))
     card.text(wanted, 14, bold=target is not None)
-    told = f"now {race.title(stepping.scheme)} at {stepping.rate:g} Hz"
+    scheme = wording.scheme(stepping.scheme)
+    told = say("now {scheme} at {rate:g} Hz", scheme=scheme, rate=stepping.rate)
     if here is not None:
-        told += f", error {wording.error(here.error)}"
+        told = say("{setting}, error {error}", setting=told, error=wording.error(here.error))
     card.text(told, 13, theme.DIM)
     _least_known(card, place)
     card.y += GAP
@@ -47,8 +50,8 @@ def asked(
 def _least_known(card: Card, place: Trust | None) -> None:
     """Add two lines, as high before it is known as after."""
     known = "" if place is None else wording.trusted(place)
-    what = "not measured yet" if place is None else place.quantity
-    for line in (f"least known place: {what}", known):
+    what = say("not measured yet") if place is None else place.quantity
+    for line in (say("least known place: {place}", place=what), known):
         text = card.pen.shorten(line, card.width, 12)
         card.put(card.pen.write(text, 12, theme.DIM), 0)
         card.y += card.pen.height(12)
@@ -64,7 +67,8 @@ def status(
         for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
             surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
-        surface.blit(pen.write(pen.shorten(progress.told, size[0], 12), 12, theme.DIM), (0, 0))
+        told = say(progress.told, scheme=wording.scheme(progress.scheme))
+        surface.blit(pen.write(pen.shorten(told, size[0], 12), 12, theme.DIM), (0, 0))
         surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
         surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
     return surface
@@ -79,7 +83,7 @@ def rest(
     _frame(card, shares)
     if splits:
         card.y += 8
-        card.heading("What the errors are made of")
+        card.heading(say("What the errors are made of"))
         for index, split in sorted(splits.items()):
             _split(card, checks[index], split)
     return card.drawn()
@@ -87,7 +91,7 @@ def rest(
 
 def _frame(card: Card, shares: Mapping[str, float]) -> None:
     """Add a bar of a frame's 16.7 ms, and what each part of it takes."""
-    card.heading("A frame of 16.7 ms")
+    card.heading(say("A frame of 16.7 ms"))
     bar = pygame.Surface((card.width, 10))
     bar.fill(theme.RAISED)
     x = 0.0
@@ -98,7 +102,7 @@ def _frame(card: Card, shares: Mapping[str, float]) -> None:
     card.y += 14
     column = card.width // len(shares)
     for i, (name, share) in enumerate(shares.items()):
-        text = f"{name} {100 * share:.0f} %"
+        text = f"{say(name)} {100 * share:.0f} %"
         card.put(card.pen.write(text, 12, _of_load(name)), i * column)
     card.y += card.pen.height(12)
 
@@ -109,17 +113,20 @@ def _split(card: Card, check: Check, split: Split) -> None:
     card.text(check.label or check.quantity, 13, bold=True)
     if split.total is None:
         source = check.valid_if.source if check.valid_if else ""
-        told = f"model out of range: it needs {source}" if source else "its moment never comes"
+        told = say("its moment never comes")
+        if source:
+            told = say("model out of range: it needs {condition}", condition=source)
         card.text(told, 12, theme.NOTICE)
-        card.text(f"numerical {wording.error(split.numerical)}", 12, theme.DIM)
+        numerical = say("numerical")
+        card.text(f"{numerical} {wording.error(split.numerical)}", 12, theme.DIM)
         return
     column = card.width // len(PARTS)
     values = (split.model, split.numerical, split.remaining)
     largest = max(value or 0.0 for value in values)
     for i, (name, value) in enumerate(zip(PARTS, values, strict=True)):
         color = theme.TEXT if value and value == largest else theme.DIM
-        card.put(card.pen.write(name, 11, theme.DIM), i * column)
-        told = "none seen" if not value else wording.error(value)
+        card.put(card.pen.write(say(name), 11, theme.DIM), i * column)
+        told = say("none seen") if not value else wording.error(value)
         card.put(card.pen.write(told, 13, color), i * column, card.pen.height(11) - 1)
     card.y += card.pen.height(11) + card.pen.height(13)
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import lines, signs, theme
-from sandbox.app.pages.race import race
+from sandbox.app import lines, signs, theme, wording
+from sandbox.app.language import say
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.shapes import XY
@@ -64,7 +64,7 @@ def draw(
     here = here if here and isfinite(here.error) else None
     everything = [*points, *([here] if here else [])]
     if not everything:
-        text = pen.write("not measured yet", 12, theme.DIM)
+        text = pen.write(say("not measured yet"), 12, theme.DIM)
         surface.blit(text, text.get_rect(center=surface.get_rect().center))
         return surface
     across = axis([1e3 * p.price for p in everything], pen.px(LEFT), size[0] - pen.px(RIGHT))
@@ -96,7 +96,7 @@ def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> Non
         pygame.draw.line(surface, theme.GRID_STRONG, (x, up.end), (x, bottom))
         text = pen.write(f"{10.0**power:g}", 11, theme.DIM)
         surface.blit(text, text.get_rect(midtop=(x, bottom + 4)))
-    title = pen.write("ms of computing for 1 s", 11, theme.DIM)
+    title = pen.write(say("ms of computing for 1 s"), 11, theme.DIM)
     place = title.get_rect(midbottom=((across.start + across.end) / 2, surface.height))
     surface.blit(title, place)
 
@@ -110,7 +110,7 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
         signs.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
-        surface.blit(pen.write(race.title(scheme), 12, theme.DIM), (x + 16, y))
+        surface.blit(pen.write(wording.scheme(scheme), 12, theme.DIM), (x + 16, y))
     return surface
 
 

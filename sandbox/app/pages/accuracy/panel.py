@@ -7,6 +7,7 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
+from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.card import asked, ends, rest, status
 from sandbox.app.pages.accuracy.studying import Studying
@@ -14,7 +15,8 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
 
 DIAGRAM = 158  # px, its height
-BUTTON = 84, 26  # px
+MEASURE, CANCEL = later("Measure"), later("Cancel")
+HEIGHT = 26  # px, of the button
 DIAL = 2, 10
 """The digits that can be asked for, from fast to exact."""
 UNASKED = 6
@@ -38,13 +40,16 @@ class AccuracyPage:
             container=sheet.container,
         )
         y += sheet.px(18)
-        y = below(sheet.image(ends(pen, width, "fast", "exact"), y)) + 6
+        y = below(sheet.image(ends(pen, width, say("fast"), say("exact")), y)) + 6
         self._diagram = sheet.image(self._drawn(), y)
         y = below(self._diagram) + 4
-        place = pygame.Rect((width - sheet.px(BUTTON[0]), y), sheet.scaled(BUTTON))
-        self._button = sheet.button(place, "Measure", "measure error and cost, or stop that")
+        self._wide = sheet.room(say(MEASURE), say(CANCEL))
+        place = pygame.Rect(width - self._wide, y, self._wide, sheet.px(HEIGHT))
+        self._button = sheet.button(
+            place, say(MEASURE), say("measure error and cost, or stop that")
+        )
         self._status = sheet.image(self._drawn_status(), y)
-        self._below = y + sheet.px(BUTTON[1]) + 6
+        self._below = y + sheet.px(HEIGHT) + 6
         self._rest = sheet.image(self._drawn_rest(), self._below)
         self._world: object = None
         self.update()
@@ -82,7 +87,7 @@ class AccuracyPage:
         if self._session.world is not self._world:
             self._world = self._session.world
             self._session.world.kicks.time_calls()
-        text = "Cancel" if self._studying.running else "Measure"
+        text = say(CANCEL if self._studying.running else MEASURE)
         if self._button.text != text:
             self._button.set_text(text)
         self._turn_dial()
@@ -110,7 +115,7 @@ class AccuracyPage:
     def _drawn(self) -> pygame.Surface:
         studying, pen, width = self._studying, self._sheet.pen, self._sheet.width
         card = Card(pen, width)
-        card.text("largest numerical error", 12)
+        card.text(say("largest numerical error"), 12)
         chart = diagram.draw(pen, (width, self._sheet.px(DIAGRAM)), studying.points, studying.here)
         card.put(chart, 0)
         card.y += chart.height + 3
@@ -120,10 +125,10 @@ class AccuracyPage:
         return card.drawn()
 
     def _drawn_status(self) -> pygame.Surface:
-        width = self._sheet.width - self._sheet.px(BUTTON[0]) - 8
+        width = self._sheet.width - self._wide - 8
         return status(
             self._sheet.pen,
-            (width, self._sheet.px(BUTTON[1])),
+            (width, self._sheet.px(HEIGHT)),
             self._studying.progress,
             self._studying.failure,
         )

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.app import wording
 from sandbox.app.background import Background, Work
+from sandbox.app.language import say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
@@ -105,7 +106,7 @@ class Studying:
     def _settle(self, session: Session) -> None:
         """Find out the setting that a session waits for; once, if it cannot be found."""
         if self._sought is session.world:
-            session.give_up(self.failure or "the search for a setting has been cancelled")
+            session.give_up(self.failure or say("the search for a setting has been cancelled"))
         else:
             self._sought = session.world
             self.seek(session, session.level.stepping.accuracy or 0.0, BUDGET)
@@ -156,7 +157,7 @@ class Studying:
         if was_running and not self._work.running:
             self.progress, self.news = None, object()
             if not (found or self.here or self.failure):
-                self.failure = "that took too long"
+                self.failure = say("that took too long")
         return found
 
     def _take(self, finding: object) -> None:

@@ -4,22 +4,28 @@ from functools import partial
 from typing import NamedTuple
 
 from sandbox.app import theme
-from sandbox.app.building import inspection
+from sandbox.app.building import fields, inspection
 from sandbox.app.building.act import Act
+from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.offering import offers
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
 from sandbox.model.effects import EFFECTS, Effects
 
-FIRST = "Draw something: take Disc or Box above, and drag on the stage."
-IN_RUN = "Throw things in with a tool, or click on a body to change it. Checks no longer hold then."
-NO_FORMULA = "The run was changed on the way: none of the level's checks holds for it any more."
-NOTHING_SELECTED = "Click on a body or joint on the stage to set its mass, length and so on."
-SELECTED = "Effects and suggested checks are shown while nothing is selected."
-NO_CHECKS = "No checks to suggest: they are for set-ups that have a closed form."
-CHECKED = "The level has checks; its own page (O) tells how they stand."
-CHECKS = "Recognised: a click adds the checks of its closed form."
+FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")
+IN_RUN = later(
+    "Throw things in with a tool, or click on a body to change it. Checks no longer hold then."
+)
+NO_FORMULA = later(
+    "The run was changed on the way: none of the level's checks holds for it any more."
+)
+NOTHING_SELECTED = later("Click on a body or joint on the stage to set its mass, length and so on.")
+SELECTED = later("Effects and suggested checks are shown while nothing is selected.")
+NO_CHECKS = later("No checks to suggest: they are for set-ups that have a closed form.")
+CHECKED = later("The level has checks; its own page (O) tells how they stand.")
+CHECKS = later("Recognised: a click adds the checks of its closed form.")
 
 
 class Block(NamedTuple):
@@ -43,25 +49,27 @@ def above(editor: Editor, session: Session) -> list[Block]:
     found = []
     if editor.trying(session):
         keep = Act(
-            "Keep as a level",
-            "build on with the present state as a level of its own",
+            say("Keep as a level"),
+            say("build on with the present state as a level of its own"),
             partial(editor.keep_run, session),
         )
-        found.append(Block("This is the run. Esc goes back to building.", theme.NOTICE, (keep,)))
+        found.append(
+            Block(say("This is the run. Esc goes back to building."), theme.NOTICE, (keep,))
+        )
         if session.world.disturbed and session.original.checks:
-            found.append(Block(NO_FORMULA, theme.NOTICE))
+            found.append(Block(say(NO_FORMULA), theme.NOTICE))
     elif (left := editor.trial.left(editor.work.draft.text)) is not None and not editor.refusal:
         back = Act(
-            f"Back to the run at {left.t:.2f} s",
-            "take the run again that you left, to where it was (Ctrl Y right after Esc)",
+            say("Back to the run at {t:.2f} s", t=left.t),
+            say("take the run again that you left, to where it was (Ctrl Y right after Esc)"),
             partial(editor.come_back, session),
         )
         found.append(Block("", acts=(back,)))
     if editor.refusal:
-        found.append(Block(f"It cannot run yet: {editor.refusal}", theme.FAILED))
+        found.append(Block(say("It cannot run yet: {reason}", reason=editor.refusal), theme.FAILED))
     found += [Block(offer.told, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
     if editor.naming:
-        found.append(Block("Save under this name:", theme.TEXT))
+        found.append(Block(say("Save under this name:"), theme.TEXT))
     return found
 
 
@@ -69,54 +77,57 @@ def subject(editor: Editor) -> list[Block]:
     """Return what is inspected, and what can be done with it as a whole."""
     work = editor.bench
     in_run = work is editor.trial.live
-    said = "The run" if in_run and not work.selected else inspection.subject(work)
+    said = say("The run") if in_run and not work.selected else inspection.subject(work)
     title = Block(said, heading=True)
     if not work.selected and in_run:
-        return [title, Block(IN_RUN), _switches(editor)]
+        return [title, Block(say(IN_RUN)), _switches(editor)]
     if not work.selected:
         drawn = any(body.outline.moves for body in work.sketch.bodies.values())
         return [
             title,
-            Block(NOTHING_SELECTED if drawn else FIRST),
+            Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
             Block("", acts=tuple(inspection.told(work))),
             _switches(editor),
         ]
     if in_run:
-        acts = (_taking_out(editor), Act("Select nothing", "(Esc)", partial(work.select, ())))
-        return [title, Block("", acts=acts)]
-    leave = Act("Select nothing", "show the level again (Esc)", partial(work.select, ()))
-    return [title, Block(SELECTED, acts=(leave,))]
+        leave = Act(say("Select nothing"), "(Esc)", partial(work.select, ()))
+        return [title, Block("", acts=(_taking_out(editor), leave))]
+    tip = say("show the level again (Esc)")
+    leave = Act(say("Select nothing"), tip, partial(work.select, ()))
+    return [title, Block(say(SELECTED), acts=(leave,))]
 
 
 def arranging(editor: Editor) -> list[Block]:
     """Return what can be done with the bodies that are selected, among each other."""
     if editor.bench is not editor.work:
         return []
-    acts = (*inspection.ghost(editor.work), *inspection.arrangements(editor.work))
-    return [Block("Arrange:", acts=acts)] if acts else []
+    acts = (*inspection.ghost(editor.work), *arrangements(editor.work))
+    return [Block(say("Arrange:"), acts=acts)] if acts else []
 
 
 def _suggested(editor: Editor) -> list[Block]:
     acts = tuple(inspection.suggestions(editor.work))
     if acts:
-        return [Block(CHECKS, theme.NOTICE, acts)]
-    return [Block(CHECKED if editor.work.document.get("checks") else NO_CHECKS)]
+        return [Block(say(CHECKS), theme.NOTICE, acts)]
+    return [Block(say(CHECKED if editor.work.document.get("checks") else NO_CHECKS))]
 
 
 def _taking_out(editor: Editor) -> Act:
-    return Act("Delete", "take it out of the run, and its joints (Delete)", editor.bench.delete)
+    tip = say("take it out of the run, and its joints (Delete)")
+    return Act(say("Delete"), tip, editor.bench.delete)
 
 
 def _switches(editor: Editor) -> Block:
     work = editor.bench
     acts = (
         Act(
-            name,
-            Effects.model_fields[name].description or name,
+            say(name),
+            say(fields.help_of(Effects.model_fields[name]) or name),
             partial(inspection.switch, work, name),
         )
         for name in EFFECTS
     )
-    told = "Effects: those that are lit act; a click switches one on or off."
-    return Block(told, acts=tuple(acts), pressed=frozenset(inspection.declared(work)))
+    told = say("Effects: those that are lit act; a click switches one on or off.")
+    lit = frozenset(map(say, inspection.declared(work)))
+    return Block(told, acts=tuple(acts), pressed=lit)

@@ -8,7 +8,8 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app import theme
 from sandbox.app.building.act import Act
-from sandbox.app.building.fields import Entry, Row, Section
+from sandbox.app.building.fields import Entry, Row, Section, caption_of
+from sandbox.app.language import later, say
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import press
@@ -21,8 +22,8 @@ SLIDER = 44  # px
 INDENT = 10  # px, of what belongs to a section
 MOST = 300
 """Letters; what is longer is no line to type."""
-TOO_LONG = "too long for a line: edit it in the file"
-SWITCHED: Mapping[str, str] = {"no": "false", "yes": "true"}
+TOO_LONG = later("too long for a line: edit it in the file")
+SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 
 
 @dataclasses.dataclass(slots=True)
@@ -117,7 +118,8 @@ class Inspector:
         if options := _options(entry):
             self._put_choices(line, options)
         elif len(entry.shown) > MOST:
-            column.label(TOO_LONG, self._sheet.px(LABEL), self._sheet.width - self._sheet.px(LABEL))
+            left = self._sheet.px(LABEL)
+            column.label(say(TOO_LONG), left, self._sheet.width - left)
             column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         else:
             self._put_field(line)
@@ -140,8 +142,11 @@ class Inspector:
         line.shown = entry.shown
         if entry.shown and entry.path in self._numbers:
             place = pygame.Rect(self._sheet.width - px(SLIDER), 0, px(SLIDER), px(HEIGHT))
-            tip = f"make this a parameter: {entry.label} gets a slider on the level's page"
-            line.slider = column.button(place, "slider", tip)
+            tip = say(
+                "make this a parameter: {field} gets a slider on the level's page",
+                field=entry.label,
+            )
+            line.slider = column.button(place, say("slider"), tip)
         column.y += px(HEIGHT) + px(GAP)
         if names := self._offered.get(entry.path):
             self._put_choices(line, {name: name for name in names})
@@ -256,14 +261,18 @@ class Inspector:
 def _options(entry: Entry) -> Mapping[str, str]:
     """Return what there is to choose from, and what a level says for it."""
     if entry.sort == "switch":
-        return SWITCHED
-    return {choice.replace("-", " "): choice for choice in entry.choices}
+        return {say(caption): means for caption, means in SWITCHED.items()}
+    return {say(caption_of(choice)): choice for choice in entry.choices}
 
 
 def _tip(entry: Entry) -> str:
     """Return what is said of an entry while the mouse rests on it."""
     told = entry.help or entry.label
-    return f"{told}; {entry.default} if nothing is said" if entry.default else told
+    if not entry.default:
+        return told
+    captions = (caption for caption, means in _options(entry).items() if means == entry.default)
+    default = next(captions, entry.default)
+    return say("{help}; {default} if nothing is said", help=told, default=default)
 
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:

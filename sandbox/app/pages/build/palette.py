@@ -1,6 +1,6 @@
 """The tools, and what is done with a level as a whole: they stay while the page is scrolled."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import pygame
@@ -10,14 +10,15 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.pages.build.column import GAP, HEIGHT, SMALL, beside
+from sandbox.app.language import later, say, say_in
+from sandbox.app.pages.build.column import GAP, HEIGHT, SIZE, SMALL, beside
 from sandbox.app.session import Session
-from sandbox.app.widgets.gui import allow, press
+from sandbox.app.widgets.gui import allow, press, stretched
 from sandbox.app.widgets.sheet import Sheet
 
 ACROSS = 4
 """How many tools stand beside each other."""
-TRY, STOP = "Try it", "Back to building"
+TRY, STOP = later("Try it"), later("Back to building")
 
 
 class Palette:
@@ -30,8 +31,8 @@ class Palette:
         self._joints = kinds()
         y = self._put_tools(self._put_acts(0))
         whole = pygame.Rect(0, y, sheet.width, sheet.px(HEIGHT) + 2)
-        tip = "let time run, and come back from there (Space, Esc)"
-        self._put(whole, TRY, TRY, tip, partial(editor.try_it, session), "@main")
+        tip = say("let time run, and come back from there (Space, Esc)")
+        self._put(whole, TRY, say(TRY), tip, partial(editor.try_it, session), "@main")
         self._without = whole.bottom + sheet.px(GAP)
         self._height = self._put_joints(self._without)
         self.update()
@@ -40,37 +41,46 @@ class Palette:
         """Put what is done with the level, and return where it ends."""
         editor, session = self._editor, self._session
         acts: tuple[tuple[str, str, Callable[[], object]], ...] = (
-            ("New", "an empty scene: the ground alone (Ctrl N)", partial(editor.new, session)),
-            ("Undo", "", partial(editor.undo, session)),
-            ("Redo", "", partial(editor.redo, session)),
-            ("Save", "save it to its file (Ctrl S)", editor.save),
-            ("Save as", "save it under another name (Ctrl Shift S)", editor.save_as),
+            (
+                later("New"),
+                say("an empty scene: the ground alone (Ctrl N)"),
+                partial(editor.new, session),
+            ),
+            (later("Undo"), "", partial(editor.undo, session)),
+            (later("Redo"), "", partial(editor.redo, session)),
+            (later("Save"), say("save it to its file (Ctrl S)"), editor.save),
+            (later("Save as"), say("save it under another name (Ctrl Shift S)"), editor.save_as),
         )
-        for (name, tip, act), place in zip(acts, self._places(len(acts), y), strict=True):
-            self._put(place, name, name, tip, act)
+        places = self._places([name for name, _, _ in acts], y)
+        for (name, tip, act), place in zip(acts, places, strict=True):
+            self._put(place, name, say(name), tip, act)
         return y + self._sheet.px(HEIGHT) + self._sheet.px(GAP)
 
     def _put_tools(self, y: int) -> int:
         for start in range(0, len(TOOLS), ACROSS):
             several = TOOLS[start : start + ACROSS]
-            for kind, place in zip(several, self._places(ACROSS, y), strict=False):
-                tip = f"{kind.text} ({kind.key})"
-                self._put(place, kind.name, kind.caption, tip, partial(self._take, kind.name))
+            places = self._places([kind.caption for kind in several], y)
+            for kind, place in zip(several, places, strict=True):
+                tip = f"{say(kind.text)} ({kind.key})"
+                self._put(place, kind.name, say(kind.caption), tip, partial(self._take, kind.name))
             y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
         return y
 
     def _put_joints(self, y: int) -> int:
-        places = beside(self._sheet.pen, list(self._joints), self._sheet.width)
+        captions = list(map(say, self._joints))
+        places = beside(self._sheet.pen, captions, self._sheet.width)
         for (name, text), place in zip(self._joints.items(), places, strict=True):
-            self._put(place.move(0, y), name, name, text, partial(self._join, name))
+            self._put(place.move(0, y), name, say(name), say(text), partial(self._join, name))
         return y + places[-1].bottom + self._sheet.px(GAP)
 
-    def _places(self, count: int, y: int) -> Iterator[pygame.Rect]:
-        """Yield so many places of the same width beside each other."""
-        width = (self._sheet.width + self._sheet.px(GAP)) / count
-        for i in range(count):
-            left, right = round(i * width), round((i + 1) * width)
-            yield pygame.Rect(left, y, right - left - self._sheet.px(GAP), self._sheet.px(HEIGHT))
+    def _places(self, captions: Sequence[str], y: int) -> Iterator[pygame.Rect]:
+        """Yield places beside each other, each as wide as its caption and its share of the rest."""
+        gap, x = self._sheet.px(GAP), 0
+        wanted = [self._sheet.pen.write(say(caption), SIZE).width for caption in captions]
+        room = self._sheet.width - gap * (len(wanted) - 1)
+        for width in stretched(wanted, room):
+            yield pygame.Rect(x, y, width, self._sheet.px(HEIGHT))
+            x += width + gap
 
     def _put(
         self, place: pygame.Rect, name: str, caption: str, tip: str,
@@ -109,9 +119,11 @@ class Palette:
         undoes, redoes = editor.undoes(self._session), editor.redoes(self._session)
         for name, key, said in (("Undo", "Ctrl Z", undoes), ("Redo", "Ctrl Y", redoes)):
             allow(self._buttons[name], said is not None)
-            self._buttons[name].set_tooltip(f"{said} ({key})" if said else None, delay=0.6)
+            self._buttons[name].set_tooltip(
+                f"{said} ({say_in('key', key)})" if said else None, delay=0.6
+            )
         allow(self._buttons["Save"], draft.changed or draft.path is None)
-        self._buttons[TRY].set_text(STOP if editor.trying(self._session) else TRY)
+        self._buttons[TRY].set_text(say(STOP if editor.trying(self._session) else TRY))
         self._show_joints(editor.tool == "join")
 
     def _show_joints(self, shown: bool) -> None:

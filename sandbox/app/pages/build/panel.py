@@ -13,6 +13,7 @@ from sandbox.app.building import inspection
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.fields import Row
+from sandbox.app.language import say
 from sandbox.app.pages.build import content
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.pages.build.content import Block
@@ -188,8 +189,8 @@ class BuildPage:
         editor = self._editor
         below = content.subject(editor)
         if editor.naming:
-            here = Act("Save here", "write the file (Enter)", self._save_here)
-            leave = Act("Do not save", "go on without (Esc)", editor.stop_naming)
+            here = Act(say("Save here"), say("write the file (Enter)"), self._save_here)
+            leave = Act(say("Do not save"), say("go on without (Esc)"), editor.stop_naming)
             below.insert(0, Block("", acts=(here, leave)))
         return content.above(editor, self._session), below, content.arranging(editor)
 
@@ -222,7 +223,7 @@ class BuildPage:
         before, self._name = self._name, None
         if self._editor.naming:
             typed = before.get_text() if before is not None else str(self._editor.proposed)
-            self._name = self._column.field(0, self._sheet.width, typed, tip="a file's name")
+            self._name = self._column.field(0, self._sheet.width, typed, tip=say("a file's name"))
             self._column.y += self._sheet.px(HEIGHT) + self._sheet.px(GAP)
             self._sheet.manager.set_focus_set(self._name.get_focus_set())
 

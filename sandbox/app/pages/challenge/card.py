@@ -6,14 +6,15 @@ import pygame
 
 from sandbox.app import lines, theme, wording
 from sandbox.app.cards.card import GAP, Card
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 
-NONE = "This level sets no challenge. Those of the chapter Challenges do."
-TOUCHED = "A hand has touched this run, or effects are changed: it earns no stars."
+NONE = later("This level sets no challenge. Those of the chapter Challenges do.")
+TOUCHED = later("A hand has touched this run, or effects are changed: it earns no stars.")
 _STAR = 11  # px, its radius
 
 
@@ -35,7 +36,7 @@ def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
     card = Card(pen, width)
     card.text(session.original.title, 20, bold=True)
     card.y += 4
-    card.text(asked.task if asked else NONE, 15 if asked else 14)
+    card.text(asked.task if asked else say(NONE), 15 if asked else 14)
     return card.drawn()
 
 
@@ -53,10 +54,10 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
     asked, found = session.level.challenge, session.attempt()
     if asked is None:
         return card.drawn()
-    card.heading("Goals")
+    card.heading(say("Goals"))
     if found is None:
-        card.text(TOUCHED, 14, theme.NOTICE)
-        card.text("Restart (R) to try again.", 13, theme.DIM)
+        card.text(say(TOUCHED), 14, theme.NOTICE)
+        card.text(say("Restart (R) to try again."), 13, theme.DIM)
         return card.drawn()
     _stars(card, found, best)
     before = ""
@@ -68,7 +69,8 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         _goal(card, outcome)
     if found.altered:
         names = ", ".join(found.altered)
-        card.text(f"No star counts: {names} is locked in this challenge.", 13, theme.NOTICE)
+        told = say("No star counts: {names} is locked in this challenge.", names=names)
+        card.text(told, 13, theme.NOTICE)
     return card.drawn()
 
 
@@ -76,7 +78,7 @@ def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
     """Draw the hints that were asked for."""
     card = Card(pen, width)
     if shown:
-        card.heading("Hints")
+        card.heading(say("Hints"))
     for index, hint in enumerate(shown):
         card.put(pen.write(f"{index + 1}.", 14, theme.DIM), 0)
         card.text(hint, 14, indent=card.indent)
@@ -87,7 +89,7 @@ def hints(pen: Pen, width: int, shown: Sequence[str]) -> pygame.Surface:
 def _rank(index: int, asked: Challenge) -> str:
     """Name the star that a goal is for."""
     extra = index - len(asked.goals)
-    return ("second star", "third star")[extra] if extra >= 0 else "first star"
+    return (say("second star"), say("third star"))[extra] if extra >= 0 else say("first star")
 
 
 def _stars(card: Card, found: Attempt, best: int) -> None:
@@ -95,7 +97,7 @@ def _stars(card: Card, found: Attempt, best: int) -> None:
     radius = card.pen.px(_STAR)
     for index in range(found.most):
         card.put(_star(radius, earned=index < found.stars), index * (2 * radius + 6), 2)
-    text = f"best so far: {best} of {found.most}" if best else ""
+    text = say("best so far: {best} of {most}", best=best, most=found.most) if best else ""
     card.put(card.pen.write(text, 13, theme.DIM), found.most * (2 * radius + 6) + 8, 5)
     card.y += 2 * radius + 8
 
@@ -117,7 +119,8 @@ def _goal(card: Card, outcome: Outcome) -> None:
     value = outcome.measured
     now = "–" if value is None else wording.quantity(value, outcome.unit, 4)
     card.columns(
-        ((now, theme.TEXT), (wording.bounds(outcome), theme.DIM), (outcome.standing, color)), 13
+        ((now, theme.TEXT), (wording.bounds(outcome), theme.DIM), (say(outcome.standing), color)),
+        13,
     )
     card.y += GAP
 

@@ -1,5 +1,6 @@
 """Judges every run by its level's challenge, and keeps the stars."""
 
+from sandbox.app.language import later, say
 from sandbox.app.progress import Progress
 from sandbox.app.session import Session
 
@@ -36,8 +37,10 @@ class Judge:
         title, before = session.original.title, self.stars(session)
         if not found.stars:
             return None
-        better = ", more than before" if 0 < before < found.stars else ""
-        told = f"{found.stars} of {found.most} stars{better}"
+        told = later("{stars} of {most} stars")
+        if 0 < before < found.stars:
+            told = later("{stars} of {most} stars, more than before")
+        told = say(told, stars=found.stars, most=found.most)
         lost = self._progress.earn(title, found.stars)
         self.news = object()
         return f"{told}; {lost}" if lost else told

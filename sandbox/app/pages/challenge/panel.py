@@ -4,11 +4,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app.language import later, say
 from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
+
+FIRST, ANOTHER = later("A hint"), later("Another hint")
+HEIGHT = 28  # px, of the button
 
 
 class ChallengePage:
@@ -27,7 +31,9 @@ class ChallengePage:
         self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
         self._button = sheet.button(
-            pygame.Rect((0, 0), sheet.scaled((130, 28))), "", "one hint more"
+            pygame.Rect((0, 0), (sheet.room(say(FIRST), say(ANOTHER)), sheet.px(HEIGHT))),
+            "",
+            say("one hint more"),
         )
         self.update()
 
@@ -53,7 +59,7 @@ class ChallengePage:
         left = len(self._all_hints) - len(self._shown_hints)
         self._button.set_relative_position((self._sheet.margin, below(self._hints) + 8))
         if left:
-            self._button.set_text("A hint" if not self._shown_hints else "Another hint")
+            self._button.set_text(say(ANOTHER if self._shown_hints else FIRST))
             self._button.show()  # type: ignore[no-untyped-call]
         else:
             self._button.hide()  # type: ignore[no-untyped-call]

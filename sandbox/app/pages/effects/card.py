@@ -6,12 +6,15 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
+from sandbox.app.language import later, say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.physics.measuring.comparison import Difference
 
-TOUCHED_ONE = "A hand has touched this run, and not the other: they are two different things now."
+TOUCHED_ONE = later(
+    "A hand has touched this run, and not the other: they are two different things now."
+)
 
 
 def compared(
@@ -21,17 +24,19 @@ def compared(
     """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
     card = Card(pen, width)
     card.heading(told[0].upper() + told[1:])
-    card.text("dashed: as the level declares it", 12, theme.GHOST)
+    card.text(say("dashed: as the level declares it"), 12, theme.GHOST)
     if disturbed:
-        card.text(TOUCHED_ONE, 14, theme.NOTICE)
+        card.text(say(TOUCHED_ONE), 14, theme.NOTICE)
         return card.drawn()
     if cost is not None:
-        card.text(f"time: {wording.step_cost(cost)}".replace("-", wording.MINUS), 13)
+        told = say("time: {cost}", cost=wording.step_cost(cost).replace("-", wording.MINUS))
+        card.text(told, 13)
     if all(found.before is found.after is None for found in differences):
-        card.text("Play to see what it changes.", 13, theme.DIM)
+        card.text(say("Play to see what it changes."), 13, theme.DIM)
         return card.drawn()
     card.y += GAP
-    card.columns([(name, theme.DIM) for name in ("as declared", "changed", "change")], 12)
+    heads = (say("as declared"), say("changed"), say("change"))
+    card.columns([(head, theme.DIM) for head in heads], 12)
     for difference in differences:
         if difference.before is difference.after is None:
             continue  # not yet
@@ -55,14 +60,15 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw what the switches of the effects are for."""
     card = Card(pen, width)
-    card.heading("What if …")
-    card.text("Switch an effect off or on, then play: both runs are drawn.", 13, theme.DIM)
+    card.heading(say("What if …"))
+    told = say("Switch an effect off or on, then play: both runs are drawn.")
+    card.text(told, 13, theme.DIM)
     return card.drawn()
 
 
 def unchanged(pen: Pen, width: int) -> pygame.Surface:
     """Draw that the level runs as it is declared."""
     card = Card(pen, width)
-    card.heading("What it changes")
-    card.text("All effects are as the level declares them.", 14, theme.DIM)
+    card.heading(say("What it changes"))
+    card.text(say("All effects are as the level declares them."), 14, theme.DIM)
     return card.drawn()

@@ -11,6 +11,7 @@ from sandbox.app import wording
 from sandbox.app.cards.card import label
 from sandbox.app.companions import NONE
 from sandbox.app.grading import Ration
+from sandbox.app.language import later, say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
@@ -26,10 +27,10 @@ SWITCH = 28  # px, the height of a switch
 GAP = 6  # px
 SCALE = 24  # px, the width of a button beside a switch
 SCALES: Mapping[str, tuple[float, str]] = {
-    wording.MINUS: (0.5, "half as strong"),
-    "+": (2.0, "twice as strong"),
+    wording.MINUS: (0.5, later("half as strong")),
+    "+": (2.0, later("twice as strong")),
 }
-LEFT = "The level's scheme, fourth order, is not for this: both runs go by leapfrog."
+LEFT = later("The level's scheme, fourth order, is not for this: both runs go by leapfrog.")
 
 
 class EffectsPage:
@@ -44,10 +45,11 @@ class EffectsPage:
         y = below(sheet.image(effects_intro(pen, width), sheet.margin // 2)) + 2
         y = self._row_of(level.effects.declared, y)
         if added := whatif.addable(level):
-            y = below(sheet.image(label(pen, width, "try with"), y + 2)) + 2
+            y = below(sheet.image(label(pen, width, say("try with")), y + 2)) + 2
             y = self._row_of(added, y, adjustable=True)
-        reset = pygame.Rect(0, y + 4, sheet.px(150), sheet.px(SWITCH))
-        self._reset = sheet.button(reset, "Reset the effects", "play the level as it is declared")
+        caption = say("Reset the effects")
+        reset = pygame.Rect(0, y + 4, sheet.room(caption), sheet.px(SWITCH))
+        self._reset = sheet.button(reset, caption, say("play the level as it is declared"))
         self._ration: Ration[tuple[Difference, ...]] = Ration(lambda: whatif.compared(session), ())
         self._world = session.world
         self._told = sheet.image(self._drawn(), y + sheet.px(SWITCH) + 14)
@@ -57,13 +59,14 @@ class EffectsPage:
         """Put switches beside each other, as many as fit, and return where they end."""
         x = 0
         for name in effects:
-            width = self._sheet.pen.write(name, 14).width + self._sheet.px(26)
+            caption = say(name)
+            width = self._sheet.room(caption)
             scales = SCALES if adjustable and DEFAULTS[name] else {}
             whole = width + len(scales) * self._sheet.px(SCALE)
             if x and x + whole > self._sheet.width:
                 x, y = 0, y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
             rect = pygame.Rect(x, y, width, self._sheet.px(SWITCH))
-            self._switches[name] = self._sheet.button(rect, name, self._tip(name))
+            self._switches[name] = self._sheet.button(rect, caption, self._tip(name))
             for i, (sign, (times, tip)) in enumerate(scales.items()):
                 place = pygame.Rect(
                     x + width + i * self._sheet.px(SCALE),
@@ -71,15 +74,16 @@ class EffectsPage:
                     self._sheet.px(SCALE),
                     self._sheet.px(SWITCH),
                 )
-                self._scales[self._sheet.button(place, sign, tip)] = name, times
+                self._scales[self._sheet.button(place, sign, say(tip))] = name, times
             x += whole + self._sheet.px(GAP)
         return y + self._sheet.px(SWITCH) + self._sheet.px(GAP)
 
     def _tip(self, effect: str) -> str:
         if effect in self._session.original.effects.declared:
-            return f"switch {effect} off or on for this run"
-        said = ", ".join(f"{name} {value}" for name, value in DEFAULTS[effect].items())
-        return f"add {effect} to this run" + (f": {said}" if said else "")
+            return say("switch {effect} off or on for this run", effect=say(effect))
+        said = ", ".join(f"{say(name)} {value}" for name, value in DEFAULTS[effect].items())
+        told = say("add {effect} to this run", effect=say(effect))
+        return f"{told}: {said}" if said else told
 
     def switch(self, effect: str) -> UIButton:
         """Return the switch of an effect."""
@@ -111,7 +115,7 @@ class EffectsPage:
                 whatif.change(self._session, NONE)
         except SandboxError as error:
             return str(error)
-        return LEFT if self._session.changes.left else ""
+        return say(LEFT) if self._session.changes.left else ""
 
     def update(self) -> None:
         """Let the switches say what acts, and the table what that changes."""

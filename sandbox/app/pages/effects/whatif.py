@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from sandbox.app import wording
 from sandbox.app.companions import NONE, Changes, Variant
+from sandbox.app.language import later, say
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
 from sandbox.model.effects.contract import Settings
@@ -13,7 +14,7 @@ from sandbox.model.schemes import unsmooth
 from sandbox.model.variants import DEFAULTS, vary
 from sandbox.physics.measuring.comparison import Difference, differences
 
-DECLARED = "as the level declares it"
+DECLARED = later("as the level declares it")
 
 
 def toggle(session: Session, effect: str) -> None:
@@ -57,7 +58,7 @@ def change(session: Session, changes: Changes) -> None:
 
 
 def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
-    """Return a level and the changed one, in one scheme, and the changes with how they are told.
+    """Return a level and the changed one, in one scheme, and the changes with what they do.
 
     Raises
     ------
@@ -65,19 +66,19 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
         If the level makes no sense so.
     """
     wanted = original.stepping.scheme
-    level, told = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
+    level, effects = vary(stepped(original, "leapfrog"), changes.off, _settings(changes))
     left = wanted if wanted == "fourth-order" and unsmooth(level) else None
     scheme = "leapfrog" if left else wanted
-    changes = replace(changes, effects=told, left=left)
+    changes = replace(changes, effects=effects, left=left)
     return stepped(original, scheme), stepped(level, scheme), changes
 
 
 def reset(session: Session) -> str:
     """Play the level as it is declared; return what is to be told of that."""
     if not session.changes:
-        return "no effect is changed"
+        return say("no effect is changed")
     change(session, NONE)
-    return "all effects are as the level declares them"
+    return say("all effects are as the level declares them")
 
 
 def rows(session: Session) -> list[tuple[Color | None, str]]:
@@ -85,7 +86,7 @@ def rows(session: Session) -> list[tuple[Color | None, str]]:
     if not session.changes:
         return []
     original = session.companions[0].variant
-    return [(None, session.changes.told), (original.color, original.told)]
+    return [(None, session.changes.told), (original.color, say(original.told))]
 
 
 def stepped(level: Level, scheme: Scheme) -> Level:
@@ -167,5 +168,5 @@ def told(session: Session, found: Sequence[Difference]) -> str:
     price = cost(session)
     if price is not None:
         said.append(wording.step_cost(price))
-    text = f"{session.changes.told}: {', '.join(said) or wording.NO_DIFFERENCE}"
+    text = f"{session.changes.told}: {', '.join(said) or say(wording.NO_DIFFERENCE)}"
     return text.replace(" -", f" {wording.MINUS}")

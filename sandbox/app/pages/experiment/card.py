@@ -7,6 +7,7 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
+from sandbox.app.language import later, plural, say
 from sandbox.app.pages.experiment.exploring import Chosen, Exploring
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.session import Session
@@ -17,8 +18,8 @@ from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
-NOTHING = "This level has no parameter that could be varied."
-HINT = "Click on the curve to run with that value."
+NOTHING = later("This level has no parameter that could be varied.")
+HINT = later("Click on the curve to run with that value.")
 
 
 def curve(
@@ -32,10 +33,10 @@ def curve(
         The point that is told; None for the run that is played.
     """
     card = Card(pen, width)
-    card.heading("Experiment")
+    card.heading(say("Experiment"))
     chosen = exploring.chosen(session)
     if chosen is None:
-        card.text(NOTHING, 14, theme.DIM)
+        card.text(say(NOTHING), 14, theme.DIM)
         return card.drawn(), pygame.Rect(0, 0, 0, 0)
     unit = unit_of(session.level, chosen)
     card.text(f"{chosen.measure} [{unit}]" if unit else chosen.measure, 13, theme.BODIES[0])
@@ -46,7 +47,8 @@ def curve(
     span = span_of(pen, width, session.level, chosen)
     card.put(plot.draw(pen, field.size, list(_series(exploring.points)), span, here), 0)
     card.y += pen.px(HEIGHT) + 2
-    card.text(f"against {_named(session.level, chosen.parameter)}", 12, theme.DIM)
+    across = _named(session.level, chosen.parameter)
+    card.text(say("against {quantity}", quantity=across), 12, theme.DIM)
     _progress(card, exploring)
     return card.drawn(), field
 
@@ -85,16 +87,16 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
 def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
     """Tell what came of a run, in figures."""
     if point is None:
-        card.text(HINT, 12, theme.DIM)
+        card.text(say(HINT), 12, theme.DIM)
         return
     value = wording.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
     if point.measured is None:
-        reason = point.failure or "that did not happen in this run"
+        reason = point.failure or say("that did not happen in this run")
         card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
         return
     told = f"{chosen.parameter} = {value}: {wording.number(point.measured, 5)}"
     if point.expected is not None:
-        told += f", closed form {wording.number(point.expected, 5)}"
+        told += say(", closed form {value}", value=wording.number(point.expected, 5))
     card.text(told, 12, theme.NOTICE)
 
 
@@ -110,7 +112,14 @@ def _progress(card: Card, exploring: Exploring) -> None:
     if exploring.failure:
         card.text(exploring.failure, 12, theme.FAILED)
     elif exploring.share < 1:
-        card.text(f"{len(exploring.points)} runs so far", 12, theme.DIM)
+        told = plural("{count} run so far", "{count} runs so far", len(exploring.points))
+        card.text(told, 12, theme.DIM)
     failed = [p.failure for p in exploring.points if p.failure]
     if failed:
-        card.text(f"{len(failed)} runs have failed: {failed[0]}", 12, theme.FAILED)
+        told = plural(
+            "{count} run has failed: {reason}",
+            "{count} runs have failed: {reason}",
+            len(failed),
+            reason=failed[0],
+        )
+        card.text(told, 12, theme.FAILED)

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from sandbox.app.background import Background
+from sandbox.app.language import say
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
 from sandbox.app.pages.graph.choice import offered
 from sandbox.app.session import Session
@@ -109,7 +110,8 @@ class Exploring:
         if was_running and not self._work.running:
             self.news = object()
             if self.points and self.share < 1:
-                self.failure = "more would take too long: try it with 'sandbox experiment'"
+                told = say("more would take too long: try it with 'sandbox experiment'")
+                self.failure = told
 
     def cancel(self) -> None:
         """End the work; it begins again with another scene or choice."""

@@ -6,6 +6,7 @@ from pygame_gui.elements import UISelectionList
 
 from sandbox.app import wording
 from sandbox.app.cards.card import heading
+from sandbox.app.language import say
 from sandbox.app.pages.experiment.card import curve, nearest, span_of
 from sandbox.app.pages.experiment.exploring import Exploring, measures
 from sandbox.app.pages.experiment.sampling import Point
@@ -32,7 +33,7 @@ class ExperimentPage:
         if chosen is not None:
             offers = list(desk.session.level.parameters), measures(desk.session)
             for title, names, now, most in zip(
-                ("Vary", "Measure"), offers, chosen, MOST_ROWS, strict=True
+                (say("Vary"), say("Measure")), offers, chosen, MOST_ROWS, strict=True
             ):
                 self._titles.append(sheet.image(heading(sheet.pen, sheet.width, title), 0))
                 height = min(len(names), most) * sheet.px(ROW) + 12
@@ -88,7 +89,8 @@ class ExperimentPage:
         except SandboxError as error:
             return str(error)
         unit = self._session.level.parameters[chosen.parameter].unit
-        return f"now with {chosen.parameter} = {wording.quantity(point.at, unit, 4)}"
+        value = wording.quantity(point.at, unit, 4)
+        return say("now with {name} = {value}", name=chosen.parameter, value=value)
 
     def update(self) -> None:
         """Draw what is new."""

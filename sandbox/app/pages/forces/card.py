@@ -6,6 +6,7 @@ import pygame
 
 from sandbox.app import looking, theme
 from sandbox.app.cards.card import Card
+from sandbox.app.language import later, say
 from sandbox.app.pages.forces import diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.session import Session
@@ -19,22 +20,24 @@ DIAGRAM, POLYGON = 170, 130  # px, how high they are
 NUMBER = 48  # px, how wide a column of numbers is
 MARK = 9  # px, the side of the square that shows a colour
 SIZE = 12  # of letters in the table
-NOBODY = "Nothing in this level is moved by forces."
-NOT_YET = "Forces are known from the first step on."
-STRUCK = "An impact is in this step: its force is a mean over the step, and tells of that, too."
-CLOSED = "One force is known from the others and m a alone, so the sum proves nothing here."
+NOBODY = later("Nothing in this level is moved by forces.")
+NOT_YET = later("Forces are known from the first step on.")
+STRUCK = later(
+    "An impact is in this step: its force is a mean over the step, and tells of that, too."
+)
+CLOSED = later("One force is known from the others and m a alone, so the sum proves nothing here.")
 
 
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
     """Draw the forces on the body that is looked at."""
     card, body = Card(pen, width), session.looking.body
-    card.heading(f"Forces on {body}" if body else "Forces")
+    card.heading(say("Forces on {body}", body=body) if body else say("Forces"))
     found = session.looking.at(session.world)
     if found is None:
-        card.text(NOT_YET if body else NOBODY, 13, theme.DIM)
+        card.text(say(NOT_YET if body else NOBODY), 13, theme.DIM)
         return card.drawn()
     if len(session.level.bodies) > 1:
-        card.text("Click on another body to see its forces.", SIZE, theme.DIM)
+        card.text(say("Click on another body to see its forces."), SIZE, theme.DIM)
         card.y += 4
     card.put(diagram.free_body(pen, (width, pen.px(DIAGRAM)), found), 0)
     card.y += pen.px(DIAGRAM) + 6
@@ -43,7 +46,7 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
     _table(card, found, axes.first(found, (vx, vy)), axes.inclined)
     for holds, text in ((found.struck, STRUCK), (found.closed, CLOSED)):
         if holds:
-            card.text(text, SIZE, theme.NOTICE)
+            card.text(say(text), SIZE, theme.NOTICE)
     card.y += 2
     card.put(diagram.polygon(pen, (width, pen.px(POLYGON)), found), 0)
     card.y += pen.px(POLYGON) + 8
@@ -52,15 +55,17 @@ def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface
 
 def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, their sum, and mass times acceleration."""
-    _row(card, "N", None, ("size", *(("along", "across") if inclined else ("x", "y"))), theme.DIM)
+    axes = (say("along"), say("across")) if inclined else ("x", "y")
+    _row(card, "N", None, (say("size"), *axes), theme.DIM)
     for acting in looking.felt(found):
-        _row(card, acting.title, looking.color(acting), _told(acting.force, first), theme.TEXT)
+        cells = _told(acting.force, first)
+        _row(card, looking.title(acting), looking.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
     card.y += 2
     card.put(line, 0)
     card.y += 3
-    _row(card, "sum", None, _told(looking.cleared(found.net, found), first), theme.RESULTANT)
+    _row(card, say("sum"), None, _told(looking.cleared(found.net, found), first), theme.RESULTANT)
     _row(card, "m a", None, _told(looking.cleared(found.gain, found), first), theme.RESULTANT)
     if found.moment:
         card.y += 4
@@ -68,7 +73,7 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         x, y = found.center
         levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
         scale = max(levers, default=0.0)
-        for name, value in (("torques about the centre", found.torque), ("I α", spin)):
+        for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
             told = number(0.0 if abs(value) < looking.FAINT * scale else value, 3)
             _row(card, name, None, ("", "", f"{told} N m"), theme.DIM)
     card.y += 4

@@ -6,6 +6,7 @@ from math import atan2, copysign, cos, hypot, pi, sin
 import pygame
 
 from sandbox.app import lines, looking, theme
+from sandbox.app.language import say
 from sandbox.app.stage.labels import Labels
 from sandbox.app.text import Pen
 from sandbox.model.shapes import XY
@@ -80,7 +81,8 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
     net = hypot(*looking.cleared(found.net, found))
     if net:
         lines.arrow(surface, theme.RESULTANT, start, end, WIDTH + 1)
-    surface.blit(pen.write(f"sum {looking.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
+    told = say("sum {force} N", force=looking.newtons(net))
+    surface.blit(pen.write(told, 12, theme.RESULTANT), (4, 2))
     return surface
 
 

@@ -4,6 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app.language import say
 from sandbox.app.pages.forces.axes import Axes
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.page import Desk
@@ -22,9 +23,13 @@ class ForcesPage:
         half = sheet.width // 2 - 2
         across = pygame.Rect(0, 0, half, sheet.px(HEIGHT))
         along = across.move(half + 4, 0)
-        self.level = sheet.button(across, "Along x and y", "components along the plane's axes")
-        tip = "components along the surface that it touches, else along its way, and across that"
-        self.inclined = sheet.button(along, "Along its surface", tip)
+        self.level = sheet.button(
+            across, say("Along x and y"), say("components along the plane's axes")
+        )
+        tip = say(
+            "components along the surface that it touches, else along its way, and across that"
+        )
+        self.inclined = sheet.button(along, say("Along its surface"), tip)
         self._image = sheet.image(self._drawn(), sheet.px(HEIGHT) + sheet.margin // 2)
         self.update()
 

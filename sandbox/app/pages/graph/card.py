@@ -9,6 +9,7 @@ import pygame
 from sandbox.app import signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.history import History
+from sandbox.app.language import later, say
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
@@ -24,7 +25,7 @@ from sandbox.physics.stepping.world import World
 
 HEIGHT = 150  # px, of a graph
 NOT_KNOWN: Mapping[str, Trust] = {}
-NOTHING = "Choose a quantity below; several are drawn together."
+NOTHING = later("Choose a quantity below; several are drawn together.")
 
 
 class Graphs(NamedTuple):
@@ -57,7 +58,7 @@ def graphs(
     """
     card = Card(pen, width)
     if not up:
-        card.text(NOTHING, 14, theme.DIM)
+        card.text(say(NOTHING), 14, theme.DIM)
         return Graphs(card.drawn(), ())
     found: list[Graph] = []
     names = list(dict.fromkeys([across, *up]))
@@ -80,7 +81,8 @@ def graphs(
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
         card.put(plot.draw(pen, size, series, span, cursor, rise), 0)
         card.y += size[1] + GAP
-    card.text(f"against {across} [{units[across]}]", 12, theme.DIM)
+    told = say("against {quantity}", quantity=f"{across} [{units[across]}]")
+    card.text(told, 12, theme.DIM)
     return Graphs(card.drawn(), found)
 
 
@@ -132,7 +134,8 @@ def _told(
         if name in trust:
             card.text(wording.trusted(trust[name]), 12, theme.DIM)
     at = wording.quantity(float(columns[across][row]), units[across], 4)
-    card.text(f"at {across} = {at}", 12, theme.DIM if cursor is None else theme.NOTICE)
+    told = say("at {quantity} = {value}", quantity=across, value=at)
+    card.text(told, 12, theme.DIM if cursor is None else theme.NOTICE)
 
 
 def _faint(

@@ -4,6 +4,7 @@ from itertools import chain, islice
 from pathlib import Path
 
 from sandbox.app.background import Background
+from sandbox.app.language import say
 from sandbox.app.pages.graph.figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
 from sandbox.app.session import Session
@@ -82,7 +83,7 @@ class Choice:
     def draw(self, found: Figure, path: Path) -> str:
         """Draw a picture of graphs into a file, and return what is told of that."""
         self._work.start(saved, found, path)
-        return "drawing ..."
+        return say("drawing ...")
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Return where the picture is once it is drawn."""

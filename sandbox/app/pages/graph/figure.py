@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from sandbox.app.language import say
 from sandbox.app.pages.graph.card import closed_forms, measured
 from sandbox.app.pages.graph.zoom import Graph, Interval
 from sandbox.app.session import Session
@@ -61,7 +62,13 @@ def figure(
             *_earlier(session, these, up, across),
             *(Curve(n, "run", list(up).index(n), columns[across], columns[n]) for n in these),
             *(
-                Curve(f"{name}, closed form", "closed", list(up).index(name), x, y)
+                Curve(
+                    say("{quantity}, closed form", quantity=name),
+                    "closed",
+                    list(up).index(name),
+                    x,
+                    y,
+                )
                 for name, x, y in closed_forms(session, columns, these, across)
             ),
         ]
@@ -82,15 +89,19 @@ def _earlier(
             yield Curve(f"{name}, {run.told}", "earlier", color, columns[across], columns[name])
 
 
+def _of_the_formula(name: str) -> str:
+    return say("{quantity}, closed form", quantity=name)
+
+
 def saved(found: Figure, path: Path) -> Iterator[str]:
     """Draw a picture and write it; yield where it is, or why there is none."""
     try:
         with needed_for("a picture of a graph"):
             write_atomically(path, drawn(found))
     except (SandboxError, OSError) as error:
-        yield f"no picture: {error}"
+        yield say("no picture: {error}", error=error)
         return
-    yield f"saved {path}"
+    yield say("saved {path}", path=path)
 
 
 def drawn(found: Figure) -> bytes:

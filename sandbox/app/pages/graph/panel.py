@@ -14,6 +14,7 @@ from pygame_gui.elements import UIButton, UISelectionList
 
 from sandbox.app import theme
 from sandbox.app.cards.card import heading
+from sandbox.app.language import say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
@@ -53,12 +54,13 @@ class GraphPage:
         self._acts: dict[UIButton, Callable[[], str]] = {}
         self._rows = self._buttons()
         self._titles = [
-            sheet.image(heading(sheet.pen, sheet.width, text), 0) for text in ("Draw", "Against")
+            sheet.image(heading(sheet.pen, sheet.width, text), 0)
+            for text in (say("Draw"), say("Against"))
         ]
         self.sought = Field(
             pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(FIELD)), sheet.manager,
             container=sheet.container,
-            placeholder_text="letters of a name, such as speed",
+            placeholder_text=say("letters of a name, such as speed"),
         )  # fmt: skip
         self._heights = sheet.scaled(LISTS)
         self.up = self._list(
@@ -110,15 +112,19 @@ class GraphPage:
         """Put the buttons that zoom, and those that save what is seen."""
         step, px = self._zooming.step, self._sheet.px
         zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
-            ("+", "look closer (the wheel over a graph)", partial(step, NOTCH)),
-            ("−", "look from further away", partial(step, 1 / NOTCH)),
-            ("<", "look at what was before", partial(step, 1.0, -SHIFT)),
-            (">", "look at what comes after", partial(step, 1.0, SHIFT)),
-            ("All", "show the whole graph (Home, or a double click on it)", self._show_all),
+            ("+", say("look closer (the wheel over a graph)"), partial(step, NOTCH)),
+            ("−", say("look from further away"), partial(step, 1 / NOTCH)),
+            ("<", say("look at what was before"), partial(step, 1.0, -SHIFT)),
+            (">", say("look at what comes after"), partial(step, 1.0, SHIFT)),
+            (
+                say("All"),
+                say("show the whole graph (Home, or a double click on it)"),
+                self._show_all,
+            ),
         )
         saving = (
-            ("Save picture", "save what is seen as a PNG", self._save_picture),
-            ("Save CSV", "save the values of what is seen", self._save_table),
+            (say("Save picture"), say("save what is seen as a PNG"), self._save_picture),
+            (say("Save CSV"), say("save the values of what is seen"), self._save_table),
         )
         rows: list[list[UIButton]] = []
         for row in (zooming, saving):
@@ -151,14 +157,14 @@ class GraphPage:
             path = saving.graphed(session, up, across, choice.zoom(session).across)
         except SandboxError as error:
             return str(error)
-        return f"saved {path}"
+        return say("saved {path}", path=path)
 
     def _save_picture(self) -> str:
         choice, session = self._choice, self._session
         up, across = choice.up(session), choice.across(session)
         found = figure(session, up, across, self._zooming.graphs)
         if found is None:
-            return "There is no graph to be saved; choose a quantity"
+            return say("There is no graph to be saved; choose a quantity")
         try:
             return choice.draw(found, saving.path_for(session, ".png"))
         except SandboxError as error:

@@ -4,6 +4,7 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import Card
+from sandbox.app.language import say
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Parameter
@@ -32,7 +33,7 @@ def clock(pen: Pen, width: int, text: str) -> pygame.Surface:
 def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surface:
     """Draw the parameters with their values."""
     card = Card(pen, width)
-    card.heading("Parameters")
+    card.heading(say("Parameters"))
     for name, parameter in level.parameters.items():
         value = wording.with_unit(wording.setting(values[name]), parameter.unit)
         right = pen.write(value, 14, theme.TEXT)

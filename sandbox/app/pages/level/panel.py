@@ -7,6 +7,7 @@ from pygame_gui import UI_BUTTON_PRESSED
 
 from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
+from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
@@ -19,7 +20,9 @@ if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
 SWITCH = 26  # px
-TIP = "a changed parameter acts from now on, and the run so far stays (Shift O, or Shift and drag)"
+TIP = later(
+    "a changed parameter acts from now on, and the run so far stays (Shift O, or Shift and drag)"
+)
 
 
 class LevelPage:
@@ -31,7 +34,7 @@ class LevelPage:
         pen, width, level = sheet.pen, sheet.width, desk.session.original
         y = below(sheet.image(header(pen, width, level), sheet.margin // 2)) + 8
         if level.parameters:
-            y = below(sheet.image(heading(pen, width, "Parameters"), y))
+            y = below(sheet.image(heading(pen, width, say("Parameters")), y))
         area = pygame.Rect(sheet.margin, y, width, 0)
         values = desk.session.values
         sheet.parameters = Parameters(
@@ -41,7 +44,7 @@ class LevelPage:
         y += sheet.parameters.height
         if level.parameters:
             place = pygame.Rect(0, y + 4, width, sheet.px(SWITCH))
-            self.onwards = sheet.button(place, "Changes act from now on", TIP)
+            self.onwards = sheet.button(place, say("Changes act from now on"), say(TIP))
             y += sheet.px(SWITCH) + 6
         self._checks = sheet.checks = sheet.image(self._drawn(), y + 8)
         sheet.end(below(self._checks) + 2)
@@ -77,8 +80,8 @@ def turn(session: Session) -> str:
     """Let changes act the other way from now on, and return what is told of that."""
     session.branches = not session.branches
     if session.branches:
-        return "a changed parameter acts from now on; the run so far stays behind as a trail"
-    return "a changed parameter starts the run anew"
+        return say("a changed parameter acts from now on; the run so far stays behind as a trail")
+    return say("a changed parameter starts the run anew")
 
 
 def switch(desk: Desk) -> str:

@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import Card, bar
+from sandbox.app.language import plural, say
 from sandbox.app.session import Session
 from sandbox.app.stage import momenta
 from sandbox.app.text import Pen
@@ -38,20 +39,23 @@ def bodies(world: World) -> list[Momentum]:
     largest = set(rows[np.argsort(-sizes, kind="stable")[:MOST]].tolist())
     rest = [row for row, _ in found if row not in largest]
     shown = [Momentum(name, every[row]) for row, name in found if row in largest]
-    return [*shown, Momentum(f"{len(rest)} others", every[rest].sum(axis=0))]
+    return [
+        *shown,
+        Momentum(plural("{count} other", "{count} others", len(rest)), every[rest].sum(axis=0)),
+    ]
 
 
 def given(session: Session) -> list[Momentum]:
     """Return how much the total has changed since the start, and by which impulses from outside."""
     books = session.books.balance
-    impulses = [Momentum(name, value[:2]) for name, value in books.impulse.items()]
+    impulses = [Momentum(say(name), value[:2]) for name, value in books.impulse.items()]
     outside = sum((each.value for each in impulses), np.zeros(2))
     unexplained = books.unexplained_impulse[:2]
     return [
-        Momentum("change of the total", outside + unexplained),
-        Momentum("impulse from outside", outside),
+        Momentum(say("change of the total"), outside + unexplained),
+        Momentum(say("impulse from outside"), outside),
         *(Momentum(f"  {each.name}", each.value) for each in impulses if len(impulses) > 1),
-        Momentum("unexplained", unexplained),
+        Momentum(say("unexplained"), unexplained),
     ]
 
 
@@ -59,26 +63,27 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw momenta as bars, along x and along y, above what has become of their sum."""
     card, world = Card(pen, width), session.world
     scale = momenta.scale(session, world, session.history.snapshots)
-    card.heading("Momentum")
+    card.heading(say("Momentum"))
     shown = bodies(world)
     if not shown:
-        card.text("Nothing in this level has a momentum.", 13, theme.DIM)
+        card.text(say("Nothing in this level has a momentum."), 13, theme.DIM)
         return card.drawn()
-    card.text(
-        f"a full bar is {scale:g} {momenta.UNIT}" if scale else "nothing has moved yet",
-        12,
-        theme.DIM,
-    )
+    told = say("nothing has moved yet")
+    if scale:
+        told = say("a full bar is {size:g} {unit}", size=scale, unit=momenta.UNIT)
+    card.text(told, 12, theme.DIM)
     card.y += 4
     total = momenta.momenta(world, world.snapshot).sum(axis=0)
-    _add_bars(card, Momentum("total", total), scale, (theme.TOTAL, theme.TOTAL))
+    _add_bars(card, Momentum(say("total"), total), scale, (theme.TOTAL, theme.TOTAL))
     if len(shown) > MOST:
-        card.text(f"the largest {MOST}, and the others together", 12, theme.DIM)
+        told = say("the largest {count}, and the others together", count=MOST)
+        card.text(told, 12, theme.DIM)
     for each in shown:
         _add_bars(card, each, scale, _axes())
     card.y += 4
-    card.heading("Since the start")
-    _add_table(card, given(session), "" if world.kicks.composed else "half a step ahead")
+    card.heading(say("Since the start"))
+    note = "" if world.kicks.composed else say("half a step ahead")
+    _add_table(card, given(session), note)
     return card.drawn()
 
 
@@ -101,7 +106,8 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
 def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
     """Add momenta as numbers, in a column for each axis, under a note."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
-    card.put(pen.write(note, 12, theme.DIM), 0)
+    if note:
+        card.text(note, 12, theme.DIM)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
         card.put(head, end - head.width)

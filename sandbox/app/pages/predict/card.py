@@ -7,6 +7,7 @@ import pygame
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.cards.checks import TOUCHED
+from sandbox.app.language import later, say
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
 from sandbox.app.pages.predict.questions import FACTORS, title, when
@@ -14,9 +15,11 @@ from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model.level import Check
 
-NOTHING = "This level states no closed form that could be predicted."
-CHANGED = "The effects are changed: no formula describes this run. Reset them on the tab Effects."
-NEVER = "It never came to that in this run."
+NOTHING = later("This level states no closed form that could be predicted.")
+CHANGED = later(
+    "The effects are changed: no formula describes this run. Reset them on the tab Effects."
+)
+NEVER = later("It never came to that in this run.")
 NOTICED = 1e-4
 """A change by a smaller share is none that anybody would look for."""
 
@@ -24,25 +27,27 @@ NOTICED = 1e-4
 def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.Surface:
     """Draw what the page is for, or why nothing can be predicted here."""
     card = Card(pen, width)
-    card.heading("Predict, run, explain")
+    card.heading(say("Predict, run, explain"))
     if possible:
-        card.text("Choose what to predict. The run waits for your number.", 13, theme.DIM)
+        told = say("Choose what to predict. The run waits for your number.")
+        card.text(told, 13, theme.DIM)
     else:
-        card.text(CHANGED if session.changes else NOTHING, 14, theme.DIM)
+        card.text(say(CHANGED if session.changes else NOTHING), 14, theme.DIM)
     return card.drawn()
 
 
 def asked(pen: Pen, width: int, question: Check, unit: str, *, open_: bool) -> pygame.Surface:
     """Draw a question; while it is open, with how it may be answered."""
     card = Card(pen, width)
-    card.heading("Your prediction")
+    card.heading(say("Your prediction"))
     card.text(title(question), 15, bold=True)
     name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
     card.text(name, 13, theme.DIM)
     if open_:
         card.y += GAP
-        units = " or ".join([unit, *FACTORS.get(unit, {})])
-        card.text(f"A number or a formula, such as 2*9.81; in {units or 'no unit'}:", 12, theme.DIM)
+        units = say(" or ").join([unit, *FACTORS.get(unit, {})]) or say("no unit")
+        told = say("A number or a formula, such as 2*9.81; in {units}:", units=units)
+        card.text(told, 12, theme.DIM)
     return card.drawn()
 
 
@@ -52,7 +57,7 @@ def refused(pen: Pen, width: int, refusal: str) -> pygame.Surface:
     if refusal:
         card.text(refusal, 13, theme.FAILED)
     else:
-        card.text("Enter: then it runs.", 12, theme.DIM)
+        card.text(say("Enter: then it runs."), 12, theme.DIM)
     return card.drawn()
 
 
@@ -63,11 +68,13 @@ def result(
     """Draw what came of a prediction, and which neglected effects would change that."""
     card = Card(pen, width)
     if session.world.disturbed:
-        card.text(TOUCHED, 14, theme.NOTICE)
-        card.text("Restart (R) to see what comes of your prediction.", 13, theme.DIM)
+        card.text(say(TOUCHED), 14, theme.NOTICE)
+        told = say("Restart (R) to see what comes of your prediction.")
+        card.text(told, 13, theme.DIM)
     elif outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
-        card.text(NEVER if over else "It runs …", 14, theme.NOTICE if over else theme.DIM)
+        told = say(NEVER) if over else say("It runs …")
+        card.text(told, 14, theme.NOTICE if over else theme.DIM)
     else:
         _verdict(card, outcome)
         _compared(card, outcome)
@@ -85,11 +92,12 @@ def _verdict(card: Card, outcome: Outcome) -> None:
 
 def _compared(card: Card, outcome: Outcome) -> None:
     """Write the three values, and how far two of them are from the simulated one."""
-    card.columns([("", theme.DIM), ("value", theme.DIM), ("differs by", theme.DIM)], 12)
+    heads = ("", say("value"), say("differs by"))
+    card.columns([(head, theme.DIM) for head in heads], 12)
     rows = [
-        ("prediction", outcome.predicted, _apart(outcome, outcome.predicted)),
-        ("formula", outcome.formula, _apart(outcome, outcome.formula)),
-        ("simulation", outcome.simulated, ""),
+        (say("prediction"), outcome.predicted, _apart(outcome, outcome.predicted)),
+        (say("formula"), outcome.formula, _apart(outcome, outcome.formula)),
+        (say("simulation"), outcome.simulated, ""),
     ]
     for name, value, apart in rows:
         told = wording.quantity(value, outcome.unit)
@@ -100,7 +108,7 @@ def _apart(outcome: Outcome, value: float) -> str:
     """Write how far a value is from the simulated one."""
     apart = outcome.apart(value)
     if abs(apart) < 1e-9:
-        return "equal"
+        return say("equal")
     far = wording.share(apart) if outcome.scale else wording.quantity(apart, outcome.unit, 3)
     return f"+{far}" if apart > 0 else far
 
@@ -109,9 +117,11 @@ def _explained(
     card: Card, outcome: Outcome, trials: Sequence[Trial], trying: Trying | None
 ) -> None:
     card.y += 8
-    card.heading("What the level neglects")
+    card.heading(say("What the level neglects"))
     if trying is not None:
-        told = f"trying {trying.effect} …" if trying.effect else "trying effects …"
+        told = say("trying effects …")
+        if trying.effect:
+            told = say("trying {effect} …", effect=say(trying.effect))
         card.text(told, 13, theme.DIM)
     changing = [trial for trial in trials if _change(outcome, trial) > NOTICED]
     for trial in sorted(changing, key=lambda trial: -_change(outcome, trial)):
@@ -119,9 +129,9 @@ def _explained(
     same = [trial.told for trial in trials if trial not in changing]
     if same:
         card.y += GAP
-        card.text(f"No difference: {'; '.join(same)}.", 12, theme.DIM)
+        card.text(say("No difference: {changes}.", changes="; ".join(same)), 12, theme.DIM)
     if not trials and trying is None:
-        card.text("No other effect can be tried here.", 13, theme.DIM)
+        card.text(say("No other effect can be tried here."), 13, theme.DIM)
 
 
 def _change(outcome: Outcome, trial: Trial) -> float:
@@ -135,16 +145,16 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     card.y += GAP
     card.text(trial.told, 14, bold=True)
     if trial.before is None or trial.after is None:
-        card.text("then it never comes to that", 13, indent=card.indent)
+        card.text(say("then it never comes to that"), 13, indent=card.indent)
         return
     value = outcome.simulated + trial.after - trial.before
     change = _apart(outcome, value)
     card.columns(
-        [("would make it", theme.DIM), (wording.quantity(value, outcome.unit), theme.TEXT),
+        [(say("would make it"), theme.DIM), (wording.quantity(value, outcome.unit), theme.TEXT),
          (change, theme.TEXT)], 13,
     )  # fmt: skip
     off = outcome.apart(outcome.predicted)
     explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
     if 0.05 <= explained < 2:  # beyond, the prediction is nearer to the run without it
-        told = f"accounts for {100 * explained:.0f} % of your difference"
+        told = say("accounts for {share:.0f} % of your difference", share=100 * explained)
         card.text(told, 12, theme.NOTICE, indent=card.indent)

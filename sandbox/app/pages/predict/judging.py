@@ -6,6 +6,7 @@ from math import isfinite
 
 import numpy as np
 
+from sandbox.app.language import say, say_in
 from sandbox.model.level import Check
 from sandbox.physics.measuring.grading import ZERO, Result, grade_check, least_scale
 from sandbox.physics.measuring.recording import Trace
@@ -47,7 +48,9 @@ class Outcome:
     @property
     def verdict(self) -> str:
         """How good the prediction was, in a few words."""
-        return "off" if self.limit is None else f"within {100 * self.limit:g} %"
+        if self.limit is None:
+            return say_in("a prediction", "off")
+        return say("within {share:g} %", share=100 * self.limit)
 
 
 def judged(check: Check, trace: Trace, predicted: float) -> Outcome | None:

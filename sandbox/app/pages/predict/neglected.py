@@ -3,11 +3,13 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from sandbox.app import wording
 from sandbox.app.companions import Changes
 from sandbox.app.pages.effects import whatif
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level
+from sandbox.model.variants import Variation
 from sandbox.physics.measuring.grading import grade_check
 from sandbox.physics.run import simulate
 
@@ -24,9 +26,14 @@ class Trying:
 class Trial:
     """A quantity without and with an effect; None where its instant never comes."""
 
-    told: str
+    effects: tuple[Variation, ...]
     before: float | None
     after: float | None
+
+    @property
+    def told(self) -> str:
+        """What was tried, in words."""
+        return wording.variations(self.effects)
 
 
 def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Trial]:
@@ -44,7 +51,7 @@ def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Tria
             scheme = plain.stepping.scheme
             if scheme not in known:
                 known[scheme] = _measured(plain, values, check)
-            yield Trial(changes.told, known[scheme], _measured(more, values, check))
+            yield Trial(changes.effects, known[scheme], _measured(more, values, check))
         except SandboxError:
             continue
 

@@ -5,6 +5,7 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton, UIImage, UISelectionList
 
 from sandbox.app import theme
+from sandbox.app.language import later, say
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.predicting import Predicting
@@ -14,12 +15,17 @@ from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.level import Check
 
 Widget = UIImage | UIButton | Field | UISelectionList
-BUTTON = 130, 28  # px
+HEIGHT = 28  # px, of the button
 FIELD = 26  # px, its height
 UNIT = 84  # px, what is kept for the unit beside it
 ROW = 20  # px, of the list
 MOST = 6
 """So many rows of the list are seen at once."""
+
+
+CAPTIONS = PREDICT, PUT_OFF, ANOTHER = (
+    later("Predict"), later("Put it off"), later("Predict another"),
+)  # fmt: skip
 
 
 class PredictPage:
@@ -32,7 +38,9 @@ class PredictPage:
         self._head = sheet.image(self._drawn_head(), sheet.margin // 2)
         self.list = self._listed([])
         self.button = sheet.button(
-            pygame.Rect((0, 0), sheet.scaled(BUTTON)), "", "put the run to its start"
+            pygame.Rect((0, 0), (sheet.room(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
+            "",
+            say("put the run to its start"),
         )
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
         self.field = Field(place, sheet.manager, container=sheet.container)
@@ -128,7 +136,7 @@ class PredictPage:
     def _name_button(self) -> None:
         """Let the button say what it would do."""
         asked = self._predicting.question is not None
-        text = "Put it off" if self._open else "Predict another" if asked else "Predict"
+        text = say(PUT_OFF if self._open else ANOTHER if asked else PREDICT)
         if self.button.text != text:
             self.button.set_text(text)
 

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING
 
 from sandbox.app.background import Background
 from sandbox.app.grading import Ration
+from sandbox.app.language import later, say
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
 from sandbox.app.pages.predict.questions import questions, read, unit_of
@@ -14,9 +15,9 @@ from sandbox.model.level import Check
 if TYPE_CHECKING:
     from sandbox.model.expressions import Values
 
-FIRST = "Type what you predict first: the run waits for it (Q)."
-PUT_OFF = "The prediction is put off: the run is free again."
-CHANGED = "The level has changed, and with it what is to be predicted."
+FIRST = later("Type what you predict first: the run waits for it (Q).")
+PUT_OFF = later("The prediction is put off: the run is free again.")
+CHANGED = later("The level has changed, and with it what is to be predicted.")
 
 
 class Predicting:
@@ -110,7 +111,7 @@ class Predicting:
             return None
         if session.world is not self._world and self._outdated(session):
             self._forget()
-            return CHANGED
+            return say(CHANGED)
         if self.predicted is None:
             return self._keep(session, watched=watched)
         if session.world is not self._world:
@@ -130,10 +131,10 @@ class Predicting:
         self._world = session.world
         if not watched:
             self._forget()
-            return PUT_OFF
+            return say(PUT_OFF)
         if session.playing:
             session.playing = False
-            return FIRST
+            return say(FIRST)
         return None
 
     def _judge(self, session: Session) -> None:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Mapping
 from math import pi
 
+from sandbox.app.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import (
@@ -50,27 +51,25 @@ def when(at: Instant | None) -> str:
     """Say when a quantity is asked for."""
     match at:
         case ApexEvent(body=body):
-            return f"when {body} stops rising"
+            return say("when {body} stops rising", body=body)
         case LandingEvent(body=body):
-            return f"when {body} lands"
+            return say("when {body} lands", body=body)
         case ContactEvent(bodies=(a, b), nth=nth):
-            return f"just after {a} and {b} meet{_again(nth)}"
+            return say("just after {a} and {b} meet", a=a, b=b) + _again(nth)
         case SeparationEvent(bodies=(a, b), nth=nth):
-            return f"when {a} and {b} part{_again(nth)}"
+            return say("when {a} and {b} part", a=a, b=b) + _again(nth)
         case CrossingEvent(quantity=name, value=value):
-            return f"when {name} first comes to {value.source}"
+            told = later("when {quantity} first comes to {value}")
+            return say(told, quantity=name, value=value.source)
         case Expression():
-            return f"at t = {at.source} s"
+            return say("at t = {t} s", t=at.source)
     return ""
 
 
-ORDINALS = {2: "second", 3: "third"}
-
-
 def _again(nth: int) -> str:
-    return (
-        f", the {nth}th time" if nth > 3 else ("", ", the second time", ", the third time")[nth - 1]
-    )
+    if nth > 3:
+        return say(", the {nth}th time", nth=nth)
+    return ("", say(", the second time"), say(", the third time"))[nth - 1]
 
 
 def unit_of(check: Check, level: Level) -> str:
@@ -96,7 +95,7 @@ def read(typed: str, unit: str, values: Values) -> float:
         If it is anything else.
     """
     if not typed.strip():
-        raise ExpressionError("type a number first")
+        raise ExpressionError(say("type a number first"))
     try:
         return _value(typed, values)
     except ExpressionError as error:
@@ -113,8 +112,10 @@ def read(typed: str, unit: str, values: Values) -> float:
 def _value(typed: str, values: Values) -> float:
     expression = Expression(typed.strip())
     for name in sorted(expression.names - values.keys()):
-        known = f"the parameters are {', '.join(values)}" if values else "there are no parameters"
-        raise ExpressionError(f"'{name}' is not known here; {known}")
+        known = say("there are no parameters")
+        if values:
+            known = say("the parameters are {names}", names=", ".join(values))
+        raise ExpressionError(say("'{name}' is not known here; {known}", name=name, known=known))
     return expression(values)
 
 
@@ -138,6 +139,8 @@ def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionErr
     if found is None or not _is_arithmetic(found[1]):
         return refusal
     if not unit:
-        return ExpressionError(f"'{found[2]}': a number without a unit is asked for")
-    allowed = " or ".join([unit, *FACTORS.get(unit, {})])
-    return ExpressionError(f"'{found[2]}' is not a unit of this quantity: {allowed}")
+        told = say("'{typed}': a number without a unit is asked for", typed=found[2])
+        return ExpressionError(told)
+    allowed = say(" or ").join([unit, *FACTORS.get(unit, {})])
+    told = later("'{typed}' is not a unit of this quantity: {allowed}")
+    return ExpressionError(say(told, typed=found[2], allowed=allowed))

@@ -6,6 +6,7 @@ import pygame
 
 from sandbox.app import lines, signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
+from sandbox.app.language import later, say
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
 from sandbox.app.session import Session
@@ -14,16 +15,16 @@ from sandbox.app.theme import Color
 from sandbox.model.level import Scheme
 
 _REMARKS: Mapping[Scheme, str] = {
-    "symplectic-euler": "stock pymunk",
-    "explicit-euler": "deliberately bad",
+    "symplectic-euler": later("stock pymunk"),
+    "explicit-euler": later("deliberately bad"),
 }
 
 
 def race_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw what the race is."""
     card = Card(pen, width)
-    card.heading("Race of the schemes")
-    text = "The same scene, stepped in up to four ways at once, at the same rate."
+    card.heading(say("Race of the schemes"))
+    text = say("The same scene, stepped in up to four ways at once, at the same rate.")
     card.text(text, 13, theme.DIM)
     return card.drawn()
 
@@ -39,14 +40,15 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
     card = Card(pen, width)
     if not found:
         return card.drawn()
-    card.heading(f"At {rate:g} steps a second")
-    card.columns([("error so far", theme.DIM), ("computing 1 s", theme.DIM), ("", theme.DIM)], 12)
+    card.heading(say("At {rate:g} steps a second", rate=rate))
+    heads = (say("error so far"), say("computing 1 s"), "")
+    card.columns([(head, theme.DIM) for head in heads], 12)
     for place, lane in enumerate(found):
         card.y += GAP + 2
         card.put(_swatch(lane.color, place - 1), 0, 8)
-        card.text(race.title(lane.scheme), 14, bold=True, indent=card.indent)
+        card.text(wording.scheme(lane.scheme), 14, bold=True, indent=card.indent)
         if remark := _REMARKS.get(lane.scheme):
-            card.text(remark, 12, theme.DIM, indent=card.indent)
+            card.text(say(remark), 12, theme.DIM, indent=card.indent)
         if lane.failure:
             card.text(lane.failure, 12, theme.FAILED, indent=card.indent)
         error = "–" if lane.error is None else wording.error(lane.error)

@@ -4,11 +4,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app.language import later, say
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.card import race_intro, standing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
+
+RACE, END = later("Race"), later("End the race")
+HEIGHT = 30  # px, of the button
 
 
 class RacePage:
@@ -18,7 +22,9 @@ class RacePage:
         self._sheet, self._session = sheet, desk.session
         y = below(sheet.image(race_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self._button = sheet.button(
-            pygame.Rect((0, y), sheet.scaled((150, 30))), "", "every scheme at once (S)"
+            pygame.Rect((0, y), (sheet.room(say(RACE), say(END)), sheet.px(HEIGHT))),
+            "",
+            say("every scheme at once (S)"),
         )
         self._table = sheet.image(self._drawn(), y + sheet.px(42))
         self.update()
@@ -40,7 +46,7 @@ class RacePage:
 
     def update(self) -> None:
         """Show how the race stands."""
-        text = "End the race" if race.racing(self._session) else "Race"
+        text = say(END if race.racing(self._session) else RACE)
         if self._button.text != text:
             self._button.set_text(text)
         self._sheet.replace(self._table, self._drawn())

@@ -8,6 +8,7 @@ from typing import NamedTuple
 from sandbox.app import theme, wording
 from sandbox.app.clock import Clock
 from sandbox.app.companions import Variant, worst
+from sandbox.app.language import say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
 from sandbox.app.theme import Color
@@ -19,13 +20,6 @@ from sandbox.physics.scene.schemes import usable
 
 MOST = 4
 """How many schemes race."""
-
-
-_TITLES = {
-    "symplectic-euler": "symplectic Euler",
-    "explicit-euler": "explicit Euler",
-    "fourth-order": "fourth order",
-}
 
 
 class Lane(NamedTuple):
@@ -63,7 +57,7 @@ def rivals(level: Level, values: Values) -> list[Variant]:
     """Return the other schemes that a level can use."""
     forms = islice(_forms(level, values), MOST - 1)
     return [
-        Variant(title(form.stepping.scheme), form, lane)
+        Variant(wording.scheme(form.stepping.scheme), form, lane)
         for form, lane in zip(forms, range(len(theme.LANES)), strict=False)
     ]
 
@@ -76,11 +70,6 @@ def _forms(level: Level, values: Values) -> Iterator[Level]:
         with suppress(SandboxError):  # its steps may be too long
             build(form, values)
             yield form
-
-
-def title(scheme: str) -> str:
-    """Write the name of a scheme."""
-    return _TITLES.get(scheme, scheme)
 
 
 def lanes(session: Session) -> list[Lane]:
@@ -105,7 +94,7 @@ def _cost(clock: Clock, rate: float) -> float | None:
 def start_or_end(session: Session) -> str:
     """Start the race or end it; return what is to be told of that."""
     toggle(session)
-    return "" if racing(session) else "the race has ended"
+    return "" if racing(session) else say("the race has ended")
 
 
 def rows(session: Session) -> list[tuple[Color | None, str]]:
@@ -114,5 +103,7 @@ def rows(session: Session) -> list[tuple[Color | None, str]]:
 
 
 def _told(lane: Lane) -> str:
-    name = title(lane.scheme)
-    return name if lane.error is None else f"{name}: error {wording.error(lane.error)}"
+    name = wording.scheme(lane.scheme)
+    if lane.error is None:
+        return name
+    return say("{scheme}: error {error}", scheme=name, error=wording.error(lane.error))

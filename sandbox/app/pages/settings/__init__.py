@@ -7,7 +7,7 @@ PAGE = Page(
     name="settings",
     caption="Settings",
     key="0",
-    text="theme, size of text, motion and sound",
+    text="theme, size of text, language, motion and sound",
     panel=SettingsPage,
     energy=False,
 )

@@ -8,8 +8,9 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import preferences, sounds, theme
+from sandbox.app import language, preferences, sounds, theme
 from sandbox.app.cards.card import heading, label
+from sandbox.app.language import say, say_in
 from sandbox.app.pages.page import Desk
 from sandbox.app.preferences import Comfort
 from sandbox.app.widgets.gui import press
@@ -17,7 +18,6 @@ from sandbox.app.widgets.sheet import Sheet, below
 
 HEIGHT = 28  # px, of a button
 GAP = 6  # px
-PADDING = 26  # px, beside a caption, left and right together
 
 
 class Choice(NamedTuple):
@@ -41,21 +41,28 @@ class Setting(NamedTuple):
 def settings(comfort: Comfort) -> tuple[Setting, ...]:
     """Return what can be chosen, and what is."""
     return (
-        Setting("Theme", "Ctrl T takes the next one.", list(_themes(comfort))),
-        Setting("Size of text", "Ctrl + and Ctrl − change it, too.", list(_sizes(comfort))),
+        Setting(say("Theme"), say("Ctrl T takes the next one."), list(_themes(comfort))),
         Setting(
-            "Motion",
-            "Reduced: no flashes at impacts, and cards stand still.",
+            say("Size of text"), say("Ctrl + and Ctrl − change it, too."), list(_sizes(comfort))
+        ),
+        Setting(
+            say("Language"),
+            say("What a level says of itself stays in the language of its author."),
+            list(_languages(comfort)),
+        ),
+        Setting(
+            say("Motion"),
+            say("Reduced: no flashes at impacts, and cards stand still."),
             list(_motion(comfort)),
         ),
-        Setting("Sound", _heard(comfort), list(_sound(comfort))),
+        Setting(say("Sound"), _heard(comfort), list(_sound(comfort))),
     )
 
 
 def _themes(comfort: Comfort) -> Sequence[Choice]:
     return [
         Choice(
-            theme.title(name), f"{theme.title(name).lower()} colours",
+            say(theme.title(name)), say("the colours of the window"),
             partial(comfort.choose, theme=name), comfort.chosen.theme == name,
         )
         for name in theme.NAMES
@@ -65,12 +72,25 @@ def _themes(comfort: Comfort) -> Sequence[Choice]:
 def _sizes(comfort: Comfort) -> Sequence[Choice]:
     chosen = comfort.chosen.size
     suiting = Choice(
-        "Automatic", "what suits the screen", partial(comfort.choose, size=None), chosen is None
-    )
+        say("Automatic"), say("what suits the screen"), partial(comfort.choose, size=None),
+        chosen is None,
+    )  # fmt: skip
     return [suiting, *(
-        Choice(f"{size} %", f"{size} % of the usual size", partial(comfort.choose, size=size),
-               chosen == size)
+        Choice(f"{size} %", say("{size} % of the usual size", size=size),
+               partial(comfort.choose, size=size), chosen == size)
         for size in preferences.SIZES
+    )]  # fmt: skip
+
+
+def _languages(comfort: Comfort) -> Sequence[Choice]:
+    chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
+    system = Choice(
+        say("System"), say("that of the system: {language}", language=title),
+        partial(comfort.choose, language=None), chosen is None,
+    )  # fmt: skip
+    return [system, *(
+        Choice(language.TITLES[name], "", partial(comfort.choose, language=name), chosen == name)
+        for name in language.NAMES
     )]  # fmt: skip
 
 
@@ -78,14 +98,14 @@ def _motion(comfort: Comfort) -> Sequence[Choice]:
     now = comfort.chosen.reduced
     return [
         Choice(
-            "Full",
-            "flashes at impacts, cards that play",
+            say("Full"),
+            say("flashes at impacts, cards that play"),
             partial(comfort.choose, reduced=False),
             not now,
         ),
         Choice(
-            "Reduced",
-            "no flashes, and cards stand still",
+            say("Reduced"),
+            say("no flashes, and cards stand still"),
             partial(comfort.choose, reduced=True),
             now,
         ),
@@ -96,16 +116,22 @@ def _heard(comfort: Comfort) -> str:
     """Return what the sound is like, or why there is none though it is wanted."""
     why = sounds.opened() if comfort.chosen.sound else ""
     if why:
-        return f"No sound can be made here ({why}). On tries again."
-    return "Tones at impacts: deep for heavy bodies, loud for hard impacts."
+        return say("No sound can be made here ({reason}). On tries again.", reason=why)
+    return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
 
 
 def _sound(comfort: Comfort) -> Sequence[Choice]:
     now = comfort.chosen.sound
     return [
-        Choice("Off", "nothing is heard", partial(comfort.choose, sound=False), not now),
-        Choice("On", "impacts are heard", partial(comfort.choose, sound=True), now),
-    ]
+        Choice(
+            say_in("sound", "Off"), say("nothing is heard"), partial(comfort.choose, sound=False),
+            not now,
+        ),
+        Choice(
+            say_in("sound", "On"), say("impacts are heard"), partial(comfort.choose, sound=True),
+            now,
+        ),
+    ]  # fmt: skip
 
 
 class SettingsPage:
@@ -126,7 +152,7 @@ class SettingsPage:
         y = below(sheet.image(label(sheet.pen, sheet.width, setting.told), y)) + px(GAP)
         x = 0
         for choice in setting.choices:
-            width = sheet.pen.write(choice.caption, 14).width + px(PADDING)
+            width = sheet.room(choice.caption)
             if x and x + width > sheet.width:
                 x, y = 0, y + px(HEIGHT + GAP)
             place = pygame.Rect(x, y, width, px(HEIGHT))

@@ -2,6 +2,7 @@
 
 from sandbox.app.background import Background
 from sandbox.app.film import Kind, film
+from sandbox.app.language import say
 from sandbox.app.pages.share.saving import path_for
 from sandbox.app.runfile import run_of
 from sandbox.app.session import Session
@@ -39,7 +40,7 @@ class Filming:
         path = path_for(session, f".{kind}")
         self.done, self.news = 0.0, object()
         self._work.start(film, run_of(session), path, kind)
-        return f"filming {session.t:.3g} s of the run ..."
+        return say("filming {time:.3g} s of the run ...", time=session.t)
 
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:  # noqa: ARG002
         """Take in how far the film is; return where it is once it is made."""

@@ -10,6 +10,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app import own_files, theme
 from sandbox.app.cards.card import Card
+from sandbox.app.language import later, say
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.share.filming import Filming
@@ -19,13 +20,14 @@ from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
-ROW = 52  # px
+ROW = 52  # px, at the least
+GAP = 8  # px, between what is told in two rows
 
 KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
-    ("Picture", "the window as a PNG", saving.screenshot),
-    ("Table", "what the checks measure, step by step, as a CSV", saving.table),
-    ("Run", "to be replayed, to the last bit: sandbox replay", saving.run),
-    ("Level", "a copy with the present values of its parameters", saving.level),
+    (later("Picture"), later("the window as a PNG"), saving.screenshot),
+    (later("Table"), later("what the checks measure, step by step, as a CSV"), saving.table),
+    (later("Run"), later("to be replayed, to the last bit: sandbox replay"), saving.run),
+    (later("Level"), later("a copy with the present values of its parameters"), saving.level),
 )
 
 
@@ -38,24 +40,27 @@ class SharePage:
         y = below(sheet.image(_intro(sheet.pen, sheet.width), sheet.margin // 2)) + 8
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:
-            self._row(y, caption, text, partial(self._save, save))
-            y += sheet.px(ROW)
-        self._row(y, "GIF", "the run so far, small, for a page or a message", self._film_gif)
-        self._row(y + sheet.px(ROW), "MP4", "the run so far, 1280 x 720", self._film_mp4)
-        self._state = sheet.image(self._drawn(), y + 2 * sheet.px(ROW))
+            y = self._row(y, say(caption), say(text), partial(self._save, save))
+        small = say("the run so far, small, for a page or a message")
+        y = self._row(y, "GIF", small, self._film_gif)
+        large = say("the run so far, 1280 x 720")
+        y = self._row(y, "MP4", large, self._film_mp4)
+        self._state = sheet.image(self._drawn(), y)
         sheet.end(below(self._state) + 8)
 
-    def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> None:
-        """Put a button, and beside it what it saves."""
+    def _row(self, y: int, caption: str, text: str, act: Callable[[], str]) -> int:
+        """Put a button, and beside it what it saves; return where the next row begins."""
         sheet = self._sheet
         button = sheet.button(
-            pygame.Rect((0, y), self._sheet.scaled(BUTTON)), caption, f"save {text}"
+            pygame.Rect((0, y), self._sheet.scaled(BUTTON)), caption, say("save: {what}", what=text)
         )
         self._actions[button] = act
         card = Card(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
         card.text(text, 13, theme.DIM)
         place = pygame.Rect(self._sheet.margin + self._sheet.px(BUTTON[0]) + 12, y + 4, 0, 0)
-        sheet.image(card.drawn(), y + 4).set_relative_position(place.topleft)
+        told = card.drawn()
+        sheet.image(told, y + 4).set_relative_position(place.topleft)
+        return y + max(sheet.px(ROW), told.height + 4 + sheet.px(GAP))
 
     def button(self, caption: str) -> UIButton:
         """Return the button with a caption."""
@@ -75,7 +80,7 @@ class SharePage:
         self._sheet.replace(self._state, self._drawn())
 
     def _save(self, save: Callable[[Session], Path]) -> str:
-        return f"saved {save(self._session)}"
+        return say("saved {path}", path=save(self._session))
 
     def _film_gif(self) -> str:
         return self._filming.begin(self._session, "gif")
@@ -86,12 +91,13 @@ class SharePage:
     def _drawn(self) -> pygame.Surface:
         card = Card(self._sheet.pen, self._sheet.width)
         if self._filming.running:
-            card.text(f"Filming: {self._filming.done:.0%}", 14, theme.NOTICE)
+            told = say("Filming: {share:.0%}", share=self._filming.done)
+            card.text(told, 14, theme.NOTICE)
         return card.drawn()
 
 
 def _intro(pen: Pen, width: int) -> pygame.Surface:
     card = Card(pen, width)
-    card.heading("Take away")
-    card.text(f"Files go to {own_files.folder()}", 13, theme.DIM)
+    card.heading(say("Take away"))
+    card.text(say("Files go to {folder}", folder=own_files.folder()), 13, theme.DIM)
     return card.drawn()

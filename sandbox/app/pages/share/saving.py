@@ -9,6 +9,7 @@ from pathlib import Path
 import pygame
 
 from sandbox.app import own_files, runfile
+from sandbox.app.language import say
 from sandbox.app.session import Session
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
@@ -43,7 +44,7 @@ def screenshot(session: Session) -> Path:
     path, png = path_for(session, ".png"), BytesIO()
     shown = pygame.display.get_surface()
     if shown is None:
-        raise SandboxError("there is no window of which a picture could be taken")
+        raise SandboxError(say("there is no window of which a picture could be taken"))
     pygame.image.save(shown, png, "x.png")
     write_atomically(path, png.getvalue())
     return path

@@ -6,6 +6,7 @@ import pygame
 
 from sandbox.app import theme, wording
 from sandbox.app.cards.card import SMALLEST, Card
+from sandbox.app.language import say
 from sandbox.app.pages.graph.card import measured
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
@@ -41,7 +42,7 @@ def values(
         How far they can be trusted, as far as that is known.
     """
     card, shown = Card(pen, width), names[:COLUMNS]
-    card.heading("Values by time")
+    card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])
     head = ["t [s]", *(wording.with_unit_in_brackets(n, units[n]) for n in shown)]
     _row(card, head, theme.ACCENT)
@@ -49,8 +50,8 @@ def values(
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
     if left := len(names) - len(shown):
-        card.text(f"and {left} more, which the file has", 12, theme.DIM)
-    card.text("The page Graph chooses what is shown (D).", 12, theme.DIM)
+        card.text(say("and {count} more, which the file has", count=left), 12, theme.DIM)
+    card.text(say("The page Graph chooses what is shown (D)."), 12, theme.DIM)
     return card.drawn()
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from sandbox.app.language import say
 from sandbox.app.live_run import LiveRun
 from sandbox.app.session import Session
 from sandbox.app.wording import number
@@ -27,14 +28,30 @@ class Occasion(NamedTuple):
 
     Attributes
     ----------
-    told
-        What it is called where it is chosen.
     at
         When that is; None for a hand.
+    value
+        The height that is fallen to, or the value that is crossed, as it is written; else empty.
     """
 
-    told: str
     at: Moment | None
+    value: str = ""
+
+    @property
+    def told(self) -> str:
+        """What it is called where it is chosen."""
+        match self.at:
+            case None:
+                return say("by hand (key 3)")
+            case ApexEvent(body=body):
+                return say("apex of {body}", body=body)
+            case LandingEvent(body=body):
+                return say("{body} falls to y = {height} m", body=body, height=self.value)
+            case ContactEvent(bodies=(first, second)):
+                return say("{one} meets {other}", one=first, other=second)
+            case CrossingEvent(quantity=quantity):
+                return say("{quantity} crosses {value}", quantity=quantity, value=self.value)
+        return say("start of the run")
 
 
 class Found(NamedTuple):
@@ -44,8 +61,8 @@ class Found(NamedTuple):
     between: bool
 
 
-BY_HAND = Occasion("by hand (key 3)", None)
-AT_ONCE = Occasion("start of the run", Expression(0))
+BY_HAND = Occasion(None)
+AT_ONCE = Occasion(Expression(0))
 
 
 def occasions(session: Session) -> list[Occasion]:
@@ -73,16 +90,10 @@ def _instants(level: Level) -> Iterator[Moment]:
 
 def _occasion(at: Moment, values: Values) -> Occasion:
     match at:
-        case ApexEvent(body=body):
-            return Occasion(f"apex of {body}", at)
-        case LandingEvent(body=body, height=height):
-            return Occasion(f"{body} falls to y = {number(height(values), 4)} m", at)
-        case ContactEvent(bodies=(first, second)):
-            return Occasion(f"{first} meets {second}", at)
-        case CrossingEvent(quantity=quantity, value=value):
-            return Occasion(f"{quantity} crosses {number(value(values), 4)}", at)
+        case LandingEvent(height=value) | CrossingEvent(value=value):
+            return Occasion(at, number(value(values), 4))
         case _:
-            raise ValueError(f"{at} is nothing to wait for")
+            return Occasion(at)
 
 
 def find(at: Moment, run: LiveRun) -> Found | None:

@@ -3,6 +3,7 @@
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
+from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.pages.page import Desk
@@ -13,9 +14,9 @@ from sandbox.app.pages.table.timing import Timing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.errors import SandboxError
 
-BUTTON = 150, 28  # px
+HEIGHT = 28  # px, of the button
 GAP = 12  # px, above the stopwatch
-TIP = "save these quantities at every instant that is kept, with all digits"
+TIP = later("save these quantities at every instant that is kept, with all digits")
 
 
 class TablePage:
@@ -32,10 +33,10 @@ class TablePage:
     def __init__(self, sheet: Sheet, desk: Desk) -> None:
         self._sheet, self._session = sheet, desk.session
         self._choice, self._studying = desk.worker(Choice), desk.worker(Studying)
-        self.save = sheet.button(
-            pygame.Rect((0, sheet.margin // 2), sheet.scaled(BUTTON)), "Save as CSV", TIP
-        )
-        self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(BUTTON[1]) + 6)
+        caption = say("Save as CSV")
+        place = pygame.Rect(0, sheet.margin // 2, sheet.room(caption), sheet.px(HEIGHT))
+        self.save = sheet.button(place, caption, say(TIP))
+        self._table = sheet.image(self._drawn(), sheet.margin // 2 + sheet.px(HEIGHT) + 6)
         self.timing = Timing(sheet, desk.session, desk.worker(Stopwatch))
         self.update()
 
@@ -44,9 +45,10 @@ class TablePage:
         if event.type != UI_BUTTON_PRESSED or event.ui_element is not self.save:
             return self.timing.process(event)
         try:
-            return f"saved {saving.graphed(self._session, self._choice.up(self._session))}"
+            path = saving.graphed(self._session, self._choice.up(self._session))
         except SandboxError as error:
             return str(error)
+        return say("saved {path}", path=path)
 
     def update(self) -> None:
         """Draw the table and the stopwatch anew."""

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import pygame
 
 from sandbox.app import theme
+from sandbox.app.language import say
 from sandbox.app.live_run import LiveRun
 from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
 from sandbox.app.session import Session
@@ -85,7 +86,7 @@ class Stopwatch:
         self._take_up(session)
         self.shown, self.news = True, object()
         if BY_HAND not in (self.starts, self.stops):
-            return "The run starts and stops the stopwatch; the page Table lets a hand do it"
+            return say("The run starts and stops the stopwatch; the page Table lets a hand do it")
         again = self._began is None or self._ended is not None or self.stops is not BY_HAND
         if self.starts is BY_HAND and again:
             self._began, self._ended = session.t, None

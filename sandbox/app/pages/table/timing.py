@@ -6,13 +6,14 @@ from pygame_gui.elements import UISelectionList
 
 from sandbox.app import theme
 from sandbox.app.cards.card import Card, heading, label
+from sandbox.app.language import say
 from sandbox.app.pages.table.occasions import Occasion, occasions
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
 
 LIST = 92  # px, how high each of the two lists is
-BUTTON = 128, 28  # px
+HEIGHT = 28  # px, of a button
 GAP = 6  # px
 
 
@@ -29,14 +30,18 @@ class Timing:
 
     def __init__(self, sheet: Sheet, session: Session, stopwatch: Stopwatch) -> None:
         self._sheet, self._session, self._watch = sheet, session, stopwatch
-        self._title = sheet.image(heading(sheet.pen, sheet.width, "Stopwatch"), 0)
+        self._title = sheet.image(heading(sheet.pen, sheet.width, say("Stopwatch")), 0)
         self._shown = sheet.image(self._drawn(), 0)
-        size = sheet.scaled(BUTTON)
-        place = pygame.Rect((0, 0), size)
-        self.press = sheet.button(place, "Start or stop", "start it now, or stop it (3)")
-        self.reset = sheet.button(place.move(size[0] + GAP, 0), "Reset", "set it back to 0")
+        captions = say("Start or stop"), say("Reset")
+        first, second = (
+            pygame.Rect(0, 0, sheet.room(caption), sheet.px(HEIGHT)) for caption in captions
+        )
+        second.left = first.right + GAP
+        self.press = sheet.button(first, captions[0], say("start it now, or stop it (3)"))
+        self.reset = sheet.button(second, captions[1], say("set it back to 0"))
         self._labels = [
-            sheet.image(label(sheet.pen, sheet.width, text), 0) for text in ("Started", "Stopped")
+            sheet.image(label(sheet.pen, sheet.width, text), 0)
+            for text in (say("Started"), say("Stopped"))
         ]
         self._known = {occasion.told: occasion for occasion in occasions(session)}
         self.starts, self.stops = self._list(stopwatch.starts), self._list(stopwatch.stops)
@@ -60,8 +65,8 @@ class Timing:
         self._shown.set_relative_position((x, below(self._title)))
         y = below(self._shown) + GAP
         self.press.set_relative_position((x, y))
-        self.reset.set_relative_position((x + sheet.px(BUTTON[0]) + GAP, y))
-        y += sheet.px(BUTTON[1]) + GAP
+        self.reset.set_relative_position((self.reset.relative_rect.x, y))
+        y += sheet.px(HEIGHT) + GAP
         for told, chooser in zip(self._labels, (self.starts, self.stops), strict=True):
             told.set_relative_position((x, y))
             chooser.set_relative_position((x, below(told)))

@@ -1,0 +1,109 @@
+"""What can be done with several bodies at once: aligned, spread, mirrored, laid flat."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Literal
+
+from sandbox.app.building.act import Act
+from sandbox.app.building.work import Work
+from sandbox.app.language import later, say
+from sandbox.editing.edits import transforms
+from sandbox.editing.edits.mirroring import mirror
+from sandbox.editing.edits.transforms import Side
+from sandbox.editing.snapping import flat_turn, snap_body
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+
+NEAR = 80.0
+"""px, how near something must be for a body to be laid flat on it."""
+
+SIDES: Mapping[str, Side] = {
+    later("Left"): "left",
+    later("Right"): "right",
+    later("Top"): "top",
+    later("Bottom"): "bottom",
+    later("Above"): "center-x",
+    later("In line"): "center-y",
+}
+"""What bodies are aligned at, by what stands on the buttons."""
+
+
+def arrangements(work: Work) -> list[Act]:
+    """Return what can be done with several bodies at once."""
+    names = work.chosen
+    if not names:
+        return []
+    several = [
+        *(
+            _arranging(
+                work, say(caption), say("align these bodies so"), partial(_align, names, side)
+            )
+            for caption, side in SIDES.items()
+        ),
+        _arranging(
+            work,
+            say("Spread across"),
+            say("the same gaps, from left to right"),
+            partial(_spread, names, "x"),
+        ),
+        _arranging(
+            work, say("Spread upwards"), say("the same gaps, upwards"), partial(_spread, names, "y")
+        ),
+    ]
+    flat = [] if len(names) > 1 else [_flat(work, names[0])]
+    return [
+        *_grouping(work, names),
+        *(several if len(names) > 1 else flat),
+        _arranging(
+            work, say("Mirror across"), say("left becomes right"), partial(_mirror, names, "x")
+        ),
+        _arranging(
+            work, say("Mirror upright"), say("top becomes bottom"), partial(_mirror, names, "y")
+        ),
+    ]
+
+
+def _grouping(work: Work, names: Sequence[str]) -> list[Act]:
+    """Return what makes bodies a group, and what takes apart the groups that they are in."""
+    found = [work.with_group(("bodies", name)) for name in names]
+    grouped = any(len(group) > 1 for group in found)
+    one = grouped and {part[1] for part in found[0]} == set(names)
+    ungroup = Act(say("Ungroup"), say("select each by itself (Ctrl Shift G)"), work.ungroup)
+    if one or len(names) < 2:
+        return [ungroup] if grouped else []
+    group = Act(say("Group"), say("select them together (Ctrl G)"), work.group)
+    return [group, *([ungroup] if grouped else [])]
+
+
+def _flat(work: Work, name: str) -> Act:
+    tip = say("turn and move it so that a side of it lies on what is nearest")
+    return _arranging(
+        work, say("Lay flat"), tip, partial(_lay_flat, name, NEAR / work.camera.scale)
+    )
+
+
+def _lay_flat(name: str, reach: float, text: str, level: Level) -> str:
+    turned = transforms.turn(text, level, [name], flat_turn(level, name, reach))
+    lying = parse(turned)
+    found = snap_body(lying, [name], (0.0, 0.0), reach)
+    if found.kind != "contact":
+        told = say("nothing that '{name}' could lie on is near; move it closer", name=name)
+        raise SandboxError(told)
+    return transforms.move(turned, lying, [name], found.point)
+
+
+def _arranging(work: Work, caption: str, tip: str, edit: Callable[[str, Level], str]) -> Act:
+    return Act(caption, tip, lambda: work.change(caption, edit))
+
+
+def _align(names: Sequence[str], side: Side, text: str, level: Level) -> str:
+    return transforms.align(text, level, names, side)
+
+
+def _spread(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
+    return transforms.distribute(text, level, names, axis)
+
+
+def _mirror(names: Sequence[str], axis: Literal["x", "y"], text: str, level: Level) -> str:
+    return mirror(text, level, names, axis)

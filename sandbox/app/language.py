@@ -1,0 +1,84 @@
+"""The language of the window. What it says stands in the code in English, and is looked up here.
+
+A translation is a catalogue in `languages`, as gettext has them: `de.po` for people to edit, and
+`de.mo`, which is made of it. See `docs/how-to/translate-the-window.md`.
+"""
+
+import os
+from collections.abc import Mapping
+from functools import cache
+from gettext import GNUTranslations, NullTranslations
+from importlib.resources import files
+from typing import Literal, get_args
+
+Name = Literal["en", "de"]
+"""Of a language, as its catalogue is called."""
+NAMES: tuple[Name, ...] = get_args(Name)
+"""In the order in which they are offered."""
+TITLES: Mapping[Name, str] = {"en": "English", "de": "Deutsch"}
+"""What each is called by those who speak it."""
+ENGLISH: Name = "en"
+"""The language of the code, which needs no catalogue; it is in use before another is chosen."""
+
+FOLDER = files("sandbox.app") / "languages"
+
+_VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
+"""Where a system says its language; of several the first that says anything counts."""
+
+_used = ENGLISH
+
+
+def use(name: Name) -> None:
+    """Speak another language from now on; what was said stays as it is."""
+    global _used
+    _used = name
+
+
+def used() -> Name:
+    """Return the name of the language that is in use."""
+    return _used
+
+
+def of_system(environment: Mapping[str, str] = os.environ) -> Name:
+    """Return the language that the system asks for, as far as it is known here; else English."""
+    said = next(filter(None, (environment.get(name) for name in _VARIABLES)), "")
+    asked = (part.replace("-", "_").partition("_")[0].lower() for part in said.split(":"))
+    return next((name for part in asked for name in NAMES if name == part), ENGLISH)
+
+
+def say(message: str, **values: object) -> str:
+    """Return a message in the language that is in use.
+
+    Parameters
+    ----------
+    message
+        In English, with a `{name}` in braces for each value.
+    values
+        What stands in the place of the names.
+    """
+    said = catalogue(_used).gettext(message) if message else ""
+    return said.format(**values) if values else said
+
+
+def say_in(context: str, message: str) -> str:
+    """Return a message that means something else elsewhere; translators read the context."""
+    return catalogue(_used).pgettext(context, message)
+
+
+def plural(one: str, more: str, count: int, **values: object) -> str:
+    """Return a message of which the form depends on a count, which it has as `{count}`."""
+    return catalogue(_used).ngettext(one, more, count).format(count=count, **values)
+
+
+def later(message: str) -> str:
+    """Mark a message that is said later, by `say`: a constant, or an entry of a table."""
+    return message
+
+
+@cache
+def catalogue(name: Name) -> NullTranslations:
+    """Return the catalogue of a language; that of English hands back what it is asked."""
+    if name == ENGLISH:
+        return NullTranslations()
+    with (FOLDER / f"{name}.mo").open("rb") as file:
+        return GNUTranslations(file)

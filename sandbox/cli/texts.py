@@ -1,0 +1,93 @@
+"""The catalogues of the window's languages, brought up to date with what the code says.
+
+`python -m sandbox.cli.texts` does so. It needs Babel, which the extra `test` brings.
+"""
+
+import sys
+from collections.abc import Iterator
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sandbox.app import language
+from sandbox.app.declared import shown_keys, words
+from sandbox.extras import needed_for
+from sandbox.model import catalog
+from sandbox.model.files import write_atomically
+from sandbox.model.generating import generate
+
+if TYPE_CHECKING:
+    from babel.messages.catalog import Catalog
+
+FOLDER = Path("sandbox") / "app"
+"""In the project's sources: the window, which says all of it."""
+
+KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2)}
+"""The functions of `sandbox.app.language`, and which of their arguments are messages."""
+
+
+def main() -> int:
+    """Write the catalogues, say where, and return the exit status."""
+    return generate(_write)
+
+
+def _write() -> Iterator[Path]:
+    with needed_for("To write the catalogues", "test"):
+        from babel.messages.mofile import write_mo
+        from babel.messages.pofile import write_po
+
+    folder, template = catalog.sources() / FOLDER / "languages", messages()
+    for name in language.NAMES:
+        if name == language.ENGLISH:
+            continue
+        path = folder / f"{name}.po"
+        translated = merged(path, name, template)
+        edited, compiled = BytesIO(), BytesIO()
+        write_po(edited, translated, width=100, include_lineno=False, ignore_obsolete=True)
+        write_mo(compiled, translated)
+        for place, content in ((path, edited), (path.with_suffix(".mo"), compiled)):
+            write_atomically(place, content.getvalue())
+            yield place
+
+
+def messages() -> "Catalog":
+    """Return all that the window says, in English, with the modules that say it."""
+    from babel.messages.catalog import Catalog
+    from babel.messages.extract import extract
+
+    found, root = Catalog(), catalog.sources()
+    for path in sorted((root / FOLDER).rglob("*.py")):
+        place = path.relative_to(root).as_posix()
+        with path.open("rb") as file:
+            for line, message, _, context in extract("python", file, KEYWORDS):
+                found.add(message, locations=[(place, line)], context=context)
+    declared = [((FOLDER / "declared.py").as_posix(), 1)]
+    for word in words():
+        if word not in found:
+            found.add(word, locations=declared)
+    for key in shown_keys():
+        found.add(key, locations=declared, context="key")
+    return found
+
+
+def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
+    """Return a catalogue with all messages of a template, as far as they are translated there.
+
+    One that resembles a message which is gone has that one's translation, marked as `fuzzy`.
+    """
+    from babel.messages.catalog import Catalog
+    from babel.messages.pofile import read_po
+
+    head = f"# What the window of the sandbox says, in the language {name}."
+    translated = Catalog(locale=name, header_comment=head, project="mechanics-sandbox", fuzzy=False)
+    if path.exists():
+        with path.open("rb") as file:
+            translated = read_po(file, locale=name)
+    translated.update(template, update_creation_date=False)
+    for message in translated:
+        message.flags.discard("python-format")  # a per cent sign is one, and no place for a value
+    return translated
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,265 @@
+"""The window in other languages: chosen, kept, complete, and changed while a run goes on."""
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pygame
+import pytest
+
+from sandbox.app import language, own_files, preferences
+from sandbox.app.pages.effects.panel import EffectsPage
+from sandbox.app.pages.page import Page
+from sandbox.app.pages.predict.panel import PredictPage
+from sandbox.app.pages.race.panel import RacePage
+from sandbox.app.pages.register import PAGES
+from sandbox.app.pages.settings.panel import SettingsPage
+from sandbox.app.panels import levels
+from sandbox.app.panels.side import SidePanel
+from tests.app.building.builder import Builder
+from tests.app.person import Person, until
+from tests.app.scenes import falling
+from tests.app.speech import Speech
+
+OWN_NAMES = {"nglish", "eutsch"}
+"""What languages call themselves, but for the first letter."""
+
+
+@pytest.fixture
+def speech(monkeypatch: pytest.MonkeyPatch) -> Speech:
+    """Everything that is written, in a window that speaks in capitals and names nothing."""
+    monkeypatch.setattr(levels, "entries", list)
+    monkeypatch.setattr(own_files, "folder", lambda: Path("/"))
+    return Speech(monkeypatch)
+
+
+def wordless(**changes: object) -> str:
+    """Return the falling ball, none of whose own words has a small letter."""
+    ball: dict[str, Any] = {"shape": {"type": "disc", "radius": 0.5}, "mass": 1, "position": [0, 5]}
+    check = {"quantity": "B.speed", "formula": "10*t", "tolerance": 1e-9}
+    told: dict[str, object] = {
+        "title": "A", "summary": "A.",
+        "parameters": {"G": {"value": 10, "min": 1, "max": 20, "unit": "m/s²", "label": "G"}},
+        "effects": {"gravity": {"acceleration": [0, "-G"]}},
+        "bodies": {"B": ball, "C": {**ball, "position": [3, 5]}},
+        "checks": [check, {**check, "label": "HALF", "at": 0.5}],
+        "ghosts": {},
+    }  # fmt: skip
+    return falling(**{**told, **changes})
+
+
+def side_of(person: Person) -> SidePanel:
+    assert person.window.panels.side is not None
+    return person.window.panels.side
+
+
+def turn_to(person: Person, page: str) -> None:
+    found = next(each for each in PAGES if each.name == page)
+    person.press(pygame.key.key_code(found.key), found.key)
+
+
+def choose(person: Person, title: str) -> None:
+    """Choose a language on the page of the settings, with the mouse."""
+    turn_to(person, "settings")
+    page = side_of(person).page
+    assert isinstance(page, SettingsPage)
+    person.click(page.button(title).rect)
+    person.wait(0.1)
+
+
+def heard(speech: Speech, person: Person) -> None:
+    """Check that all that was written so far was said in the language, and is in the catalogue."""
+    speech.look(person)
+
+    assert list(speech.small(OWN_NAMES)) == []
+    assert speech.capitals.strays == set()
+
+
+@pytest.mark.parametrize(
+    ("environment", "name"),
+    [
+        ({}, "en"),
+        ({"LANG": "C.UTF-8"}, "en"),
+        ({"LANG": "de_AT.UTF-8"}, "de"),
+        ({"LANG": "de_DE", "LC_ALL": "C"}, "en"),
+        ({"LANG": "en_US", "LC_MESSAGES": "de"}, "de"),
+        ({"LANG": "de_DE", "LANGUAGE": "fr:en:de"}, "en"),
+        ({"LANG": "de_DE", "LANGUAGE": ""}, "de"),
+        ({"LANG": "fr_FR"}, "en"),
+    ],
+)
+def test_the_system_says_its_language_as_gettext_has_it(
+    environment: Mapping[str, str], name: str
+) -> None:
+    assert language.of_system(environment) == name
+
+
+def test_a_language_is_chosen_on_the_page_of_the_settings_and_all_changes_at_once(
+    person: Person,
+) -> None:
+    person.window.open_level("newton/atwood")
+    choose(person, "Deutsch")
+    assert person.window.panels.controls.button("help").text == "Hilfe"
+    assert side_of(person).tab("forces page").text == "Kräfte"
+    assert person.window.panels.list is not None
+    assert person.window.panels.list.way("home").text == "Übersicht"
+    choose(person, "English")
+
+    assert person.window.panels.controls.button("help").text == "Help"
+
+
+def test_a_run_goes_on_while_the_language_changes(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, falling(duration=20.0))
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.2)
+    session, world, steps = person.session, person.session.world, person.session.world.steps
+    choose(person, "Deutsch")
+
+    assert person.session is session
+    assert session.world is world
+    assert session.playing
+    assert world.steps > steps
+    assert person.window.panels.controls.button("play").text == "Pause"
+
+
+def test_what_is_told_of_a_run_that_is_over_changes_too(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, falling())
+    turn_to(person, "effects")
+    page = side_of(person).page
+    assert isinstance(page, EffectsPage)
+    person.click(page.switch("gravity").rect)
+    assert person.session.changes.told == "without gravity"
+    choose(person, "Deutsch")
+
+    assert person.session.changes.told == "ohne Schwerkraft"
+
+
+def test_a_language_is_kept_for_the_next_window(person: Person) -> None:
+    person.window.open_level("newton/atwood")
+    choose(person, "Deutsch")
+
+    assert preferences.Comfort().language == "de"
+
+
+def test_until_one_is_chosen_it_is_that_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("LANGUAGE", "de_CH:en")
+
+    assert preferences.Comfort().language == "de"
+
+
+def test_a_message_without_words_is_none() -> None:
+    """gettext keeps the head of a catalogue under the empty message."""
+    language.use("de")
+    try:
+        assert language.say("") == ""
+    finally:
+        language.use(language.ENGLISH)
+
+
+def test_what_is_not_said_through_the_catalogue_is_found(speech: Speech) -> None:
+    speech.heard |= {"Forces", "FORCES", "B.position.x", "2 kg", "Forces ON B"}
+
+    assert list(speech.small(set())) == ["Forces", "Forces ON B"]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=[page.name for page in PAGES])
+def test_all_that_a_page_writes_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path, page: Page
+) -> None:
+    person.open(tmp_path, wordless())
+    person.press(pygame.key.key_code(page.key), page.key)
+    person.wait(0.1)
+    heard(speech, person)
+    person.press(pygame.K_SPACE, " ")
+    until(person, lambda: not person.session.playing)
+    person.press(pygame.K_h, "h")
+    heard(speech, person)
+
+
+def test_what_is_written_of_changed_effects_and_of_a_race_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, wordless())
+    turn_to(person, "effects")
+    effects = side_of(person).page
+    assert isinstance(effects, EffectsPage)
+    person.click(effects.switch("drag").rect)
+    person.press(pygame.K_SPACE, " ")
+    until(person, lambda: not person.session.playing)
+    heard(speech, person)
+    person.click(effects.reset.rect)
+    turn_to(person, "race")
+    race = side_of(person).page
+    assert isinstance(race, RacePage)
+    person.click(race.button.rect)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.3)
+    heard(speech, person)
+
+
+def test_what_is_written_of_a_prediction_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, wordless())
+    turn_to(person, "predict")
+    page = side_of(person).page
+    assert isinstance(page, PredictPage)
+    person.click(page.button.rect)
+    person.type("Q")
+    person.press(pygame.K_RETURN)
+    heard(speech, person)
+    person.type("6")
+    person.press(pygame.K_RETURN)
+    until(person, lambda: not person.session.playing and not person.window.workers.running)
+    heard(speech, person)
+
+
+def test_what_is_written_of_a_challenge_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path
+) -> None:
+    goal = {"quantity": "B.speed", "at": 0.5, "above": 1, "label": "FAST"}
+    asked = {"task": "A", "free": ["G"], "goals": [goal], "hints": ["A", "B"], "solution": {"G": 9}}
+    person.open(tmp_path, wordless(challenge=asked))
+    turn_to(person, "challenge")
+    person.press(pygame.K_SPACE, " ")
+    until(person, lambda: not person.session.playing)
+    heard(speech, person)
+
+
+def test_what_is_written_while_somebody_builds_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, wordless())
+    builder = Builder(person)
+    builder.at(0, 5)
+    heard(speech, person)
+    for digit in "12345678":
+        person.press(pygame.key.key_code(digit), digit)
+        builder.at(-4, 3)
+        heard(speech, person)
+    person.press(pygame.K_ESCAPE)
+    person.press(pygame.K_s, "s", pygame.KMOD_LCTRL | pygame.KMOD_LSHIFT)
+    heard(speech, person)
+
+
+@pytest.mark.parametrize("command", ["home", "energy", "open file"])
+def test_what_else_the_window_writes_is_said_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path, command: str
+) -> None:
+    person.open(tmp_path, wordless())
+    for _ in range(3):
+        person.window.do(command)
+        person.wait(0.1)
+        heard(speech, person)
+
+
+def test_a_level_that_cannot_be_opened_is_told_in_the_language(
+    speech: Speech, person: Person, tmp_path: Path
+) -> None:
+    """What is wrong with it is told in English, as on the command line."""
+    person.open(tmp_path, json.dumps({"format": 1}))
+    speech.look(person)
+
+    assert "THIS LEVEL CANNOT BE OPENED" in speech.heard
+    assert speech.capitals.strays == set()
