@@ -53,8 +53,8 @@ def test_eulers_scheme_does_not_close() -> None:
 
 def test_what_overlaps_gave_is_told() -> None:
     scene = level(
-        {"ball": disc((0, 1), radius=0.1), "floor": floor()},
-        {**GRAVITY, "contact": {"solver": "direct"}},
+        {"ball": disc((0, 1), radius=0.1, restitution=0.1), "floor": floor(restitution=1)},
+        {**GRAVITY, "contact": {"solver": "direct"}, "restitution": {}},
     )
     found = closing(scene)
 

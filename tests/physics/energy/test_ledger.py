@@ -461,7 +461,7 @@ def test_impacts_on_joints_are_booked_where_they_are(
 
 
 def test_taking_back_overlaps_has_an_account_of_its_own() -> None:
-    world = build(leaning(None, 0.2))
+    world = build(leaning(0.01, 0.2))
     ledger = Ledger(world)
     for _ in range(240):
         world.advance()
