@@ -2,13 +2,17 @@
 
 import json
 from collections.abc import Mapping
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pygame
 import pytest
 
 from sandbox.app import language, own_files, preferences
+from sandbox.app.cards.card import Card
+from sandbox.app.cards.energy import ledger
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage
@@ -17,6 +21,9 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.panels import levels
 from sandbox.app.panels.side import SidePanel
+from sandbox.app.text import Pen
+from sandbox.model.effects import EFFECTS
+from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until
 from tests.app.scenes import falling
@@ -263,3 +270,30 @@ def test_a_level_that_cannot_be_opened_is_told_in_the_language(
 
     assert "THIS LEVEL CANNOT BE OPENED" in speech.heard
     assert speech.capitals.strays == set()
+
+
+@pytest.mark.parametrize("scale", [1.0, 2.0])
+@pytest.mark.parametrize("name", language.NAMES)
+def test_no_name_of_an_account_lies_on_its_bar(
+    monkeypatch: pytest.MonkeyPatch, name: language.Name, scale: float
+) -> None:
+    """In German, losses by drag have a name of 150 px: more than the bars leave in English."""
+    accounts = dict.fromkeys(EFFECTS, 1.0)
+    books = Balance(1.0, accounts, accounts, accounts, 0.0, {}, np.zeros(3), 0.0)
+    parts: list[pygame.Rect] = []
+    put = Card.put
+
+    def noted(card: Card, part: pygame.Surface, x: int, y: int = 0) -> None:
+        parts.append(part.get_rect(topleft=(x, card.y + y)))
+        put(card, part, x, y)
+
+    monkeypatch.setattr(Card, "put", noted)
+    pygame.font.init()
+    language.use(name)
+    try:
+        ledger(Pen(scale), round(270 * scale), books)
+    finally:
+        language.use(language.ENGLISH)
+
+    shared = [one.clip(other) for one, other in combinations(parts, 2)]
+    assert [part for part in shared if part.width and part.height > 2] == []
