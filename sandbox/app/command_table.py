@@ -225,6 +225,8 @@ class CommandTable:
             space.panels.let_go()
         elif space.panels.home.open and not space.empty:
             space.go_home()
+        elif space.session is not None and space.session.stay():
+            self._tell("Stopped on the way; a click on the time's bar goes on")
         elif space.hand.tape is not None:
             space.hand.tape = None
         elif stopwatch.shown:

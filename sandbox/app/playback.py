@@ -150,6 +150,13 @@ class Playback(RunView, ABC):
             else:
                 self._advance()
 
+    def stay(self) -> bool:
+        """Stay where a way back or ahead has come to, and return whether there was one."""
+        under_way, self.sought = self.sought is not None, None
+        if under_way:
+            self.playing = False
+        return under_way
+
     def step_back(self) -> None:
         """Pause, and go a single step back."""
         self.playing = False

@@ -11,8 +11,6 @@ from sandbox.app import theme
 from sandbox.app.theme import Color
 
 NO_LETTER = "\U0010ffff"
-INK: Color = (255, 255, 255)
-"""What letters are compared in."""
 
 
 def legible(text: str) -> str:
@@ -159,7 +157,7 @@ def _lacks(letter: str) -> bool:
 
 def _shape(letter: str) -> tuple[tuple[int, int], bytes]:
     """Return what Noto Sans draws for a letter: size and pixels."""
-    shown = _drawn(_font(16, False), letter, INK)
+    shown = _drawn(_font(16, False), letter, theme.TEXT)
     return shown.size, shown.get_buffer().raw
 
 

@@ -15,6 +15,7 @@ from sandbox.app.load import Load
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
+from sandbox.app.panels import messages
 from sandbox.app.panels.panels import Panels
 from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
@@ -29,6 +30,11 @@ from sandbox.physics.state.errors import SimulationError
 
 TITLE = "Mechanics sandbox"
 SIZE = (1280, 800)  # px
+
+LONG = 60_000
+"""Bytes of a file: to read a longer one takes so long that it is said before."""
+MANY = 100
+"""Bodies and joints of a level: to build one of more takes so long that it is said before."""
 
 
 class Workspace:
@@ -160,7 +166,12 @@ class Workspace:
         another = path != self.path
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         try:
+            if path.is_file() and path.stat().st_size > LONG:
+                self._say_first(f"Reading {path.name} …")
             level = self._read(path)
+            parts = len(level.bodies) + len(level.joints)
+            if parts > MANY:
+                self._say_first(f"Building {legible(level.title)}: {parts:,} bodies and joints …")
             session = Session(level, choose(level, self._settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, error)
@@ -178,6 +189,12 @@ class Workspace:
             self.panels.show(opening(level, self.panels.page))
         self._entitle(level)
         self.lay_out()
+
+    def _say_first(self, text: str) -> None:
+        """Show a sentence at once, over what is shown: what comes now holds up the next frame."""
+        area = self.panels.layout.stage
+        messages.draw_banner(self.surface, self.pen, area, text, theme.NOTICE)
+        pygame.display.flip()
 
     def reload(self, rate: float | None = None) -> None:
         """Read the level's file again, and play it as it was opened, or at another rate [Hz]."""

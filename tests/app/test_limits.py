@@ -1,12 +1,17 @@
 """A run that takes more time or memory than it should pauses, says so, and goes on if asked to."""
 
+from pathlib import Path
+
+import pygame
 import pytest
 
 from sandbox.app import limits
 from sandbox.app.session import Session
 from sandbox.app.window import Window
+from sandbox.app.workspace import MANY
 from sandbox.physics.measuring import recording
 from tests.app import scenes
+from tests.app.person import Person
 
 FRAME = 1 / 60  # s
 
@@ -94,3 +99,53 @@ def test_a_recording_ends_where_memory_should_hold_no_more(monkeypatch: pytest.M
 
     assert session.at_end
     assert len(session.trace.t) == count
+
+
+def crowd(count: int) -> str:
+    """Return the JSON of so many discs that fall."""
+    disc = {"type": "disc", "radius": 0.1}
+    bodies = {
+        f"disc{i}": {"shape": disc, "mass": 1, "position": [0.3 * (i % 20), 0.3 * (i // 20)]}
+        for i in range(count)
+    }
+    g = {"g": {"value": 10, "min": 0, "max": 20}}
+    return scenes.falling(title="A crowd", bodies=bodies, parameters=g, checks=[], ghosts={})
+
+
+@pytest.mark.parametrize(("count", "said"), [(MANY + 1, True), (20, False)])
+def test_what_takes_long_to_build_is_said_before_it_is_built(
+    person: Person, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, count: int, said: bool
+) -> None:
+    person.window.open_level("kinematics/free-fall")
+    person.wait()
+    before = pygame.image.tobytes(person.window.surface, "RGB")
+    shown, build = [], Session
+
+    def watched(*arguments: object, **options: object) -> object:
+        shown.append(pygame.image.tobytes(person.window.surface, "RGB"))
+        return build(*arguments, **options)  # type: ignore[arg-type]
+
+    monkeypatch.setattr("sandbox.app.workspace.Session", watched)
+    path = tmp_path / "crowd.json"
+    path.write_text(crowd(count), encoding="utf-8")
+    person.window.open_level(str(path))
+
+    assert person.session.level.title == "A crowd"
+    assert [picture != before for picture in shown] == [said]
+
+
+def test_escape_stops_a_long_way_and_the_window_stays(person: Person) -> None:
+    person.window.open_level("momentum/cradle")
+    person.wait()
+    session = person.session
+    session.run.end = 100_000
+    session.go_to(session.end)
+    assert session.sought is not None
+    here = session.world.steps
+
+    person.press(pygame.K_ESCAPE)
+
+    assert person.session.sought is None
+    assert here <= session.world.steps < session.end
+    assert not session.playing
+    assert person.window.open

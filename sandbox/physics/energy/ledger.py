@@ -78,8 +78,8 @@ class Ledger:
         self._back = begun is not None
         self.steps = self._step.steps - self._back
         self._velocity = scene.batch.velocity() if begun is None else begun
-        slack = pulls_of(scene.joints, len(self._mass)).tension <= 0
-        self._slack = slack, slack  # in the last kick, and in that before it
+        pulls = pulls_of(scene.joints, len(self._mass))
+        self._pulls = pulls, pulls  # of the last kick, and of that before it
         self._overlaps = 0.0
         start = self._middle(0.5 - self._back, self._velocity)
         if self._composed:
@@ -115,9 +115,7 @@ class Ledger:
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._mass))
-        begun, slack = before, self._slack[0] | self._slack[1]
-        if len(slack) > len(pulls.tension):  # some were cut, and no rope was caught by that
-            slack = np.zeros(len(pulls.tension), dtype=bool)
+        begun, slack = before, pulls.slack_before(*self._pulls)
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
             held = pulls._replace(tension=tension)
@@ -125,8 +123,7 @@ class Ledger:
             begun = ended
             if len(slack) == len(tension):
                 slack = slack | (tension <= 0)
-        slack = pulls.tension <= 0
-        self._slack = slack, self._slack[0] if len(self._slack[0]) == len(slack) else slack
+        self._pulls = pulls, self._pulls[0]
         self._velocity, self._end = after, self._middle(0.5, after)
         self._store(self._end)
 

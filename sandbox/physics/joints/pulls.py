@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Booleans
@@ -24,36 +25,52 @@ class Pulls(NamedTuple):
         (m,), whether they may be shorter, as ropes.
     changes
         (m,), whether what they keep changes with time.
+    joints
+        (m,), the names of the joints that they belong to.
     """
 
     jacobian: Array
     tension: Array
     pulls_only: Booleans
     changes: Booleans
+    joints: NDArray[np.str_]
+
+    def slack_before(self, last: "Pulls", first: "Pulls") -> Booleans:
+        """Return which of these did not pull in one of two kicks before: (m,).
+
+        What has been cut since is left out. Where some are new, only those that were there in the
+        last kick are told of: fewer than m.
+        """
+        now, then = (one.tension[np.isin(one.joints, self.joints)] <= 0 for one in (last, first))
+        return now | then if len(now) == len(then) else now
 
 
 def pulls_of(joints: Joints, count: int) -> Pulls:
     """Return what the exact joints did in the last kick, to so many bodies."""
     parts = [
-        _of_string(string, [joints.paths[name][end].body for end in (0, -1)], count)
+        _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
         for name, string in joints.strings.items()
     ]
     if together := joints.together:
+        names = np.array(together.names, dtype=str)
         parts.append(
-            Pulls(together.jacobian(), together.tension, together.pulls_only, together.changes)
+            Pulls(
+                together.jacobian(), together.tension, together.pulls_only, together.changes, names
+            )
         )
     if not parts:
         none = np.zeros(0, dtype=bool)
-        return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none)
+        return Pulls(np.zeros((0, count, 3)), np.zeros(0), none, none, np.zeros(0, dtype=str))
     return Pulls(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _of_string(string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
+def _of_string(name: str, string: PulleyString, rows: Sequence[int | None], count: int) -> Pulls:
     jacobian = np.zeros((1, count, 3))
     for row, direction in zip(rows, string.jacobian(), strict=True):
         if row is not None:
             jacobian[0, row, :2] += direction
-    return Pulls(jacobian, np.array([string.tension]), np.array([True]), np.array([False]))
+    named = np.array([name], dtype=str)
+    return Pulls(jacobian, np.array([string.tension]), np.array([True]), np.array([False]), named)
 
 
 class Pull(NamedTuple):
@@ -74,7 +91,7 @@ class Pull(NamedTuple):
 def pulls_on(joints: Joints, row: int, count: int) -> Iterator[Pull]:
     """Yield what the exact joints did to one of so many bodies, joint by joint."""
     for name, string in joints.strings.items():
-        one = _of_string(string, [joints.paths[name][end].body for end in (0, -1)], count)
+        one = _of_string(name, string, [joints.paths[name][end].body for end in (0, -1)], count)
         yield _on(name, row, one.jacobian, one.tension)
     if together := joints.together:
         names, jacobians = np.array(together.names), together.jacobian()

@@ -52,7 +52,8 @@ def impacts(world: World) -> Impacts | None:
         return None
     struck, impulse = contacts.first, contacts.normal
     solver = scene.sequence or scene.direct
-    if solver and (found := solver.last).struck.any():
+    if solver:
+        found = solver.last
         struck = struck | found.struck[contacts.bodies].any(axis=1)
         impulse = impulse + found.impulse[contacts.bodies].min(axis=1)
     rows = np.flatnonzero(struck)

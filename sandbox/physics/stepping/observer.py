@@ -70,20 +70,21 @@ class Observer:
         begun
             (n, 3), the velocities half a kick before it [m/s, rad/s].
         """
-        kicks = self._kicks
         state = self._scene.batch.state()
-        contacts = self.contacts()
+        contacts, direct = self.contacts(), self._scene.direct
+        if direct and direct.kicked is not None:  # what comes down has changed them since
+            state[:, 3:] = direct.kicked
         rates = self._rates(state, begun, contacts)
         if (impacts := self._stages.impacts) and (found := impacts()):
             from sandbox.physics.events.located_impacts import as_contacts
 
             contacts = as_contacts(found).and_(contacts)
-        snapshot = self.snapshot(state, *rates, contacts, kicks.clock.dt)
-        return Observation(kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
+        snapshot = self.snapshot(state, *rates, contacts, self._kicks.clock.dt)
+        return Observation(self._kicks.clock.steps, snapshot, contacts, begun, state[:, 3:])
 
     def velocity(self, seen: Observation) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
-        if seen.after is None or seen.steps != self._kicks.clock.steps:
+        if self._scene.direct or seen.after is None or seen.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
         return seen.after
 

@@ -135,6 +135,36 @@ def test_a_rope_that_pulls_too_hard_takes_the_others_with_it() -> None:
     assert world.snapshot.acceleration[0, 1] == pytest.approx(-G, rel=1e-9)
 
 
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9, 1.1, 1.7])
+@pytest.mark.parametrize("effects", [{}, {"contact": {}}])
+def test_an_event_while_a_rope_is_caught_is_nothing_to_what_hangs_on_it(
+    share: float, effects: dict[str, object]
+) -> None:
+    """The rope is caught within a step from 0.4667 s on: it stops the bob at both ends of that."""
+    rope = {"rope": {"type": "rope", "ends": [[0, 0], "bob"], "length": 1}}
+    hold = {"hold": {"type": "weld", "ends": ["ball", [5, 0]]}}
+    bodies = {"bob": disc((0.3, 0.1)), "ball": disc((5, 0)), "floor": floor(-9)}
+    found = []
+    for events in ({}, {"go": {"at": 0.4625 + share / 240, "cut": ["hold"]}}):
+        this = level(
+            bodies,
+            {**GRAVITY, **effects},
+            joints={**rope, **hold},
+            events=events,
+            stepping={"rate": 240},
+        )
+        world = build(this)
+        books = Ledger(world)
+        for _ in range(180):
+            world.advance()
+            books.note()
+        found.append(world.snapshot.velocity[0])
+        assert abs(books.balance.unexplained) < 1e-4
+        assert books.balance.loss["impacts"] > 9
+
+    assert found[1] == pytest.approx(found[0], abs=1e-12)
+
+
 @pytest.mark.parametrize("solver", ["iterative", "direct"])
 def test_a_box_that_is_let_go_comes_to_rest_on_the_floor(solver: str) -> None:
     bodies = {"ball": box((0, 0)), "floor": floor(-1)}

@@ -110,6 +110,11 @@ class Touching(NamedTuple):
             yields,
         )
 
+    def rubbing_at(self, points: Integers) -> "Touching":
+        """Return the same with the friction of each side at one of its points: (f,)."""
+        rows = np.concatenate((np.arange(len(self.pair)), points))
+        return self._replace(rubs=points, rows=rows)
+
     @property
     def sliding(self) -> Integers:
         """The bodies of the friction: (2, f)."""

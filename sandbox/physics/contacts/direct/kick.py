@@ -14,6 +14,10 @@ from sandbox.physics.joints.exact.shake import ExactJoints
 PROUD = 1e-9
 """m, how deep what closes within a drift comes: touching exactly is not touching."""
 
+LIFTS = 1e-8
+"""m, by which a point must leave in a drift to be one that has no friction: by less, w, it and the
+other point of its side, l away, slip alike to w² / l."""
+
 
 @dataclass(slots=True)  # not frozen: made in every step
 class Kick:
@@ -82,16 +86,41 @@ class Kick:
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere, where bodies push along other directions."""
-        found = self.features.moved(place)
-        here = rows_at(place, self.joints, found)
-        response = here.jacobian * self.joints.inverse
+        kick = self._on(self.features.moved(place), place)
         pairs = np.arange(len(self.contacts.bodies))  # the first points of all come first
         columns = 2 * self.contacts.bodies[:, 1:] + (0, 1)
-        direction = here.jacobian[self.layout.gaps][pairs[:, None], columns]
-        contacts = self.contacts._replace(direction=direction)
-        return replace(
-            self, contacts=contacts, features=found, place=place, here=here, response=response
-        )
+        direction = kick.here.jacobian[self.layout.gaps][pairs[:, None], columns]
+        return replace(kick, contacts=self.contacts._replace(direction=direction))
+
+    def leaning(self, moved: Array, forces: Array) -> "Kick | None":
+        """Return the same with friction where sides press that lift their first point.
+
+        One of the two points of a side stands for the friction of both: they slip alike as long as
+        it lies flat. None if all sides do.
+
+        Parameters
+        ----------
+        moved, forces
+            The velocities after the kick, (3 N,) [m/s, rad/s], and its forces, (r,) [N].
+        """
+        first, gaps = self.layout.gaps.start, self.layout.gaps
+        one, other = self.layout.problem.friction.contact.T
+        bears = (forces[one] <= 0) & (other >= 0) & (forces[other] > 0)
+        if not np.count_nonzero(bears):
+            return None
+        leaves = self.here.jacobian[gaps] @ moved * self.joints.drift > LIFTS
+        bears &= leaves[one - first]
+        if not np.count_nonzero(bears):
+            return None
+        touching = self.layout.touching.rubbing_at(np.where(bears, other, one) - first)
+        found = features(self.contacts, touching, self.place, self.joints.origin)
+        return self._on(found, self.place)
+
+    def _on(self, found: Features, place: Coordinates) -> "Kick":
+        """Return the same with other points, or elsewhere."""
+        here = rows_at(place, self.joints, found)
+        response = here.jacobian * self.joints.inverse
+        return replace(self, features=found, place=place, here=here, response=response)
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
@@ -111,8 +140,8 @@ class Kick:
         wanted[self.layout.joints] = -self.after
         wanted[self.layout.slips] -= self.joints.drift * self.runs
         if self.closes:
-            gaps = self.layout.gaps
-            wanted[gaps] = np.where(self.ahead, -PROUD, wanted[gaps])
+            closed = self.contacts.depths.take(self.layout.touching.number) - PROUD
+            wanted[self.layout.gaps] += np.where(self.ahead, closed, 0.0)
         return wanted
 
     @property

@@ -35,6 +35,8 @@ class Surfaces(NamedTuple):
         The share of an overlap that a step takes back.
     slop
         The overlap that is left alone [m].
+    lands
+        (n, n), which pairs are stopped where they come down on each other, without an impact.
     """
 
     figures: Figures
@@ -44,6 +46,7 @@ class Surfaces(NamedTuple):
     running: Array
     correction: float
     slop: float
+    lands: Booleans
 
 
 class Island(NamedTuple):

@@ -25,6 +25,10 @@ NOTHING = 1e-11
 TIE = 1e-12
 """Ratios that differ by less than this, of the largest, are one: the largest pivot is taken."""
 
+GONE = 1e-13
+"""The share of its first value below which the artificial variable is 0 but for rounding: then all
+conditions hold, whether or not it has left the basis."""
+
 BLOCK = 32
 """How many rows are changed in one go: what is made for them stays in the processor's cache."""
 
@@ -46,11 +50,12 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
     artificial = 2 * count
     place = np.arange(-count, count + 1)  # of each variable's column, while it is not in the basis
     entering, row = artificial, int(np.argmin(offset / cover))
+    its_row, gone = row, GONE * float((-offset / cover).max())
     for _ in range(min(PIVOTS * count, int(WORK / count**2))):
         leaving = int(basis[row])
         _pivot(table, row, int(place[entering]))
         basis[row], place[leaving] = entering, place[entering]
-        if leaving == artificial:
+        if leaving == artificial or table[its_row, -1] <= gone:
             return _read(table, basis, count)
         entering = leaving + count if leaving < count else leaving - count
         found = _ratio(table, int(place[entering]), basis, artificial)

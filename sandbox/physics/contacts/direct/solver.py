@@ -25,13 +25,15 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
-from sandbox.physics.contacts.direct.foresight import Foresight
+from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.landing import land
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.direct.parting import Parting
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.stages import Stage, Taken
+from sandbox.physics.contacts.direct.stages import Stage, Taken, with_landing
+from sandbox.physics.contacts.direct.strangers import Pair
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
@@ -39,10 +41,6 @@ from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts,
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-LOOKS = 30
-"""How often a drift is followed to its end at the most: in a stack that rocks each look finds one
-more box."""
 
 Key = tuple[Integers, Integers, int]
 """What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
@@ -71,9 +69,12 @@ class Direct:
     Attributes
     ----------
     last
-        What impacts did in it.
+        What impacts did in it, with the impulses by which bodies came down in the drift before it.
     stages
         Its parts, if there were impacts; else none.
+    kicked
+        (n, 3), the velocities that the kick ended with, if what meets in the drift after it has
+        changed them since; else None [m/s, rad/s].
     """
 
     def __init__(
@@ -94,18 +95,20 @@ class Direct:
         self._calm = _calm(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
         self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
-        self._lead = 0.0
+        self._lead, self._starts = 0.0, True
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
         self._laid: tuple[Key, Layout] | None = None
         self._known = WarmStart()
         self._belief, self._corners = Belief(query), CornerPairs()
-        self._foresight = Foresight(query.bodies, surfaces)
+        self._foresight = Foresight(query.bodies, surfaces, self._moves)
         self._parting = Parting(surfaces, self._known)
         self._contacts: Contacts = NO_CONTACTS
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
+        self.kicked: Array | None = None
+        self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
     @property
@@ -127,6 +130,7 @@ class Direct:
             Whether this is the first kick, which begins with the velocities at its step.
         """
         self._begun, self._acceleration = self._batch.velocity(), acceleration
+        self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
 
     def solve(self, until: float) -> None:
@@ -153,10 +157,14 @@ class Direct:
             self._known.forget()
             self._solve_joints(until)
         after = self._batch.velocity()
+        given, self._given = self._given, self._calm.impulse
+        self._land(after)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
             self._change = np.where(struck, 2 * (after - self.last.velocity), self._change)
+        if np.count_nonzero(given):
+            self.last = self.last._replace(impulse=given)
 
     def _moved(self) -> tuple[Array, Array]:
         """Return where bodies are, (n, 2), and how far they moved in the last step, (n, 3)."""
@@ -202,17 +210,56 @@ class Direct:
         rates = self._spread(self._begun, self._acceleration, self._change)
         taken = self._take(self._look(rates[0] * self._dt), rates)
         for _ in range(LOOKS):
-            ahead = self._foresight.look(taken.kick, taken.moved)
+            ahead = self._foresight.look(taken.kick, taken.moved, ())
             if ahead is None:
                 break
             try:
                 taken = self._take(self._meeting(taken.kick, ahead), rates)
             except (JointFailure, NoForces):
                 break  # found where the drift ends it is in the way no longer
+        leaning = taken.kick.leaning(taken.moved, taken.forces)
+        if leaning is not None:
+            taken = self._take(leaning, rates)
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
-        self._known.note(taken.kick, taken.forces, taken.active)
+        struck = bool(taken.stages)
+        self._known.note(taken.kick, taken.forces, taken.active, struck=struck)
         self._report(taken.kick, taken.total, taken.active)
+
+    def _land(self, velocity: Array) -> None:
+        """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
+        self.kicked = None
+        drift = self._joints.drift
+        if self._starts:
+            return
+        place, motion = self._joints.coordinates()
+
+        def near(moved: Array) -> list[Pair]:
+            return self._foresight.strangers.near(self._contacts, place, drift * moved)
+
+        if not near(motion.values):
+            return
+        kick, total = self._solved or (
+            self._kick_at(place),
+            self._joints.tension * self._joints.kick,
+        )
+        landed = land(
+            self._foresight, kick, motion.values, near, self._meeting, driven=self._driven()
+        )
+        if landed is None:
+            return
+        after = landed.moved[self._order]
+        parts = self.stages or self._halves(kick, total, velocity)
+        last = self._stage(landed.kick, 0.0, after, landed.impulse)
+        self.stages = with_landing(parts, last, after - velocity)
+        self.kicked, self._given = velocity, last.normal(len(velocity))
+        self._batch.set_velocity(after)
+
+    def _halves(self, kick: Kick, total: Array, after: Array) -> tuple[Stage, ...]:
+        """Return a kick without impacts as two alike: its impulses, (r,), and (n, 3) after it."""
+        half, middle = self._joints.kick / 2, (self._begun + after) / 2
+        first = self._stage(kick, half, middle, total / 2)
+        return first, first._replace(velocity=after)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:
         """Return what becomes of a kick.
@@ -234,7 +281,10 @@ class Direct:
         if np.count_nonzero(strikes) or np.count_nonzero(self._joints.added):
             came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
-            stages = self._stage(kick, lead, came, before), self._stage(kick, 0, begun, pushes)
+            stages = (
+                self._stage(kick, lead, came[self._order], before),
+                self._stage(kick, 0, begun[self._order], pushes),
+            )
             total = before + pushes
             told = self._tell(kick, begun, pushes)
         else:
@@ -242,7 +292,7 @@ class Direct:
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if stages:
-            stages = *stages, self._stage(kick, rest, moved, impulse)
+            stages = *stages, self._stage(kick, rest, moved[self._order], impulse)
         return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
 
     def _meeting(self, kick: Kick, ahead: Contacts) -> Kick:
@@ -305,9 +355,8 @@ class Direct:
         return running or bool(self._begun[~self._moves].any())
 
     def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
-        """Return what a part of the kick did."""
-        pulls = impulse[kick.layout.joints]
-        return Stage(lasts, ended[self._order], pulls, kick.pushing(impulse))
+        """Return what a part of the kick did, which ended with velocities (n, 3) [m/s, rad/s]."""
+        return Stage(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
 
     def _tell(self, kick: Kick, left: Array, pushes: Array) -> Impacts:
         """Return what impacts did."""

@@ -1,6 +1,9 @@
 """What a kick did, part by part."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
@@ -28,6 +31,12 @@ class Stage(NamedTuple):
     velocity: Array
     pulls: Array
     contacts: Contacts
+
+    def normal(self, count: int) -> Array:
+        """Return what pushed each of so many bodies, whichever way: (n,) [N s]."""
+        both = self.contacts.bodies.T.ravel()
+        pushed = np.bincount(both, np.tile(self.contacts.normal, 2), count)
+        return np.asarray(pushed, dtype=float)
 
 
 class Taken(NamedTuple):
@@ -58,3 +67,23 @@ class Taken(NamedTuple):
     total: Array
     impacts: Impacts
     stages: tuple[Stage, ...] = ()
+
+
+def with_landing(parts: Sequence[Stage], landing: Stage, jump: Array) -> tuple[Stage, ...]:
+    """Return the parts of a kick, and in its middle what comes down in the drift after it.
+
+    What acts in a kick acts before its step as after it, and an impact acts at the step: so books
+    that are read in the middle of the drifts close.
+
+    Parameters
+    ----------
+    parts
+        Of the kick: at least one before the step, and one after it.
+    landing
+        What comes down.
+    jump
+        (n, 3), by how much it changes velocities [m/s, rad/s].
+    """
+    *before, rest = parts
+    impact = landing._replace(velocity=before[-1].velocity + jump)
+    return *before, impact, rest._replace(velocity=rest.velocity + jump)

@@ -7,6 +7,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Values
+from sandbox.model.happenings import breakable
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
 from sandbox.physics.contacts.coefficients import pair_coefficients
@@ -14,6 +15,7 @@ from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.outlines import Figure, Figures
 from sandbox.physics.contacts.shapes import DIRECT_SKIN, INSET
 from sandbox.physics.contacts.static_friction import sticking
+from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.engine.bodies import center_of, local_points
 from sandbox.physics.geometry.curves import course_of
 from sandbox.physics.geometry.distance import surfaces
@@ -41,15 +43,32 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
         static[i, j] = static[j, i] = pair.static
     contact = level.effects.contact
     assert contact
+    restitution = pair_coefficients(level, values, "restitution")
     return Surfaces(
         Figures([_figure(body, values) for body in level.bodies.values()]),
         friction,
         static,
-        pair_coefficients(level, values, "restitution"),
+        restitution,
         surfaces(bodies),
         CORRECTION if contact.correction is None else contact.correction(values),
         SLOP if contact.slop is None else contact.slop(values),
+        (restitution == 0) & _left_to_it(level),
     )
+
+
+def _left_to_it(level: Level) -> Booleans:
+    """Return which pairs, (n, n), nothing else waits for.
+
+    That is what locates impacts or sticks, and joints that break: at a whole blow, not at parts.
+    """
+    effects, names = level.effects, list(level.bodies)
+    located = effects.contact is not None and effects.contact.located is not None
+    others = effects.in_sequence or located or any(breakable(level.joints))
+    left = np.full((len(names), len(names)), not others)
+    for pair in effects.sticking.pairs if effects.sticking else ():
+        a, b = (names.index(name) for name in pair.bodies)
+        left[a, b] = left[b, a] = False
+    return left
 
 
 def _figure(spec: Body, values: Values) -> Figure:

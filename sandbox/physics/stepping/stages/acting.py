@@ -17,11 +17,13 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.happenings import Crossing, Happening, happenings, loads
+from sandbox.physics.energy.jerks import reached
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.events.acting import Part, acted, crosses, stored, within
 from sandbox.physics.events.blows import SUDDEN
 from sandbox.physics.joints.cutting import let_go
+from sandbox.physics.joints.pulls import Pulls, pulls_of
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
@@ -65,6 +67,7 @@ class Acting:
         self._springs = np.array([n in scene.joints.springs for n in level.joints], dtype=bool)
         borne = loads(level.joints, setup.values)
         self._sudden = SUDDEN * np.array([borne.get(n, np.inf) for n in level.joints])
+        self._past: tuple[Pulls, Pulls] | None = None  # in the last kick, and in that before it
         self._parts: list[Part] = []
         self._switched = 0.0
         self.start(scene.batch.velocity(), np.zeros_like(scene.inertia))
@@ -103,7 +106,8 @@ class Acting:
         """Return the coming drift, of states (n, 6), if nothing happens in it."""
         after, smooth = state[:, 3:], self._forces.smooth
         acceleration = (after - before) / self._dt
-        acceleration[self._struck()] = smooth[self._struck()]
+        struck = self._struck() | self._jerked()
+        acceleration[struck] = smooth[struck]
         acceleration[self._fixed] = 0.0
         velocity = after - acceleration * (self._dt / 2) if self._leapfrog else after
         lasts = self._dt if self._leapfrog else 0.0
@@ -118,6 +122,18 @@ class Acting:
             contacts = self._scene.batch.contacts()
             struck[contacts.bodies[contacts.first]] = True
         return struck
+
+    def _jerked(self) -> Booleans:
+        """Return whose velocities a rope has changed that is being caught: (n,)."""
+        scene, moves = self._scene, ~self._fixed
+        pulls = pulls_of(scene.joints, len(moves))
+        before = self._past or (pulls, pulls)
+        self._past, slack = (pulls, before[0]), pulls.slack_before(*before)
+        if not pulls.pulls_only.any() or len(slack) < len(pulls.joints):
+            return np.zeros(len(moves), dtype=bool)
+        contacts = scene.direct.contacts if scene.direct else scene.batch.contacts()
+        caught = reached(pulls, contacts, slack, moves)
+        return np.asarray(pulls.jacobian[caught].any(axis=(0, 2)))
 
     def _follow(self, part: Part) -> Iterator[Part]:
         """Yield the parts of a drift, from one event to the next."""
