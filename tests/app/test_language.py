@@ -1,7 +1,9 @@
 """The window in other languages: chosen, kept, complete, and changed while a run goes on."""
 
+import ast
 import json
-from collections.abc import Mapping
+import re
+from collections.abc import Iterator, Mapping
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -10,6 +12,7 @@ import numpy as np
 import pygame
 import pytest
 
+from sandbox import app
 from sandbox.app import language, own_files, preferences
 from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
@@ -31,6 +34,13 @@ from tests.app.speech import Speech
 
 OWN_NAMES = {"nglish", "eutsch"}
 """What languages call themselves, but for the first letter."""
+
+
+SHOWING = {
+    "text", "heading", "label", "write", "outlined", "paragraph", "tell", "_tell", "_say_first",
+    "Act", "Block", "Offer", "Choice", "Setting",
+}  # fmt: skip
+"""What draws or tells a text, or keeps one that is shown."""
 
 
 @pytest.fixture
@@ -168,6 +178,27 @@ def test_what_is_not_said_through_the_catalogue_is_found(speech: Speech) -> None
     speech.heard |= {"Forces", "FORCES", "B.position.x", "2 kg", "Forces ON B"}
 
     assert list(speech.small(set())) == ["Forces", "Forces ON B"]
+
+
+def test_nothing_is_drawn_or_told_as_it_stands_in_the_code() -> None:
+    """What no test comes to is found in the sources, where it is handed on without `say`."""
+    found = []
+    for path in sorted(Path(app.__file__).parent.rglob("*.py")):
+        calls = (n for n in ast.walk(ast.parse(path.read_text("utf-8"))) if isinstance(n, ast.Call))
+        shown = (call for call in calls if ast.unparse(call.func).rpartition(".")[2] in SHOWING)
+        found += [f"{path.name}: {text}" for call in shown for text in bare(call)]
+
+    assert found == []
+
+
+def bare(call: ast.Call) -> Iterator[str]:
+    """Yield the arguments of a call that are words: texts, and formatted ones."""
+    for given in (*call.args, *(keyword.value for keyword in call.keywords)):
+        for each in (given.body, given.orelse) if isinstance(given, ast.IfExp) else (given,):
+            parts = each.values if isinstance(each, ast.JoinedStr) else [each]
+            words = [part.value for part in parts if isinstance(part, ast.Constant)]
+            if any(isinstance(word, str) and re.search("[a-z]{3}", word) for word in words):
+                yield ast.unparse(each)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=[page.name for page in PAGES])
