@@ -226,7 +226,7 @@ class CommandTable:
         elif space.panels.home.open and not space.empty:
             space.go_home()
         elif space.session is not None and space.session.stay():
-            self._tell("Stopped on the way; a click on the time's bar goes on")
+            self._tell(say("Stopped on the way; a click on the time's bar goes on"))
         elif space.hand.tape is not None:
             space.hand.tape = None
         elif stopwatch.shown:

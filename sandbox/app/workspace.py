@@ -167,11 +167,12 @@ class Workspace:
         self.path, self._settings, self._accuracy = path, settings or {}, accuracy
         try:
             if path.is_file() and path.stat().st_size > LONG:
-                self._say_first(f"Reading {path.name} …")
+                self._say_first(say("Reading {file} …", file=path.name))
             level = self._read(path)
             parts = len(level.bodies) + len(level.joints)
             if parts > MANY:
-                self._say_first(f"Building {legible(level.title)}: {parts:,} bodies and joints …")
+                told = later("Building {title}: {count:,} bodies and joints …")
+                self._say_first(say(told, title=legible(level.title), count=parts))
             session = Session(level, choose(level, self._settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, error)

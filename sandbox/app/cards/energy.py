@@ -6,13 +6,14 @@ import pygame
 
 from sandbox.app import graph, theme, wording
 from sandbox.app.books import Energies
-from sandbox.app.cards.card import Card, bar
+from sandbox.app.cards.card import GAP, Card, bar
 from sandbox.app.language import later, say, say_in
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.physics.energy.balance import Balance
 
-LABEL = 108  # px, left of a bar
+LABEL = 108  # px, left of a bar; more where a name needs it
+LEAST = 24  # px, a bar
 NUMBER = 92  # px, right of it
 
 
@@ -70,13 +71,15 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
         (say("unexplained"), books.unexplained, theme.FAILED),
     ]
     scale = max(abs(value) for _, value, _ in rows)
+    widest = max(pen.write(name, 13).width for name, _, _ in rows) + pen.px(GAP)
+    left = min(max(widest, pen.px(LABEL)), width - pen.px(NUMBER + LEAST))
     for name, value, color in rows:
-        card.put(pen.write(name, 13, theme.DIM), 0)
+        card.put(pen.write(pen.shorten(name, left - pen.px(GAP), 13), 13, theme.DIM), 0)
         text = pen.write(wording.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
-        length = max(width - pen.px(LABEL) - pen.px(NUMBER), 20)
+        length = width - left - pen.px(NUMBER)
         drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
-        card.put(drawn, pen.px(LABEL), pen.px(5))
+        card.put(drawn, left, pen.px(5))
         card.y += pen.height(13) + 1
     return card.drawn()
 
