@@ -27,6 +27,10 @@ class Banner:
         """Show a note for a while, or until the next; an empty one takes the last away."""
         self._note, self._left = text, inf if lasting else NOTE
 
+    def tells(self, text: str) -> bool:
+        """Whether this is the note of the moment."""
+        return self._left > 0 and self._note == text
+
     def update(self, seconds: float) -> None:
         """Let time pass."""
         self._left -= seconds

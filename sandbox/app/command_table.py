@@ -214,7 +214,7 @@ class CommandTable:
         self._space.help = not self._space.help
 
     def _leave(self) -> None:
-        """Close the help, let go of a widget, show all levels, put measures away; else quit."""
+        """Close the help, let go of a widget, show all levels, put measures away; then quit."""
         space = self._space
         stopwatch = space.workers.of(Stopwatch)
         if space.help:
@@ -232,7 +232,15 @@ class CommandTable:
         elif stopwatch.shown:
             stopwatch.put_away()
         else:
-            space.open = False
+            self._quit()
+
+    def _quit(self) -> None:
+        """Quit where that is asked for twice: Esc is hit as well to be rid of something else."""
+        asked = say("Esc once more quits")
+        if self._space.banner.tells(asked):
+            self._space.open = False
+        else:
+            self._tell(asked)
 
     def _tell(self, text: str) -> None:
         self._space.banner.tell(text)

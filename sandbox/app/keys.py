@@ -63,7 +63,7 @@ WINDOW = (
     Binding("usual size", "Ctrl 0", "text as large as suits the screen", controls=USUAL),
     Binding("next theme", "Ctrl T", "dark, light, or high contrast", controls=(pygame.K_t,)),
     Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
-    Binding("leave", "Esc", "close this, leave a field or a search, or quit", (pygame.K_ESCAPE,)),
+    Binding("leave", "Esc", "close this, leave a field or search; twice: quit", (pygame.K_ESCAPE,)),
 )
 
 MOUSE = (

@@ -9,6 +9,7 @@ import pygame
 import pytest
 
 from sandbox.app import progress, theme
+from sandbox.app.banner import NOTE
 from sandbox.app.building.editor import Editor
 from sandbox.app.home import pictures, strip
 from sandbox.app.home.home import Home
@@ -174,7 +175,18 @@ def test_escape_goes_back_before_it_quits(visitor: Person) -> None:
     assert (home(visitor).open, visitor.window.open) == (False, True)
 
     visitor.press(pygame.K_ESCAPE)
+    assert visitor.window.open
+    visitor.press(pygame.K_ESCAPE)
     assert not visitor.window.open
+
+
+def test_escape_that_was_hit_some_time_ago_counts_no_longer(visitor: Person) -> None:
+    visitor.press(pygame.K_ESCAPE)
+    visitor.press(pygame.K_ESCAPE)
+    visitor.wait(NOTE)
+    visitor.press(pygame.K_ESCAPE)
+
+    assert visitor.window.open
 
 
 @pytest.mark.all_levels

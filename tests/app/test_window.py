@@ -282,6 +282,8 @@ def test_escape_leaves_a_field_before_it_closes_the_window(player: Person) -> No
     assert player.window.open
     assert player.session.values["g"] == 10
     player.press(pygame.K_ESCAPE)
+    assert player.window.open
+    player.press(pygame.K_ESCAPE)
 
     assert not player.window.open
 
