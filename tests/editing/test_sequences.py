@@ -19,6 +19,7 @@ from sandbox.editing.edits import (
     mirroring,
     transforms,
 )
+from sandbox.editing.plain import plain
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
 from sandbox.editing.suggest import suggestions, take
@@ -32,7 +33,7 @@ from sandbox.model.locating import Path
 from sandbox.model.parts import expressions
 
 SMALL = [name for name in catalog.textbook() if catalog.find(name).stat().st_size < 3000]
-FIRST = [Draft.empty().text, *(read(catalog.find(name)) for name in SMALL)]
+FIRST = [Draft.empty().text, *(plain(read(catalog.find(name))) for name in SMALL)]
 
 NUMBER = st.floats(-5, 5).map(lambda x: round(x, 2))
 POINT = st.tuples(NUMBER, NUMBER)
