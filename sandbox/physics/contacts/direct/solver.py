@@ -222,8 +222,7 @@ class Direct:
             taken = self._take(leaning, rates)
         self.last, self.stages = taken.impacts, taken.stages
         self._batch.set_velocity(taken.moved[self._order])
-        struck = bool(taken.stages)
-        self._known.note(taken.kick, taken.forces, taken.active, struck=struck)
+        self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
     def _land(self, velocity: Array) -> None:

@@ -59,11 +59,13 @@ def surfaces_of(level: Level, values: Values, bodies: Sequence[pymunk.Body]) -> 
 def _left_to_it(level: Level) -> Booleans:
     """Return which pairs, (n, n), nothing else waits for.
 
-    That is what locates impacts or sticks, and joints that break: at a whole blow, not at parts.
+    That is what locates impacts, bounces or sticks, and joints that break: for a whole blow at one
+    step, not for its parts.
     """
     effects, names = level.effects, list(level.bodies)
     located = effects.contact is not None and effects.contact.located is not None
-    others = effects.in_sequence or located or any(breakable(level.joints))
+    bounces = effects.restitution is not None
+    others = effects.in_sequence or located or bounces or any(breakable(level.joints))
     left = np.full((len(names), len(names)), not others)
     for pair in effects.sticking.pairs if effects.sticking else ():
         a, b = (names.index(name) for name in pair.bodies)

@@ -10,8 +10,6 @@ from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.engine.batch import Booleans, Integers
-from sandbox.physics.joints.exact.constraints import QUADRATIC
-from sandbox.physics.joints.exact.shake import parabola
 
 AT_REST = 1e-9
 """m/s, below which surfaces that meet do not slip."""
@@ -24,20 +22,15 @@ class Known(NamedTuple):
     ----------
     layout
         Its rows.
-    past
-        The forces of all rows in the last kicks in which the same held, newest first: (r,) [N].
+    forces
+        (r,), of all rows [N].
     active
         Which held.
     """
 
     layout: Layout
-    past: list[Array]
+    forces: Array
     active: Active
-
-    @property
-    def forces(self) -> Array:
-        """The forces of all rows: (r,) [N]."""
-        return self.past[0]
 
     @property
     def tension(self) -> Array:
@@ -60,19 +53,14 @@ class WarmStart:
         """Know nothing any more."""
         self._known = None
 
-    def note(self, kick: Kick, forces: Array, active: Active, *, struck: bool) -> None:
-        """Remember the forces of a kick, (r,) [N], what held in it, and whether it had impacts."""
-        known = None if struck else self._recalled(kick)
-        goes_on = known is not None and known.active.key == active.key
-        past = known.past[:2] if known and goes_on else []
-        self._known = Known(kick.layout, [forces, *past], active)
+    def note(self, kick: Kick, forces: Array, active: Active) -> None:
+        """Remember the forces of a kick, (r,) [N], and what held in it."""
+        self._known = Known(kick.layout, forces, active)
 
     def guess(self, kick: Kick, motion: Array, length: float) -> tuple[Array, Active]:
         """Return the impulses of so many seconds, (r,), and what holds, as far as can be told.
 
-        What is new holds if it meets, and slips if it does. Where the same touches and holds,
-        forces that change go on as the parabola through the last three, which mostly spares one of
-        Newton's steps. Others stay as they were: what rests, rests to the last bit.
+        What is new holds if it meets, and slips if it does.
 
         Parameters
         ----------
@@ -82,7 +70,7 @@ class WarmStart:
             Of the kick [s].
         """
         if known := self._recalled(kick):
-            return _going_on(known.past, kick) * length, known.active
+            return known.forces * length, known.active
         force, along, on, slip = self._new(kick, motion)
         tension, taut = kick.joints.expected()
         if self._known and len(self._known.tension) == len(tension):
@@ -148,18 +136,6 @@ class WarmStart:
             return []
         old = {key: gap for gap, key in enumerate(_keys(self._known.layout.touching))}
         return [(g, old[key]) for g, key in enumerate(_keys(kick.layout.touching)) if key in old]
-
-
-def _going_on(past: list[Array], kick: Kick) -> Array:
-    """Return the forces that follow on the last ones, newest first, row by row: (r,) [N].
-
-    They change where that moves bodies by more in a drift than Newton's method does with its last
-    step.
-    """
-    last, next_ = past[0], parabola(past)
-    moves = np.abs(next_ - last) * np.maximum.reduce(np.abs(kick.response), axis=1)
-    changes = moves * (kick.joints.kick * abs(kick.joints.drift)) > QUADRATIC
-    return np.where(changes, next_, last)
 
 
 def _keys(touching: Touching) -> list[tuple[int, int, int]]:

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.physics.contacts.direct import complementarity, holding, solver
-from sandbox.physics.contacts.direct.newton import newton, solve_rows
+from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
@@ -502,21 +502,6 @@ def test_what_is_driven_is_solved_once(name: str, monkeypatch: pytest.MonkeyPatc
         world.step()
 
     assert solve.call_count == 100
-
-
-@pytest.mark.parametrize("name", ["machines/cam", "machines/crane"])
-def test_forces_that_change_smoothly_are_found_in_one_solution(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """They go on as the parabola through the last three: from the last force it takes two."""
-    world, solved = build(textbook(name)), Mock(side_effect=solve_rows)
-    for _ in range(10):
-        world.step()
-    monkeypatch.setattr("sandbox.physics.contacts.direct.newton.solve_rows", solved)
-    for _ in range(50):
-        world.step()
-
-    assert solved.call_count == 50
 
 
 def test_what_hangs_together_beyond_what_a_step_can_solve_is_refused() -> None:
