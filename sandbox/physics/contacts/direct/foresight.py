@@ -65,16 +65,15 @@ class Foresight:
         strangers
             The pairs that did not touch before it and might.
         """
-        drift = kick.joints.drift
+        drift, known = kick.joints.drift, set(kick.contacts.pairs) if strangers else ()
+        turning = self._turning(kick.contacts, angles(motion) * drift)
+        coming = [pair for pair in strangers if pair not in known]
+        if not (turning or coming):
+            return None
         there = Coordinates(kick.place.values + drift * motion)
         found: dict[Pair, list[Touched]] = {}
-        for pair in self._turning(kick.contacts, angles(motion) * drift):
-            found[pair] = list(self._meet(pair, kick, there))
-        known = {(min(pair), max(pair)) for pair in kick.contacts.bodies.tolist()}
-        for pair in strangers:
-            if pair not in known:
-                found[pair] = list(self._land(pair, kick, there))
-        found = {pair: meets for pair, meets in found.items() if meets}
+        for pairs, meets in ((turning, self._meet), (coming, self._land)):
+            found |= {pair: spots for pair in pairs if (spots := [*meets(pair, kick, there)])}
         return _new(contacts_of(found), kick) if found else None
 
     def _turning(self, contacts: Contacts, turns: Array) -> list[Pair]:
@@ -92,9 +91,8 @@ class Foresight:
         if not np.count_nonzero(far):
             return []
         whole = (contacts.touches == 2) & single[a] & single[b]
-        rows = np.flatnonzero(far & self._looks[a, b] & ~whole)
-        both = contacts.bodies[rows].tolist()
-        return sorted({(min(pair), max(pair)) for pair in both})
+        turns = (far & self._looks[a, b] & ~whole).tolist()
+        return sorted({pair for pair, looks in zip(contacts.pairs, turns, strict=True) if looks})
 
     def _meet(self, pair: Pair, kick: Kick, there: Coordinates) -> Iterator[Touched]:
         """Yield where a side of one that touches comes down, as it is where the drift starts."""

@@ -166,25 +166,29 @@ class Features:
         What of the Jacobian is not written is 0.
         """
         held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
-        turned, plane = place.turned.take(held), place.plane
-        arms = self.points * turned
-        first, second = plane.take(self.touching.bodies) + arms[:, :count]
-        d = second - first
-        along = self.normal * place.turned.take(self.side)
-        across, beside = 1j * along, along.conj() * d
+        turned, plane = place.turned, place.plane
+        arms = self.points * turned.take(held)
+        ends = plane.take(self.touching.bodies)
+        ends += arms[:, :count]
+        d = ends[1] - ends[0]
+        along = self.normal * turned.take(self.side)
+        beside = along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
+        across = 1j * along
         if self.sign is not None:
             along, across, gap, off = self._of_round(d, self.sign, along, gap, off)
         if self.curved:
             rows = gap, off, along, across
-            follow_curves(self.curved, (plane, place.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (plane, turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
-        rolled = self.rolls * place.angle.take(held[:, count:])
-        total[:count], total[count:] = gap, off.take(rubs) + rolled[0] + rolled[1]
+        total[:count], slipped = gap, off.take(rubs)
         way = FROM_TO * np.concatenate((along, across.take(rubs)))
         spin = (way * arms.conj()).imag
         spin += self.owns * np.concatenate((off, -gap.take(rubs)))
-        spin[:, count:] += self.rolls
+        if len(rubs):
+            rolled = self.rolls * place.angle.take(held[:, count:])
+            total[count:] = slipped + rolled[0] + rolled[1]
+            spin[:, count:] += self.rolls
         partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
         jacobian.reshape(-1)[self.touching.into] = partials
 

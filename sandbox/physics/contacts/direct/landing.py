@@ -44,6 +44,7 @@ def land(
     foresight: Foresight,
     kick: Kick,
     motion: Array,
+    pairs: Sequence[Pair],
     near: Callable[[Array], Sequence[Pair]],
     meeting: Callable[[Kick, Contacts], Kick],
     *,
@@ -57,18 +58,19 @@ def land(
         Knows what meets.
     kick, motion
         The kick, and the velocities after it, (3 N,) [m/s, rad/s].
+    pairs
+        Those that do not touch and might meet within the drift.
     near
-        Returns the pairs that do not touch and might meet within the drift, with such velocities.
+        Returns them for other velocities, (3 N,).
     meeting
         Returns a kick with rows for what meets within the drift.
     driven
         Whether surfaces that run, or kinematic bodies, may give energy.
     """
     found: Landed | None = None
+    moved = motion
     for _ in range(LOOKS):
-        moved = found.moved if found else motion
-        pairs = near(moved)
-        ahead = foresight.look(kick, moved, pairs) if found or pairs else None
+        ahead = foresight.look(kick, moved, pairs)
         if ahead is None:
             break
         kick = meeting(kick, ahead)
@@ -76,6 +78,8 @@ def land(
             found = _stopped(kick, motion, driven=driven)
         except (JointFailure, NoForces):
             break  # found where the drift ends it is in the way no longer
+        moved = found.moved
+        pairs = near(moved)
     return found
 
 

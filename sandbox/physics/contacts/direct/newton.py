@@ -99,19 +99,17 @@ def solve_rows(
     """
     found, blur = np.zeros(len(rate)), kick.blur
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
-    for rows, slips, problem in layout.islands:
-        whole = len(rows) == len(rate)
-        part = slice(None) if whole else rows
-        guess = active if whole else Active(active.on[rows], active.slip[slips])
-        delassus, free = jacobian[part].dot(kick.response[part].T), rate[part]
+    for (rows, slips, problem), response in zip(layout.islands, kick.responses, strict=True):
+        delassus, free = jacobian.take(rows, axis=0).dot(response), rate.take(rows)
         if impulse is not None:
-            free = free - delassus.dot(impulse[part])
+            free -= delassus.dot(impulse.take(rows))
+        guess = Active(active.on.take(rows), active.slip.take(slips))
         try:
-            found[part], held = solve(problem, delassus, free, guess, blur, lets)
+            found[rows], held = solve(problem, delassus, free, guess, blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None
-        on[part], slip[slips] = held
+        on[rows], slip[slips] = held
     return found, Active(on, slip)
 
 

@@ -236,14 +236,15 @@ class Direct:
         def near(moved: Array) -> list[Pair]:
             return self._foresight.strangers.near(self._contacts, place, drift * moved)
 
-        if not near(motion.values):
+        pairs = near(motion.values)
+        if not pairs:
             return
         kick, total = self._solved or (
             self._kick_at(place),
             self._joints.tension * self._joints.kick,
         )
         landed = land(
-            self._foresight, kick, motion.values, near, self._meeting, driven=self._driven()
+            self._foresight, kick, motion.values, pairs, near, self._meeting, driven=self._driven()
         )
         if landed is None:
             return

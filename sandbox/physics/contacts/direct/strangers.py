@@ -85,7 +85,7 @@ class Strangers:
             self._room -= self._between(went)
         self._seen, self._touch = place.values, contacts.bodies
         ahead = self._between(way)
-        touch = {(min(pair), max(pair)) for pair in contacts.bodies.tolist()}
+        touch = set(contacts.pairs)
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
