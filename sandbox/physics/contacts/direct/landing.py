@@ -16,8 +16,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.parts import Pair
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.strangers import Pair
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.errors import JointFailure, NoForces
 

@@ -31,9 +31,9 @@ from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.landing import land
 from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
 from sandbox.physics.contacts.direct.parting import Parting
+from sandbox.physics.contacts.direct.parts import Pair
 from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.direct.stages import Stage, Taken, with_landing
-from sandbox.physics.contacts.direct.strangers import Pair
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
