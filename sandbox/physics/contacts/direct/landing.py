@@ -8,6 +8,7 @@ the rest, where they touch. Neither gives energy, and nobody has to be lifted.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -84,7 +85,10 @@ def land(
 
 
 def _stopped(kick: Kick, motion: Array, *, driven: bool) -> Landed:
-    """Return what stops what comes down."""
+    """Return what stops what comes down; what does not hang together with it goes on as it did."""
+    comes = np.zeros(len(kick.response), dtype=bool)
+    comes[kick.layout.gaps] = kick.ahead
+    kick = replace(kick, layout=kick.layout.around(comes))
     impulse, moved, active = hold(kick, motion, _guess(kick), driven=driven)
     leaning = kick.leaning(moved, impulse)
     if leaning is not None:
@@ -95,7 +99,8 @@ def _stopped(kick: Kick, motion: Array, *, driven: bool) -> Landed:
 
 def _guess(kick: Kick) -> tuple[Array, Active]:
     """Return no impulses, and that joints hold and what comes down."""
-    problem, gaps = kick.layout.problem, kick.layout.gaps
-    on = problem.free.copy()
-    on[gaps] = kick.ahead
-    return np.zeros(len(on)), Active(on, np.zeros(len(problem.friction.row), dtype=np.intp))
+    layout, on = kick.layout, np.zeros(len(kick.response), dtype=bool)
+    on[layout.gaps] = kick.ahead
+    for rows, _, problem in layout.islands:
+        on[rows] |= problem.free
+    return np.zeros(len(on)), Active(on, np.zeros(len(layout.touching.rubs), dtype=np.intp))

@@ -103,6 +103,10 @@ class Layout:
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
 
+    def around(self, some: Booleans) -> "Layout":
+        """Return the same rows, of which only those are solved that hang together with some: (r,)."""
+        return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
+
     @cached_property
     def smooth(self) -> "Layout":
         """Return the same rows without friction."""
