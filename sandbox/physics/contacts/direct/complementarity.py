@@ -128,17 +128,17 @@ class _Scaled:
 
     @cached_property
     def _share(self) -> Array:
-        """How friction is scaled by the impulse of each contact: (f, 2)."""
-        return np.asarray(self._size.take(self._row)[:, None] / self._size.take(self._contact))
+        """How friction is scaled by the impulse of each contact: (2, f)."""
+        return np.asarray(self._size.take(self._row) / self._size.take(self._contact))
 
     @cached_property
     def _sticks(self) -> Array:
-        """How large friction that sticks may be by the impulse of each contact: (f, 2)."""
+        """How large friction that sticks may be by the impulse of each contact: (2, f)."""
         return self._problem.friction.shares[0] * self._share
 
-    @property
+    @cached_property
     def _slips(self) -> Array:
-        """How large friction that slips is by the impulse of each contact: (f, 2)."""
+        """How large friction that slips is by the impulse of each contact: (2, f)."""
         return self._problem.friction.shares[1] * self._share
 
     @property
@@ -251,20 +251,21 @@ class _Scaled:
 
     def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
-        gives, slipping = np.eye(len(self._rate)), np.flatnonzero(slip)
-        gives[self._row[slipping]] += slip[slipping, None] * self._shares(self._slips)[slipping]
+        gives = np.eye(len(self._rate))
+        for contact, share in zip(self._contact, self._slips * slip, strict=True):
+            gives[self._row, contact] += share
         return gives
 
     def _shares(self, coefficients: Array) -> Array:
         """Return how large friction may be by each impulse: (f, m); of no contact it is 0."""
         shares, slip = np.zeros((len(self._row), len(self._rate))), np.arange(len(self._row))
-        for side in (0, 1):
-            shares[slip, self._contact[:, side]] += coefficients[:, side]
+        for contact, share in zip(self._contact, coefficients, strict=True):
+            shares[slip, contact] += share
         return shares
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        by_one, by_other = (coefficients * np.maximum(impulse.take(self._contact), 0.0)).T
+        by_one, by_other = coefficients * np.maximum(impulse.take(self._contact), 0.0)
         return np.asarray(by_one + by_other)
 
     def _holds(self, rate: Array, active: Active) -> bool:
@@ -287,14 +288,12 @@ class _Scaled:
         if not len(self._row):
             return Active(on, active.slip) if np.count_nonzero(wrong) else None
         friction, row, slip = self._problem.friction, self._row, active.slip
-        by_one, by_other = (on.take(self._contact) & friction.there).T
-        presses = by_one | by_other
+        by_one, by_other = on.take(self._contact) & friction.there
+        on[row] = presses = by_one | by_other
         own = impulse.take(row)
-        bounds = self._bounds(impulse, self._sticks)
-        beyond = active.on.take(row) & (np.abs(own) > bounds + close)
-        on[row] = presses
+        beyond = active.on.take(row) & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
         if np.count_nonzero(slip) or np.count_nonzero(beyond):
-            slip = np.where(slip * rate[row] > still[row], 0, slip)
+            slip = np.where(slip * rate.take(row) > still.take(row), 0, slip)
             slip[beyond] = np.sign(own[beyond])
             slip *= presses
             on[row] &= slip == 0

@@ -162,7 +162,7 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
 
 
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
-    """Return the gaps of each side that rubs: (r, 2), its points, and −1 where it has but one.
+    """Return the gaps of each side that rubs: (2, r), its points, and −1 where it has but one.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
     """
     partner = np.full(count, -1)
     partner[seconds] = count + np.arange(len(seconds))
-    return np.stack((rubs, partner[rubs]), axis=1)
+    return np.stack((rubs, partner[rubs]))
 
 
 def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
@@ -211,7 +211,7 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
     old = problem.friction
     friction = Friction(
         number[old.row[slips]],
-        number[old.contact[slips]],
+        number[old.contact[:, slips]],
         old.sticks[slips],
         old.slips[slips],
     )
