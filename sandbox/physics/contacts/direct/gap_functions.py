@@ -17,7 +17,8 @@ radii that roll. Of curves see `curved`; a side touches one as the circle that i
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from copy import copy
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -25,7 +26,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.curved import Curved, follow_curves, on_curves, roll_on_curves
 from sandbox.physics.contacts.direct.outlines import Figures, Outlines
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers, in_place
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
@@ -137,8 +138,10 @@ class Features:
         (k,), n above, along the axes of that body.
     owns
         Whether the side is the first body's, or the second's, (2, k + f): 0 or 1.
+    rounds
+        Which points have no side, r of them; None if all have one.
     sign
-        (k,), s above, and 0 where there is a side; None if there is one everywhere.
+        (r,), s above, of these.
     rolls
         a and b above, (2, f) [m].
     apart
@@ -154,7 +157,8 @@ class Features:
     side: Integers
     normal: Plane
     owns: Array
-    sign: Array | None
+    rounds: slice | Integers | None
+    sign: Array
     rolls: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
@@ -175,8 +179,8 @@ class Features:
         beside = along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
         across = 1j * along
-        if self.sign is not None:
-            along, across, gap, off = self._of_round(d, self.sign, along, gap, off)
+        if self.rounds is not None:
+            self._of_round(d, (gap, off, along, across))
         if self.curved:
             rows = gap, off, along, across
             follow_curves(self.curved, (plane, turned), arms[:, :count], rows)
@@ -192,25 +196,24 @@ class Features:
         partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
         jacobian.reshape(-1)[self.touching.into] = partials
 
-    def _of_round(
-        self, d: Plane, sign: Array, along: Plane, gap: Array, off: Array
-    ) -> tuple[Plane, Plane, Array, Array]:
-        """Return which way lies along a gap, and across, its size, and how far it has slipped.
-
-        The same as on a side, where nothing is round: (k,) each.
-        """
-        is_round, size, first = sign != 0, np.abs(d), np.abs(self.apart)
-        along = np.where(is_round, sign * d / size, along)
-        gap = np.where(is_round, sign * size, gap)
-        turn = np.angle(d / np.where(is_round, self.apart, d))
-        off = np.where(is_round, sign * first * turn, off)
-        return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
+    def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
+        """Put in what is round: the gaps and slips, and how they change with d, (k,) each."""
+        gap, slip, along, across = rows
+        rounds, sign = self.rounds, self.sign
+        d, apart = d[rounds], self.apart[rounds]
+        size, first = np.abs(d), np.abs(apart)
+        toward, turned = sign * d / size, d / apart
+        gap[rounds], along[rounds] = sign * size, toward
+        slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
+        across[rounds] = 1j * toward * (first / size)
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
         held = self.touching.held
         first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
-        return replace(self, apart=second - first)
+        there = copy(self)
+        there.apart = second - first
+        return there
 
 
 def features(
@@ -244,9 +247,10 @@ def features(
     core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
-    sign = None
+    sign = rounds = None
     if corner is not None:
         sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
+        rounds = in_place(np.flatnonzero(corner))
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
@@ -256,7 +260,8 @@ def features(
         side=side,
         normal=n * place.turned.take(side).conj(),
         owns=owns.take(touching.rows, axis=1).astype(float),
-        sign=sign,
+        rounds=rounds,
+        sign=np.zeros(0) if sign is None else sign[rounds],
         rolls=rolls,
         apart=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
@@ -319,9 +324,11 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
     owns
         (2, k), whose the side is.
     sign
-        As of `Features`.
+        (k,), s above, and 0 where there is a side; None if there is one everywhere.
     """
     outlines, rubs = touching.outlines, touching.rubs
+    if not len(rubs):
+        return np.zeros((2, 0))
     if sign is None:
         radius = np.where(is_round, outlines.radius, 0.0).take(rubs, axis=1)
         return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)

@@ -104,7 +104,7 @@ class Layout:
         return replace(self, problem=problem, islands=parts)
 
     def around(self, some: Booleans) -> "Layout":
-        """Return the same rows, of which only those are solved that hang together with some: (r,)."""
+        """Return the same rows, of which only those hang together with some, (r,), to be solved."""
         return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
 
     @cached_property
