@@ -5,6 +5,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
+ACROSS = np.array([-1.0, 1.0])
+"""Turns (y, x) of an arm into the way in which its end goes around."""
+
 
 def point_velocity(rate: Array, arm: Array) -> Array:
     """Return v + ω × r of points of bodies, or so much of an acceleration: (..., 2) [m/s].
@@ -16,7 +19,7 @@ def point_velocity(rate: Array, arm: Array) -> Array:
     arm
         (..., 2), from their centres to the points [m].
     """
-    moves: Array = rate[..., :2] + rate[..., 2:] * np.stack((-arm[..., 1], arm[..., 0]), axis=-1)
+    moves: Array = rate[..., :2] + rate[..., 2:] * (arm[..., ::-1] * ACROSS)
     return moves
 
 
