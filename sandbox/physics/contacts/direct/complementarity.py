@@ -17,7 +17,7 @@ only what they add up to. The least that contacts can give are taken.
 """
 
 from functools import cached_property
-from math import inf
+from math import inf, sqrt
 
 import numpy as np
 
@@ -96,6 +96,22 @@ def solve(
     scaled = _Scaled(problem, own, rate / size, size, blur / size, lets)
     impulse, active = scaled.solve(guess)
     return impulse / size, active
+
+
+def solve_one(delassus: float, rate: float, blur: float, lets: float) -> float:
+    """Return the impulse of a single row of a joint [N s or N m s]; the parameters are as above.
+
+    Raises
+    ------
+    Unsolvable
+        If it does not hold.
+    """
+    size = sqrt(delassus) if delassus > 0 else 1.0
+    own, rate = delassus / (size * size), rate / size
+    impulse = -rate / (own or 1.0)
+    if abs(rate + own * impulse) <= min(CONTRADICTS * abs(rate), lets / size) + blur / size:
+        return impulse / size
+    raise Unsolvable(0)
 
 
 def _sizes(delassus: Array, alike: Integers | None) -> Array:

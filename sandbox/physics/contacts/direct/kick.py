@@ -158,11 +158,6 @@ class Kick:
         return wanted
 
     @cached_property
-    def responses(self) -> list[Array]:
-        """The velocities that a unit impulse of each row of an island gives: (3 N, s) each."""
-        return [self.response.take(island.rows, axis=0).T for island in self.layout.islands]
-
-    @cached_property
     def ahead(self) -> Booleans:
         """Which gaps are yet to close: (k,)."""
         return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)

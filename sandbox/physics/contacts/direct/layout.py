@@ -103,6 +103,17 @@ class Layout:
         parts = [_part(problem, one.rows, one.slips) for one in self.islands]
         return replace(self, problem=problem, islands=parts)
 
+    @cached_property
+    def alone(self) -> Integers:
+        """The rows of joints that have to do with no others."""
+        lone = [one.rows[0] for one in self.islands if _is_alone(one)]
+        return np.array(lone, dtype=np.intp)
+
+    @cached_property
+    def together(self) -> list[Island]:
+        """The islands but for those rows."""
+        return [one for one in self.islands if not _is_alone(one)]
+
     def around(self, some: Booleans) -> "Layout":
         """Return the same rows, of which only those hang together with some, (r,), to be solved."""
         return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
@@ -200,6 +211,10 @@ def _alike(joints: Integers, whole: int) -> Integers | None:
     if len(set(joints.tolist())) == len(joints):
         return None
     return np.concatenate((joints, np.arange(len(joints), whole)))
+
+
+def _is_alone(island: Island) -> bool:
+    return len(island.rows) == 1 and bool(island.problem.free[0])
 
 
 def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:

@@ -6,10 +6,11 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve
+from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -99,8 +100,11 @@ def solve_rows(
     """
     found, blur = np.zeros(len(rate)), kick.blur
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
-    for (rows, slips, problem), response in zip(layout.islands, kick.responses, strict=True):
-        delassus, free = jacobian.take(rows, axis=0).dot(response), rate.take(rows)
+    if len(alone := layout.alone):
+        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, lets), True
+    for rows, slips, problem in layout.together:
+        across = kick.response.take(rows, axis=0).T
+        delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
         if impulse is not None:
             free -= delassus.dot(impulse.take(rows))
         guess = Active(active.on.take(rows), active.slip.take(slips))
@@ -111,6 +115,23 @@ def solve_rows(
             raise lost(kick, int(rows[row])) from None
         on[rows], slip[slips] = held
     return found, Active(on, slip)
+
+
+def _solve_alone(
+    kick: Kick, rows: Integers, jacobian: Array, rate: Array, impulse: Array | None, lets: float
+) -> list[float]:
+    """Solve joints that have to do with nothing else, each by itself; see `solve_rows`."""
+    own = np.vecdot(jacobian.take(rows, axis=0), kick.response.take(rows, axis=0))
+    free = rate.take(rows)
+    if impulse is not None:
+        free -= own * impulse.take(rows)
+    found, blur = [], kick.blur
+    for row, delassus, wrong in zip(rows, own.tolist(), free.tolist(), strict=True):
+        try:
+            found.append(solve_one(delassus, wrong, blur, lets))
+        except Unsolvable:
+            raise lost(kick, int(row)) from None
+    return found
 
 
 def lost(kick: Kick, row: int) -> JointFailure | NoForces:
