@@ -185,13 +185,16 @@ class Features:
             rows = gap, off, along, across
             follow_curves(self.curved, (plane, turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
-        total[:count], slipped = gap, off.take(rubs)
-        way = FROM_TO * np.concatenate((along, across.take(rubs)))
-        spin = (way * arms.conj()).imag
-        spin += self.owns * np.concatenate((off, -gap.take(rubs)))
+        total[:count], ways, leans = gap, along, off
         if len(rubs):
-            rolled = self.rolls * place.angle.take(held[:, count:])
+            slipped, rolled = off.take(rubs), self.rolls * place.angle.take(held[:, count:])
             total[count:] = slipped + rolled[0] + rolled[1]
+            ways = np.concatenate((along, across.take(rubs)))
+            leans = np.concatenate((off, -gap.take(rubs)))
+        way = FROM_TO * ways
+        spin = (way * arms.conj()).imag
+        spin += self.owns * leans
+        if len(rubs):
             spin[:, count:] += self.rolls
         partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
         jacobian.reshape(-1)[self.touching.into] = partials
