@@ -172,6 +172,43 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     )
 
 
+class Layouts:
+    """Lays out the rows of a step, or takes those of the last if the same bodies touch.
+
+    Parameters
+    ----------
+    joints, surfaces, moves
+        See `lay_out`.
+    """
+
+    def __init__(self, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> None:
+        self._joints, self._surfaces, self._moves = joints, surfaces, moves
+        self._last: tuple[Contacts, int, Layout] | None = None
+
+    def forget(self) -> None:
+        """Begin anew: there are other joints."""
+        self._last = None
+
+    def of(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts, and remember them."""
+        count = len(self._joints.added)
+        if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
+            self._last = contacts, count, self.anew(contacts)
+        return self._last[2]
+
+    def anew(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts; those that are remembered stay so."""
+        return lay_out(contacts, self._joints, self._surfaces, self._moves)
+
+
+def _alike_in(one: Contacts, other: Contacts) -> bool:
+    """Return whether the same bodies touch, and where they touch twice."""
+    return all(
+        a is b or np.array_equal(a, b)
+        for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
+    )
+
+
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
     """Return the gaps of each side that rubs: (2, r), its points, and −1 where it has but one.
 

@@ -29,21 +29,18 @@ from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.landing import land
-from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
+from sandbox.physics.contacts.direct.layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.parting import Parting
 from sandbox.physics.contacts.direct.parts import Pair
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.stages import Stage, Taken, with_landing
+from sandbox.physics.contacts.direct.stages import Stage, Taken, halves, with_landing
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-Key = tuple[Integers, Integers, int]
-"""What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
 
 
 class Direct:
@@ -98,7 +95,7 @@ class Direct:
         self._lead, self._starts = 0.0, True
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
-        self._laid: tuple[Key, Layout] | None = None
+        self._layouts = Layouts(joints, surfaces, self._moves)
         self._known = WarmStart()
         self._belief, self._corners = Belief(query), CornerPairs()
         self._foresight = Foresight(query.bodies, surfaces, self._moves)
@@ -177,7 +174,8 @@ class Direct:
 
     def relay(self) -> None:
         """Begin anew with other joints, where bodies are."""
-        self._laid, self._until = None, nan
+        self._layouts.forget()
+        self._until = nan
         self._known.forget()
         self._change = self._calm.jump
 
@@ -249,17 +247,11 @@ class Direct:
         if landed is None:
             return
         after = landed.moved[self._order]
-        parts = self.stages or self._halves(kick, total, velocity)
-        last = self._stage(landed.kick, 0.0, after, landed.impulse)
+        parts = self.stages or halves(kick, total, self._begun, velocity)
+        last = Stage.of(landed.kick, 0.0, after, landed.impulse)
         self.stages = with_landing(parts, last, after - velocity)
         self.kicked, self._given = velocity, last.normal(len(velocity))
         self._batch.set_velocity(after)
-
-    def _halves(self, kick: Kick, total: Array, after: Array) -> tuple[Stage, ...]:
-        """Return a kick without impacts as two alike: its impulses, (r,), and (n, 3) after it."""
-        half, middle = self._joints.kick / 2, (self._begun + after) / 2
-        first = self._stage(kick, half, middle, total / 2)
-        return first, first._replace(velocity=after)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:
         """Return what becomes of a kick.
@@ -282,23 +274,23 @@ class Direct:
             came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
             stages = (
-                self._stage(kick, lead, came[self._order], before),
-                self._stage(kick, 0, begun[self._order], pushes),
+                Stage.of(kick, lead, came[self._order], before),
+                Stage.of(kick, 0, begun[self._order], pushes),
             )
             total = before + pushes
-            told = self._tell(kick, begun, pushes)
+            told = impacts.told(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if stages:
-            stages = *stages, self._stage(kick, rest, moved[self._order], impulse)
+            stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
         return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
 
     def _meeting(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the same kick with rows for what meets within the drift."""
         contacts = kick.contacts.and_(ahead)
-        layout = lay_out(contacts, self._joints, self._surfaces, self._moves)
+        layout = self._layouts.anew(contacts)
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
         return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
 
@@ -327,17 +319,10 @@ class Direct:
         """Return the rows of all that touches or is joined, where the bodies are."""
         joints = self._joints
         self._contacts = self._corners.steady(self._contacts, place, joints.origin)
-        layout, running = self._lay_out(), self._surfaces.running
+        layout, running = self._layouts.of(self._contacts), self._surfaces.running
         kick = Kick.at(place, joints, self._contacts, layout, running, self._lengths)
         self._corners.note(kick)
         return kick
-
-    def _lay_out(self) -> Layout:
-        contacts, joints = self._contacts, self._joints
-        key = contacts.bodies, contacts.touches, len(joints.added)
-        if self._laid is None or not _same(self._laid[0], key):
-            self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
-        return self._laid[1]
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""
@@ -353,21 +338,6 @@ class Direct:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
         running = bool(self._surfaces.running.any())
         return running or bool(self._begun[~self._moves].any())
-
-    def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
-        """Return what a part of the kick did, which ended with velocities (n, 3) [m/s, rad/s]."""
-        return Stage(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
-
-    def _tell(self, kick: Kick, left: Array, pushes: Array) -> Impacts:
-        """Return what impacts did."""
-        jump = (pushes @ kick.response)[self._order]
-        reached = np.zeros(len(jump), dtype=bool)
-        for rows, _, _ in kick.layout.islands:
-            if pushes[rows].any():
-                response = kick.response[rows][:, self._order]
-                reached |= response.any(axis=(0, 2))
-        jump = np.where(reached[:, None], jump, 0.0)
-        return Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""
@@ -386,15 +356,6 @@ class Direct:
             return np.zeros((2, 0, 3))
         kick, impulse = self._solved
         return kick.wrenches(impulse, body)
-
-
-def _same(one: Key, other: Key) -> bool:
-    """Return whether a layout serves again; arrays that are the same need no look."""
-    return one[2] == other[2] and _alike(one[0], other[0]) and _alike(one[1], other[1])
-
-
-def _alike(one: Integers, other: Integers) -> bool:
-    return one is other or np.array_equal(one, other)
 
 
 def _calm(count: int) -> Impacts:
