@@ -140,7 +140,8 @@ class _Scaled:
         self._lets = lets
         self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
         self._row, self._contact = problem.friction.row, problem.friction.contact
-        self._pushes = np.count_nonzero(problem.pushes) > 0
+        self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
+        self._largest = 0.0 if self._settled else most(rate)
 
     @cached_property
     def _share(self) -> Array:
@@ -160,7 +161,7 @@ class _Scaled:
     @property
     def _asked(self) -> float:
         """The largest rate that anything is asked for: what is slack asks nothing."""
-        if not self._pushes:
+        if self._settled:
             return most(self._rate)
         return most(np.where(self._problem.pushes, np.minimum(self._rate, 0.0), self._rate))
 
@@ -294,10 +295,10 @@ class _Scaled:
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return which rows rather hold at such rates; None if those do."""
-        if not (self._pushes or len(self._row)):
+        if self._settled:
             return None
         close = TOLERANCE * most(impulse)
-        still = TOLERANCE * max(most(self._rate), most(rate)) + self._blur
+        still = TOLERANCE * max(self._largest, most(rate)) + self._blur
         pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
         wrong = self._problem.pushes & pulls_or_meets
         on = active.on ^ wrong

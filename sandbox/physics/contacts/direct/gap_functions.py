@@ -26,7 +26,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.curved import Curved, follow_curves, on_curves, roll_on_curves
 from sandbox.physics.contacts.direct.outlines import Figures, Outlines
-from sandbox.physics.engine.batch import Booleans, Contacts, Integers, in_place
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
 from sandbox.physics.state.anchor import Plane
 
@@ -242,18 +242,20 @@ def features(
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     owns = outlines.faces(out * turned.conj())
-    owns[0] &= ~(owns[1] & touching.yields)
-    owns[1] &= ~owns[0]
+    if outlines.sided:
+        owns[0] &= ~(owns[1] & touching.yields)
+        owns[1] &= ~owns[0]
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
-    sign = rounds = None
+    sign: Array | None = None
+    rounds: slice | Integers | None = None
     if corner is not None:
         sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
-        rounds = in_place(np.flatnonzero(corner))
+        rounds = slice(None) if corner.all() else np.flatnonzero(corner)
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
@@ -309,6 +311,8 @@ def _corners(
     corner = ~(owns[0] | owns[1])
     if not np.count_nonzero(corner):
         return None, None
+    if not np.count_nonzero(outlines.sharp):
+        return None, corner
     sharp = corner & outlines.sharp & ~is_round.any(axis=0)
     if not np.count_nonzero(sharp):
         return None, corner

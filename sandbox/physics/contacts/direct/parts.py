@@ -181,7 +181,9 @@ class Shapes:
     def close(self, pair: Pair, there: Placed) -> Iterator[Pair]:
         """Yield the parts of two bodies that may be in each other there."""
         if self.single[pair[0]] and self.single[pair[1]]:
-            yield 0, 0
+            one, other = there.both(pair, (0, 0))
+            if abs(one.middle - other.middle) < one.radius + other.radius:
+                yield 0, 0
         else:
             near = np.argwhere(self._between(pair, there.place) < 0)
             yield from ((int(first), int(second)) for first, second in near.tolist())
