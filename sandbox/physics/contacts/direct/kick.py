@@ -94,6 +94,12 @@ class Kick:
         kick.contacts = contacts._replace(direction=direction)
         return kick
 
+    def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
+        """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
+        kick = self.moved(place)
+        kick.before, kick.after = before, after
+        return kick
+
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the same with friction where sides press that lift their first point.
 

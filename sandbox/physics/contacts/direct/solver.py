@@ -17,6 +17,7 @@ in three parts: to the step, with what rests and what is joined; the impact, all
 velocities, with Newton's law of restitution; and on from the step.
 """
 
+from functools import partial
 from math import nan
 
 import numpy as np
@@ -25,6 +26,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.dividing import Divided, through
 from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
@@ -72,6 +74,10 @@ class Direct:
     kicked
         (n, 3), the velocities that the kick ended with, if what meets in the drift after it has
         changed them since; else None [m/s, rad/s].
+    divided
+        The drift after the kick, if it is taken in parts; else None.
+    drifted
+        The same of the drift before it.
     """
 
     def __init__(
@@ -105,6 +111,8 @@ class Direct:
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
         self.kicked: Array | None = None
+        self.divided: Divided | None = None
+        self.drifted: Divided | None = None
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
@@ -126,9 +134,13 @@ class Direct:
         start
             Whether this is the first kick, which begins with the velocities at its step.
         """
-        self._begun, self._acceleration = self._batch.velocity(), acceleration
+        self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
+
+    def velocity(self) -> Array:
+        """Return the velocities that a kick here begins with: (n, 3) [m/s, rad/s]."""
+        return self.divided.begun if self.divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and give the bodies their velocities after it.
@@ -147,15 +159,17 @@ class Direct:
         self._pushed = None
         self.last, self.stages, self._solved = self._calm, (), None
         self._shift = self._calm.jump
+        self.kicked, self.drifted, self.divided = None, self.divided, None
         self._follow(until)
         if len(self._contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
             self._solve_joints(until)
-        after = self._batch.velocity()
         given, self._given = self._given, self._calm.impulse
-        self._land(after)
+        after = self.divided.left if self.divided else self._batch.velocity()
+        if not self.divided:
+            self._land(after)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -177,6 +191,7 @@ class Direct:
         self._layouts.forget()
         self._until = nan
         self._known.forget()
+        self.divided = None
         self._change = self._calm.jump
 
     def forget(self) -> None:
@@ -184,6 +199,7 @@ class Direct:
         self._belief.forget()
         self._corners.forget()
         self._known.forget()
+        self.divided = None
         self._change = self._shift = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
@@ -206,7 +222,14 @@ class Direct:
     def _solve_all(self) -> None:
         self._joints.check()
         rates = self._spread(self._begun, self._acceleration, self._change)
-        taken = self._take(self._look(rates[0] * self._dt), rates)
+        kick = self._look(rates[0] * self._dt)
+        try:
+            taken = self._take(kick, rates)
+        except (JointFailure, NoForces):
+            if not self._divides(kick):
+                raise
+            self._divide(kick, rates)
+            return
         for _ in range(LOOKS):
             ahead = self._foresight.look(taken.kick, taken.moved, ())
             if ahead is None:
@@ -223,9 +246,25 @@ class Direct:
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
+    def _divides(self, kick: Kick) -> bool:
+        """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
+        joints = self._joints
+        whole = not self._starts and joints.kick == joints.drift == self._dt
+        return whole and not (self._driven() or np.count_nonzero(kick.joint_rates()))
+
+    def _divide(self, kick: Kick, rates: Array) -> None:
+        """Take the drift after a kick in parts."""
+        found = through(kick, rates[1], self._until, partial(self._take, rates=rates))
+        first = found.first
+        self.last = first.impacts
+        left, begun, way = (of[self._order] for of in (found.left, found.begun, found.way))
+        self.divided, self.kicked = Divided(found.parts, left, begun), left
+        self._batch.set_velocity(way / self._joints.drift)
+        self._known.note(first.kick, first.forces, first.active)
+        self._report(first.kick, first.total, first.active)
+
     def _land(self, velocity: Array) -> None:
         """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
-        self.kicked = None
         drift = self._joints.drift
         if self._starts:
             return
