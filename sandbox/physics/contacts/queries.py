@@ -97,7 +97,7 @@ class Query:
         found: dict[tuple[int, int], list[Touched]] = {}
         for row, other, contact in self._found(moved):
             found.setdefault((row, other), []).append(contact)
-        pairs = known.pairs
+        pairs = pairs_of(known)
         deep = Counter[tuple[int, int]]()
         for pair, depths in zip(pairs, known.depths, strict=True):
             deep[pair] += int(np.count_nonzero(depths > least))
@@ -125,6 +125,11 @@ class Query:
                     elif other < row and other not in moved:  # or it has found it itself
                         back = [(there, here) for here, there in found.points]
                         yield other, row, found._replace(normal=-found.normal, points=back)
+
+
+def pairs_of(contacts: Contacts) -> list[tuple[int, int]]:
+    """Return the bodies of each contact, the lower number first."""
+    return [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
 
 
 def _deep(contacts: Sequence[Touched], least: float) -> int:

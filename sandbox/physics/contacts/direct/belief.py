@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.queries import Query
+from sandbox.physics.contacts.queries import Query, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import QUADRATIC
 
@@ -50,7 +50,7 @@ class Belief:
         good: Booleans = np.asarray(contacts.direction.any(axis=1))
         if contacts.bodies is self._same and good.all():
             return contacts
-        pairs, known = contacts.pairs, self._pairs
+        pairs, known = pairs_of(contacts), self._pairs
         if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
             good &= ~new | (contacts.depth <= _reach(contacts, *moved()))
         self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}

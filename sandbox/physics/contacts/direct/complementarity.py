@@ -22,13 +22,10 @@ from math import inf, sqrt
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.lemke import lemke
 from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, most, null, solved
+from sandbox.physics.contacts.direct.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.problem import Active, Problem
 from sandbox.physics.engine.batch import Integers
-
-FAINT = 1e-12
-"""The share of a row's own inverse mass that is nothing."""
 
 TOLERANCE = 1e-11
 """The share of the largest impulse, or rate, by which a condition may be missed."""
@@ -197,9 +194,9 @@ class _Scaled:
     def _by_corners(self) -> tuple[Array, Active]:
         """Return the same by Lemke's method."""
         least = MISSED * self._asked + self._blur.max()
-        missed = self._missed(np.zeros_like(self._rate))
+        missed, bounds = self._missed(np.zeros_like(self._rate)), self._shares(self._slips)
         for soft in SOFT:
-            rough = self._lemke(soft)
+            rough = by_lemke(self._problem, self._delassus, self._rate, bounds, soft)
             if rough is None:
                 continue
             guess = self._guess(rough)
@@ -328,40 +325,6 @@ class _Scaled:
             slip[at_bound] = np.sign(own[at_bound])
             on[self._row] = (bound > close) & ~at_bound
         return Active(on, slip)
-
-    def _lemke(self, soft: float) -> Array | None:
-        """Return impulses by Lemke's method, with joints obeyed by all; None if it finds none.
-
-        Friction is a push one way less a push the other way; a last condition bounds their sum.
-        """
-        free, pushes = np.flatnonzero(self._problem.free), np.flatnonzero(self._problem.pushes)
-        matrix: Array = self._delassus
-        rate: Array = self._rate
-        through: Array = np.zeros((len(free), len(rate) + 1))
-        if len(free):
-            within = matrix[np.ix_(free, free)] + FAINT * np.eye(len(free))
-            wanted = np.column_stack((matrix[free], rate[free]))
-            through = np.asarray(np.linalg.solve(within, wanted), dtype=float)
-            across: Array = np.asarray(matrix[:, free] @ through)
-            matrix, rate = matrix - across[:, :-1], rate - across[:, -1]
-        rows = np.concatenate((pushes, self._row))
-        count, rubs = len(pushes), len(self._row)
-        both, one = matrix[np.ix_(rows, rows)] + soft * np.eye(len(rows)), rate[rows]
-        bounds = self._shares(self._slips)
-        way = np.column_stack((np.eye(count + rubs), -np.eye(count + rubs)[:, count:]))
-        whole = np.zeros((count + 3 * rubs, count + 3 * rubs))
-        signed = count + 2 * rubs
-        whole[:signed, :signed] = way.T @ both @ way
-        whole[count:signed, signed:] = np.concatenate((np.eye(rubs), np.eye(rubs)))
-        whole[signed:, :count] = bounds[:, pushes]
-        whole[signed:, count:signed] = -np.concatenate((np.eye(rubs), np.eye(rubs)), axis=1)
-        found = lemke(whole, np.concatenate((way.T @ one, np.zeros(rubs))))
-        if found is None:
-            return None
-        impulse = np.zeros_like(self._rate)
-        impulse[rows] = way @ found[:signed]
-        impulse[free] = -(through[:, :-1] @ impulse + through[:, -1])
-        return impulse
 
     def _missed(self, impulse: Array) -> Array:
         """Return by how much each row misses what it asks for: (m,).

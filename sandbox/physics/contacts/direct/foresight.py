@@ -22,7 +22,7 @@ from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.spots import ALIKE, LEAST, Spot, corner_on, landing, within
 from sandbox.physics.contacts.direct.strangers import Strangers
-from sandbox.physics.contacts.queries import Touched, contacts_of
+from sandbox.physics.contacts.queries import Touched, contacts_of, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles
 
@@ -66,7 +66,7 @@ class Foresight:
         strangers
             The pairs that did not touch before it and might.
         """
-        drift, known = kick.joints.drift, set(kick.contacts.pairs) if strangers else ()
+        drift, known = kick.joints.drift, set(pairs_of(kick.contacts)) if strangers else ()
         turning = self._turning(kick.contacts, angles(motion) * drift)
         coming = [pair for pair in strangers if pair not in known]
         if not (turning or coming):
@@ -96,7 +96,8 @@ class Foresight:
             return []
         whole = (contacts.touches == 2) & single[a] & single[b]
         turns = (far & self._looks[a, b] & ~whole).tolist()
-        return sorted({pair for pair, looks in zip(contacts.pairs, turns, strict=True) if looks})
+        pairs = pairs_of(contacts)
+        return sorted({pair for pair, looks in zip(pairs, turns, strict=True) if looks})
 
     def _meet(self, pair: Pair, here: Placed, there: Placed) -> Iterator[Sequence[Spot]]:
         """Yield where a side of one that touches comes down, as it is where the drift starts."""

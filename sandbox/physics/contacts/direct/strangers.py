@@ -14,6 +14,7 @@ from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.parts import Pair, Shapes
 from sandbox.physics.contacts.direct.spots import LEAST
+from sandbox.physics.contacts.queries import pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 
@@ -84,7 +85,7 @@ class Strangers:
             self._room -= self._between(went)
         self._seen, self._touch = place.values, contacts.bodies
         ahead = self._between(way)
-        touch, here = set(contacts.pairs), self._shapes.at(place)
+        touch, here = set(pairs_of(contacts)), self._shapes.at(place)
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])

@@ -1,12 +1,14 @@
 """Which contacts push: random problems, and those that guesses alone do not solve."""
 
+from math import inf
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve
+from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
 from sandbox.physics.contacts.direct.lemke import lemke
 from sandbox.physics.contacts.direct.problem import NO_FRICTION, Active, Friction, Problem
 
@@ -89,6 +91,21 @@ def test_friction_is_shared_as_far_as_each_contact_holds() -> None:
     n = 1.05 / 2.02
     assert impulse == pytest.approx([n, 1 - n, n / 10, 0.5 - n / 10], abs=1e-12)
     assert active.on.all()
+
+
+@pytest.mark.parametrize(("own", "rate"), [(2.5, -0.7), (1e-6, 3.0), (4e7, 1e-3)])
+def test_a_single_joint_takes_the_same_impulse_alone(own: float, rate: float) -> None:
+    """To the last bit: what is solved in plain numbers is what all rows are solved for."""
+    problem = Problem(np.array([True]), np.array([False]), NO_FRICTION)
+    guess = Active(np.array([True]), np.zeros(0, dtype=np.intp))
+    impulse, _ = solve(problem, np.array([[own]]), np.array([rate]), guess)
+
+    assert solve_one(own, rate, 0.0, inf) == impulse[0]
+
+
+def test_a_single_joint_that_moves_nothing_is_told() -> None:
+    with pytest.raises(Unsolvable):
+        solve_one(0.0, 1.0, 0.0, inf)
 
 
 def test_what_contradicts_itself_is_told() -> None:

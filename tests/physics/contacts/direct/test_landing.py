@@ -6,7 +6,12 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
+from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.contacts.direct import landing
+from sandbox.physics.contacts.direct.holding import Held, hold
+from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, fixed, level
@@ -39,6 +44,22 @@ def seesaw(rate: float) -> Level:
     }
     pin = {"pin": {"type": "pivot", "ends": ["plank", [0, 0.6]]}}
     return level(scene, DIRECT, joints=pin, stepping={"rate": rate})
+
+
+def test_what_it_has_nothing_to_do_with_is_not_solved_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A box comes down beside two that stand by themselves: three islands, of which one counts."""
+    solved: list[int] = []
+
+    def noted(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
+        solved.append(len(kick.layout.islands))
+        return hold(kick, motion, guess, driven=driven)
+
+    monkeypatch.setattr(landing, "hold", noted)
+    bodies = {"one": box((3, 0.25)), "two": box((5, 0.25)), "falls": box((0, 1), angle=0.3)}
+    build(dropped(240, bodies)).advance(120)
+
+    assert solved
+    assert set(solved) == {1}
 
 
 class Course(NamedTuple):

@@ -484,7 +484,7 @@ def test_a_high_pile_begins_at_rest_without_a_long_search(monkeypatch: pytest.Mo
         kicks[0] += 1
         solve(self, until)
 
-    monkeypatch.setattr(complementarity, "lemke", lambda *_: pytest.fail("it searched"))
+    monkeypatch.setattr(complementarity, "by_lemke", lambda *_: pytest.fail("it searched"))
     monkeypatch.setattr(solver.Direct, "solve", counted)
 
     world = build(stack(200, 1))
