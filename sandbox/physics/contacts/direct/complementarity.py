@@ -25,6 +25,7 @@ from sandbox.physics.contacts.direct.lemke import lemke
 from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, null, solved
 from sandbox.physics.contacts.direct.problem import Active, Problem
 from sandbox.physics.engine.batch import Integers
+from sandbox.physics.state.cancellation import cancellation_point
 
 FAINT = 1e-12
 """The share of a row's own inverse mass that is nothing."""
@@ -189,6 +190,7 @@ class _Scaled:
         """Solve and mend the guess until it holds; None if that goes in circles."""
         seen = set()
         for _ in range(GUESSES):
+            cancellation_point()
             impulse, repeats = self._with(active)
             rate = self._rate + self._delassus.dot(impulse)
             better = self._judge(impulse, rate, active)
