@@ -21,8 +21,7 @@ def redo(person: Person) -> None:
 
 
 def set_to(person: Person, name: str, text: str) -> None:
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     field = side.parameters.row(name).field
     person.click(field.rect)
     field.set_text("")
@@ -68,8 +67,7 @@ def test_what_is_changed_after_an_undo_takes_the_place_of_what_was_undone(
 
 def test_a_slider_that_is_dragged_is_one_change(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     knob = side.parameters.row("g").slider.sliding_button
     assert knob is not None
     start = knob.rect.center
