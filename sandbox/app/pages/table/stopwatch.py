@@ -12,7 +12,6 @@ from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.physics.stepping.world import World
 
 BETWEEN = 0.01
 """The part of a step by which the time of an event is known that lies between two steps."""
@@ -80,7 +79,7 @@ class Stopwatch:
         self._began: float | None = None
         self._ended: float | None = None
         self._known: tuple[LiveRun, dict[Occasion, Found]] | None = None
-        self._read: tuple[tuple[World, int, object], Reading] | None = None
+        self._read: tuple[tuple[object, ...], Reading] | None = None
         self.news = object()
 
     def choose(self, starts: Occasion, stops: Occasion) -> None:
