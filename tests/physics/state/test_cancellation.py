@@ -1,6 +1,7 @@
 """Who waits for a long computation can look up from it and break it off; it changes nothing."""
 
 import json
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -54,11 +55,11 @@ def looks(world: World, steps: int) -> int:
     return len(seen)
 
 
-LONG = {
+LONG: dict[str, Callable[[], tuple[Level, int]]] = {
     "contacts that are solved directly": lambda: (pile(5, solver="direct"), 15),
     "impacts one after the other": lambda: (rocked(impacts="sequence"), 5),
 }
-"""Levels whose steps can last for seconds if they are larger, and how many steps come to a point"""
+"""Levels whose steps can last for seconds if they are larger, and how many steps they take here."""
 
 
 @pytest.mark.parametrize("what", LONG)
