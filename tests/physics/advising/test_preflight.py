@@ -1,5 +1,7 @@
 """What is known against a level before it runs, and for which values of its parameters it is."""
 
+from typing import Any
+
 import pytest
 
 from sandbox.model.expressions import Values
@@ -11,6 +13,11 @@ from tests.physics.scenes import GRAVITY, disc, floor, level
 
 CONTACT = {**GRAVITY, "contact": {}}
 FAST = {"v": {"value": 1, "min": 0, "max": 2}, "y": {"value": 1, "min": 0.2, "max": 3}}
+
+
+def thrown(height: str) -> dict[str, Any]:
+    """Return a disc of 0.5 m that begins at some height, as fast as `v` says."""
+    return {**disc(radius=0.5), "position": [0, height], "velocity": [0, "v"]}
 
 
 @pytest.fixture
@@ -28,7 +35,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> list[Values]:
 
 def test_bodies_that_overlap_at_an_end_of_a_range_are_refused_with_that_value() -> None:
     scene = level(
-        {"ball": disc((0, "y"), radius=0.5, velocity=[0, "v"]), "floor": floor(0)},
+        {"ball": thrown("y"), "floor": floor(0)},
         CONTACT, parameters=FAST,
     )  # fmt: skip
 
@@ -43,7 +50,7 @@ def test_how_fast_a_body_begins_is_not_varied_where_only_places_matter(
     made: list[Values],
 ) -> None:
     scene = level(
-        {"ball": disc((0, "y + 1"), velocity=[0, "v"]), "floor": floor(-1)},
+        {"ball": thrown("y + 1"), "floor": floor(-1)},
         CONTACT, parameters=FAST,
     )  # fmt: skip
 
@@ -53,7 +60,7 @@ def test_how_fast_a_body_begins_is_not_varied_where_only_places_matter(
 
 def test_it_is_where_a_drag_grows_with_the_speed(made: list[Values]) -> None:
     scene = level(
-        {"ball": disc((0, "y"), velocity=[0, "v"])},
+        {"ball": thrown("y")},
         {**GRAVITY, "drag": {"quadratic": 0.1}}, parameters=FAST,
     )  # fmt: skip
 
