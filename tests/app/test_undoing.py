@@ -173,3 +173,19 @@ def test_the_editor_keeps_an_undo_of_its_own(person: Person, tmp_path: Path) -> 
     person.wait(1.0)
     undo(person)
     assert person.session.speed == 2
+
+
+def test_a_branch_is_taken_back_and_made_again_where_the_run_still_stands_at_it(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, falling())
+    person.session.do_again((), 20)
+    person.press(pygame.K_o, "O", pygame.KMOD_SHIFT)
+    set_to(person, "g", "12")
+    set_to(person, "g", "14")
+    assert (g(person), person.session.world.steps) == (14, 20)
+
+    for key, expected in ((undo, 12), (undo, 10), (redo, 12), (redo, 14)):
+        key(person)
+        person.wait(0.2)
+        assert (g(person), person.session.world.steps) == (expected, 20)
