@@ -109,8 +109,12 @@ class CommandTable:
         return {**opening, **acting}
 
     def _with_session(self, act: Callable[[Session], None]) -> None:
-        if self._space.session is not None:
+        if self._space.session is None:
+            return
+        try:
             act(self._space.session)
+        except SandboxError as error:
+            self._tell(str(error))
 
     def _press_the_stopwatch(self) -> None:
         if self._space.session is not None:

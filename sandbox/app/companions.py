@@ -19,6 +19,7 @@ from sandbox.model.level import Level, Scheme
 from sandbox.model.variants import Variation
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
+from sandbox.physics.stepping.patience import Patience
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +91,7 @@ class Companion:
         self.variant = variant
         self.world = build(variant.level, values)
         self.trail = Trail(self.world.snapshot.position)
-        self.clock = Clock()
+        self.clock, self._patience = Clock(), Patience()
         self.failure: SandboxError | None = None
         self._end = count_steps(self.world)
         self._recorder = Recorder(self.world, needed(variant.level))
@@ -103,8 +104,8 @@ class Companion:
 
     def _advance(self) -> None:
         try:
-            with self.clock.running():
-                snapshot = self.world.advance()
+            with self.clock.running(), self._patience.within_steps():
+                snapshot = self._patience.advance(self.world)
         except SandboxError as error:
             self.failure = error
             return

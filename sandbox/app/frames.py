@@ -12,6 +12,9 @@ from sandbox.model.errors import SandboxError
 SHOWN = ("graph page", "forces")
 """What is opened beside the stage: a page whose graph grows, and the arrows of a free body."""
 
+LOOKS = 5
+"""How many pictures pygame_gui makes of a button, one a frame: as it is, under the mouse, ..."""
+
 
 @dataclass(frozen=True, slots=True)
 class Frames:
@@ -59,7 +62,8 @@ def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
             raise SandboxError(f"{name} does not open: 'sandbox check {name}' says why")
         for command in SHOWN:
             window.do(command)
-        _show(window, 0.0)  # what is opened is laid out once, and not a part of any later frame
+        for _ in range(LOOKS):  # what is opened is drawn once, and is no part of any later frame
+            _show(window, 0.0)
         took, passed = _play(window, max(round(seconds * RATE), 1))
     finally:
         window.close()

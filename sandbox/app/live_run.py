@@ -24,6 +24,7 @@ from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.stepping.patience import Patience
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ class LiveRun:
         self._fork: World | None = None  # from which it branched off last
         self._recorder = Recorder(world, [*needed(original), *milestones.needed(world.level)])
         self._grading = Grading(self._recorder)
-        self.limits = Limits(self._recorder)
+        self.limits, self._patience = Limits(self._recorder), Patience()
         self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
 
     @property
@@ -132,8 +133,8 @@ class LiveRun:
         if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
             self._follow(self.t + self.world.dt)
         try:
-            with self.clock.running():
-                snapshot = self.world.advance()
+            with self.clock.running(), self._patience.within_steps():
+                snapshot = self._patience.advance(self.world)
         except SandboxError as error:
             self.failure = error
             return

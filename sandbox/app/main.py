@@ -45,7 +45,8 @@ def run(
     # a tool tip that does not fit is cut off; that is nothing to tell a terminal
     warnings.filterwarnings("ignore", "Unable to fit tool tip", UserWarning)
     window = Window()
-    window.open_level(level or FIRST, settings, accuracy)
+    with window.hold_up.watched():
+        window.open_level(level or FIRST, settings, accuracy)
     if level is None:
         window.do("home")
     if racing:

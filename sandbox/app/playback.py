@@ -95,25 +95,34 @@ class Playback(RunView, ABC):
         self.playing = False
         self._advance()
 
-    def go_to(self, step: int) -> None:
+    def go_to(self, step: int, *, undone: bool = False) -> None:
         """Go to another step of the run, back or ahead; to the level's end at the most.
 
         A way back begins at the start: the run is taken again, with all that a hand did to it, and
         so is the same to the last bit. What was done later is forgotten. A long way takes some
         frames, see `sought`.
 
+        Parameters
+        ----------
+        step
+            Which.
+        undone
+            Whether what was done at that step itself is forgotten, too.
+
         Raises
         ------
         SandboxError
             If the run cannot be built again.
         """
-        if self._stands or (self.failure is not None and step >= self.world.steps):
+        sought = min(max(step, 0), self.end)
+        back = undone or sought < self.world.steps
+        if self._stands or (self.failure is not None and not back):
             return
         self.release()
         self.run.limits.bear()
-        self.sought = min(max(step, 0), self.end)
-        if self.sought < self.world.steps:
-            self._begin_again(self.sought)
+        self.sought = sought
+        if back:
+            self._begin_again(sought)
         self._seek(AT_ONCE)
 
     def do_again(self, actions: Sequence[Action], steps: int) -> None:

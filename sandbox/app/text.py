@@ -1,6 +1,6 @@
 """Text on surfaces: Noto Sans, as it comes with pygame_gui, with what was drawn kept for reuse."""
 
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib.resources import files
 from itertools import groupby
 from unicodedata import category, normalize
@@ -152,7 +152,12 @@ def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
 @lru_cache(maxsize=500)
 def _lacks(letter: str) -> bool:
     """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
-    return _shape(letter) == _shape(NO_LETTER)
+    return _shape(letter) == _box()
+
+
+@cache
+def _box() -> tuple[tuple[int, int], bytes]:
+    return _shape(NO_LETTER)
 
 
 def _shape(letter: str) -> tuple[tuple[int, int], bytes]:

@@ -1,6 +1,7 @@
 """Taking back what a person has changed of a run: parameters, effects, scheme, rate, and speed."""
 
 from collections.abc import Mapping, Sequence
+from itertools import takewhile
 from math import inf
 from typing import NamedTuple
 
@@ -139,14 +140,16 @@ def apply(session: Session, wanted: Setup) -> None:
         If it cannot be; then all stays as it was.
     """
     now = setup(session)
-    same_start = now.begun == wanted.begun
-    have, want = len(now.branches), len(wanted.branches)
+    both = zip(now.branches, wanted.branches, strict=False)
+    kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], both))
+    lost, gained = now.branches[kept:], wanted.branches[kept:]
     if not _same_form(now, wanted):
         session.play_as(wanted.level, wanted.beside, wanted.changes, wanted.values)
-    elif same_start and want < have and wanted.branches == now.branches[:want]:
-        session.go_to(now.branches[want].step)
-    elif same_start and want > have and now.branches == wanted.branches[:have]:
-        _branch(session, wanted.branches[have])
+    elif now.begun == wanted.begun and (lost or gained) and len(gained) <= 1:
+        if lost:
+            session.go_to(lost[0].step, undone=True)
+        if gained:
+            _branch(session, gained[0])
     elif now.values != wanted.values:
         session.restart(wanted.values)
     session.speed = wanted.speed
@@ -154,7 +157,8 @@ def apply(session: Session, wanted: Setup) -> None:
 
 def _branch(session: Session, branch: Branch) -> None:
     """Go on with other parameters from the step where the run has done so before."""
-    session.go_to(branch.step)
+    if session.sought is None:
+        session.go_to(branch.step)
     if session.sought is not None:
         told = say("the run is on its way to where it branched; then do it again")
         raise SandboxError(told)

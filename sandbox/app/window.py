@@ -7,6 +7,7 @@ import pygame
 
 from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
+from sandbox.app.hold_up import HoldUp
 from sandbox.app.painting import paint
 from sandbox.app.session import Session
 from sandbox.app.sounds import Sounds
@@ -26,6 +27,8 @@ class Window(Workspace):
     ----------
     commands
         What can be asked for by name.
+    hold_up
+        Looks after it while a frame takes long.
     """
 
     def __init__(self, size: tuple[int, int] = SIZE) -> None:
@@ -33,6 +36,7 @@ class Window(Workspace):
         self.commands = CommandTable(self)
         self._events = Events(self, self.commands)
         self._watch, self._sounds = FileWatch(), Sounds()
+        self.hold_up = HoldUp(self)
         self._quiet = 0.0  # s since the last event
 
     def do(self, command: str) -> None:
@@ -59,7 +63,13 @@ class Window(Workspace):
 
     def frame(self, seconds: float) -> None:
         """Handle what has happened, let time pass [s], and draw."""
-        events = pygame.event.get()
+        with self.hold_up.watched():
+            self._pass(seconds)
+        self._draw(seconds)
+
+    def _pass(self, seconds: float) -> None:
+        """Handle what has happened, and let time pass [s]."""
+        events = self.hold_up.events()
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
             self._events.handle(event)
@@ -82,7 +92,6 @@ class Window(Workspace):
             self.panels.follow_home()
             if not self.comfort.chosen.reduced:
                 self.panels.home.play(seconds)
-        self._draw(seconds)
 
     def _play(self, session: Session, seconds: float) -> None:
         """Let time pass, and note what that takes."""

@@ -92,10 +92,10 @@ def find(level: str) -> Path:
     LevelError
         If there is no such level; the message says what was probably meant.
     """
-    known = names()
-    name = level.replace("\\", "/").removesuffix(".json")
     if _is_file(level):
         return Path(level)
+    known = names()
+    name = level.replace("\\", "/").removesuffix(".json")
     if name in known:
         return root() / f"{name}.json"
     if level.endswith(".json"):

@@ -14,7 +14,7 @@ import numpy as np
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions import conditions
 from sandbox.model.conditions.condition import Condition
-from sandbox.model.consistency import dangling, inconsistencies, too_much
+from sandbox.model.consistency import contradictions, dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, Formula, Values
 from sandbox.model.level import Level
@@ -38,7 +38,7 @@ def faults(level: Level) -> list[Fault]:
         return found
     if next(dangling(level), None):
         return _most(inconsistencies(level))
-    return _most(chain(inconsistencies(level), _values(level))) or _most(_late(level))
+    return _most(chain(contradictions(level), _values(level))) or _most(_late(level))
 
 
 def _most(found: Iterator[Fault]) -> list[Fault]:

@@ -98,14 +98,15 @@ def simulate(
             steps, patience = count_steps(world, duration), Patience()
             if until is None:
                 recorder.require(steps + 1)
-            for taken in range(steps):
-                patience.advance(world)
-                recorder.require(taken + 2)
-                recorder.note()
-                if closer:
-                    closer.note()
-                if until and until(world):
-                    break
+            with patience.within_steps():
+                for taken in range(steps):
+                    patience.advance(world)
+                    recorder.require(taken + 2)
+                    recorder.note()
+                    if closer:
+                        closer.note()
+                    if until and until(world):
+                        break
             trace = recorder.trace
             return replace(trace, closing=closer.closing) if closer else trace
     except SandboxError:

@@ -3,15 +3,19 @@
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 import pygame
 
+from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.window import Window
 from sandbox.model.shapes import XY
 
 FRAME = 1 / 60  # s
 PATIENCE = 240.0  # s
+
+P = TypeVar("P")
 
 
 class Person:
@@ -24,6 +28,17 @@ class Person:
     def session(self) -> Session:
         assert self.window.session is not None
         return self.window.session
+
+    @property
+    def side(self) -> SidePanel:
+        assert self.window.panels.side is not None
+        return self.window.panels.side
+
+    def page(self, kind: type[P]) -> P:
+        """Return the page that is open, which is of some kind."""
+        page = self.side.page
+        assert isinstance(page, kind)
+        return page
 
     def open(self, folder: Path, text: str) -> None:
         """Open a level that is written to a file first."""

@@ -127,8 +127,7 @@ def test_a_branched_run_is_held_against_no_formula() -> None:
 
 
 def drag(person: Person, name: str, by: int) -> None:
-    assert person.window.panels.side
-    knob = person.window.panels.side.parameters.row(name).slider.sliding_button
+    knob = person.side.parameters.row(name).slider.sliding_button
     assert knob is not None
     x, y = knob.rect.center
     person.drag((x, y), (x + by, y))
@@ -136,9 +135,7 @@ def drag(person: Person, name: str, by: int) -> None:
 
 
 def switch(person: Person) -> UIButton:
-    assert person.window.panels.side
-    page = person.window.panels.side.page
-    assert isinstance(page, LevelPage)
+    page = person.page(LevelPage)
     assert page.onwards is not None
     return page.onwards
 

@@ -105,10 +105,7 @@ def test_a_flash_is_seen_where_bodies_struck_unless_it_is_switched_off(
     person.press(pygame.K_EXCLAIM, "!")
     again = person.color_at(pixel)
     person.press(pygame.K_0, "0")
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, SettingsPage)
-    person.click(side.page.button("Reduced").rect)
+    person.click(person.page(SettingsPage).button("Reduced").rect)
     reduced = person.color_at(pixel)
 
     assert lit == again != dark == reduced

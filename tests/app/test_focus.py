@@ -113,8 +113,7 @@ def test_what_is_out_of_sight_is_scrolled_into_view(person: Person, tmp_path: Pa
     person.open(tmp_path, falling())
     person.window.comfort.choose(size=200)
     person.wait(0.1)
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     for _ in range(2):
         tab(person)
     at = focused(person)
@@ -127,17 +126,15 @@ def test_arrows_move_a_slider_that_has_the_focus(person: Person, tmp_path: Path)
     person.open(tmp_path, falling())
     person.window.do("accuracy page")
     person.wait(0.05)
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, AccuracyPage)
+    page = person.page(AccuracyPage)
     for _ in range(MOST):
         tab(person)
         if isinstance(focused(person), UIHorizontalSlider):
             break
-    before = side.page._digits
+    before = page._digits
     person.press(pygame.K_RIGHT)
     person.wait(0.05)
-    assert side.page._digits == 7 != before
+    assert page._digits == 7 != before
     assert person.session.world.steps == 0
     person.window.workers.cancel()
 

@@ -70,8 +70,7 @@ def test_a_tip_is_dragged_while_time_stands(player: Person) -> None:
     assert not player.session.playing
     assert not player.session.world.disturbed
     assert theme.FORCES[0] in near(player, tip(player, half((-2, 5))))
-    assert player.window.panels.side is not None
-    shown = player.window.panels.side.parameters.row("F1x").field.get_text()
+    shown = player.side.parameters.row("F1x").field.get_text()
     assert float(shown) == values["F1x"]
 
 

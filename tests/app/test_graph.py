@@ -112,19 +112,18 @@ def test_graph_bars_and_sum_change_by_key_and_by_button(person: Person) -> None:
         side = person.window.surface.subsurface(person.window.panels.layout.side)
         return int((pygame.surfarray.array3d(side) == theme.STAGE).all(axis=2).sum())
 
-    assert person.window.panels.side is not None
     with_graph = seen()
-    assert person.window.panels.side.foot is not None
-    person.click(person.window.panels.side.foot.switch.rect)
+    assert person.side.foot is not None
+    person.click(person.side.foot.switch.rect)
     with_bars = seen()
     person.press(pygame.K_e, "e")
-    folded = person.window.panels.side.foot
+    folded = person.side.foot
     assert folded is not None
     top = folded.top
     person.press(pygame.K_e, "e")
 
-    assert person.window.panels.side.foot is not None
-    assert top > person.window.panels.side.foot.top + HIGH[0]
+    assert person.side.foot is not None
+    assert top > person.side.foot.top + HIGH[0]
     assert with_graph > with_bars + 200 * 50
     assert seen() == pytest.approx(with_graph, rel=0.05)
 

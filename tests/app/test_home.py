@@ -143,6 +143,22 @@ def test_the_wheel_scrolls_as_far_as_there_are_cards(visitor: Person) -> None:
     assert last.bottom > stage.bottom - 100
 
 
+def test_the_card_that_the_wheel_brings_under_the_mouse_is_lit(visitor: Person) -> None:
+    visitor.resize((900, 600))
+    mouse = home(visitor).place(0).center
+    visitor.move(mouse)
+
+    for _ in range(20):
+        wheel = pygame.Event(pygame.MOUSEWHEEL, x=0, y=-1, precise_x=0.0, precise_y=-1.0)
+        pygame.event.post(wheel)
+    visitor.wait()
+
+    places = [home(visitor).place(i) for i in range(len(home(visitor).grid.cards))]
+    (under,) = (place for place in places if place.collidepoint(mouse))
+    assert under != places[0]
+    assert visitor.color_at((under.right - 8, under.bottom - 4)) == theme.RAISED
+
+
 def test_what_acts_on_the_level_shows_it_again(visitor: Person) -> None:
     visitor.click(visitor.window.panels.controls.button("play").rect)
 

@@ -23,7 +23,6 @@ from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.panels import levels
-from sandbox.app.panels.side import SidePanel
 from sandbox.app.text import Pen
 from sandbox.model.effects import EFFECTS
 from sandbox.physics.energy.balance import Balance
@@ -66,11 +65,6 @@ def wordless(**changes: object) -> str:
     return falling(**{**told, **changes})
 
 
-def side_of(person: Person) -> SidePanel:
-    assert person.window.panels.side is not None
-    return person.window.panels.side
-
-
 def turn_to(person: Person, page: str) -> None:
     found = next(each for each in PAGES if each.name == page)
     person.press(pygame.key.key_code(found.key), found.key)
@@ -79,8 +73,7 @@ def turn_to(person: Person, page: str) -> None:
 def choose(person: Person, title: str) -> None:
     """Choose a language on the page of the settings, with the mouse."""
     turn_to(person, "settings")
-    page = side_of(person).page
-    assert isinstance(page, SettingsPage)
+    page = person.page(SettingsPage)
     person.click(page.button(title).rect)
     person.wait(0.1)
 
@@ -118,7 +111,7 @@ def test_a_language_is_chosen_on_the_page_of_the_settings_and_all_changes_at_onc
     person.window.open_level("newton/atwood")
     choose(person, "Deutsch")
     assert person.window.panels.controls.button("help").text == "Hilfe"
-    assert side_of(person).tab("forces page").text == "Kräfte"
+    assert person.side.tab("forces page").text == "Kräfte"
     assert person.window.panels.list is not None
     assert person.window.panels.list.way("home").text == "Übersicht"
     choose(person, "English")
@@ -143,8 +136,7 @@ def test_a_run_goes_on_while_the_language_changes(person: Person, tmp_path: Path
 def test_what_is_told_of_a_run_that_is_over_changes_too(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
     turn_to(person, "effects")
-    page = side_of(person).page
-    assert isinstance(page, EffectsPage)
+    page = person.page(EffectsPage)
     person.click(page.switch("gravity").rect)
     assert person.session.changes.told == "without gravity"
     choose(person, "Deutsch")
@@ -220,16 +212,14 @@ def test_what_is_written_of_changed_effects_and_of_a_race_is_said_in_the_languag
 ) -> None:
     person.open(tmp_path, wordless())
     turn_to(person, "effects")
-    effects = side_of(person).page
-    assert isinstance(effects, EffectsPage)
+    effects = person.page(EffectsPage)
     person.click(effects.switch("drag").rect)
     person.press(pygame.K_SPACE, " ")
     until(person, lambda: not person.session.playing)
     heard(speech, person)
     person.click(effects.reset.rect)
     turn_to(person, "race")
-    race = side_of(person).page
-    assert isinstance(race, RacePage)
+    race = person.page(RacePage)
     person.click(race.button.rect)
     person.press(pygame.K_SPACE, " ")
     person.wait(0.3)
@@ -241,8 +231,7 @@ def test_what_is_written_of_a_prediction_is_said_in_the_language(
 ) -> None:
     person.open(tmp_path, wordless())
     turn_to(person, "predict")
-    page = side_of(person).page
-    assert isinstance(page, PredictPage)
+    page = person.page(PredictPage)
     person.click(page.button.rect)
     person.type("Q")
     person.press(pygame.K_RETURN)

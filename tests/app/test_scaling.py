@@ -120,8 +120,7 @@ def test_what_has_no_room_is_scrolled_to(person: Person, tmp_path: Path, size: i
     person.resize(SMALLEST)
     person.open(tmp_path, falling())
     choose(person, size)
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     container = side._sheet.container
     lowest = side.parameters.row("mass").field
 

@@ -64,8 +64,7 @@ def test_several_curves_have_signs_and_one_alone_has_none(
         person.session.step()
     person.window.do("graph page")
     person.wait(0.2)
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     place = side.page._graphs.rect  # type: ignore[attr-defined]
     beside = pygame.Rect(place.x, place.y, person.window.pen.px(13), 14)
     row = [person.color_at((x, beside.y + 10)) for x in range(beside.x + 3, beside.x + 9)]

@@ -33,10 +33,7 @@ def blows(*shares: float) -> list[Blow]:
 
 def settings(person: Person) -> SettingsPage:
     person.press(pygame.K_0, "0")
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, SettingsPage)
-    return side.page
+    return person.page(SettingsPage)
 
 
 def plays(person: Person) -> bool:

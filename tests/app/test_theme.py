@@ -178,8 +178,7 @@ def test_the_bodies_and_fields_take_the_colours_of_the_theme(
     person.open(tmp_path, falling())
     person.press(pygame.K_t, "\x14", pygame.KMOD_LCTRL)
     person.wait(0.1)
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     field = side.parameters.row("g").field.rect
 
     assert person.color_at((field.right - 6, field.y + 6)) == theme.palette("light")["stage"]

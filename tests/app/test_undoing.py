@@ -21,8 +21,7 @@ def redo(person: Person) -> None:
 
 
 def set_to(person: Person, name: str, text: str) -> None:
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     field = side.parameters.row(name).field
     person.click(field.rect)
     field.set_text("")
@@ -68,8 +67,7 @@ def test_what_is_changed_after_an_undo_takes_the_place_of_what_was_undone(
 
 def test_a_slider_that_is_dragged_is_one_change(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, falling())
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     knob = side.parameters.row("g").slider.sliding_button
     assert knob is not None
     start = knob.rect.center
@@ -175,3 +173,19 @@ def test_the_editor_keeps_an_undo_of_its_own(person: Person, tmp_path: Path) -> 
     person.wait(1.0)
     undo(person)
     assert person.session.speed == 2
+
+
+def test_a_branch_is_taken_back_and_made_again_where_the_run_still_stands_at_it(
+    person: Person, tmp_path: Path
+) -> None:
+    person.open(tmp_path, falling())
+    person.session.do_again((), 20)
+    person.press(pygame.K_o, "O", pygame.KMOD_SHIFT)
+    set_to(person, "g", "12")
+    set_to(person, "g", "14")
+    assert (g(person), person.session.world.steps) == (14, 20)
+
+    for key, expected in ((undo, 12), (undo, 10), (redo, 12), (redo, 14)):
+        key(person)
+        person.wait(0.2)
+        assert (g(person), person.session.world.steps) == (expected, 20)

@@ -152,9 +152,8 @@ def test_every_level_can_be_walked_to_and_stepped_by_keyboard(player: Person) ->
 def test_the_panel_of_a_low_window_is_scrolled_by_keyboard(player: Person) -> None:
     player.resize((1024, 400))
     player.wait(0.1)
-    assert player.window.panels.side is not None
-    field = player.window.panels.side.parameters.row("g").field
-    before, page = field.rect.y, player.window.panels.side._sheet.container.rect.height
+    field = player.side.parameters.row("g").field
+    before, page = field.rect.y, player.side._sheet.container.rect.height
 
     player.press(pygame.K_PAGEDOWN)
     player.wait(0.1)
@@ -166,8 +165,7 @@ def test_the_panel_of_a_low_window_is_scrolled_by_keyboard(player: Person) -> No
 
 
 def test_a_slider_changes_a_parameter_and_starts_anew(player: Person) -> None:
-    assert player.window.panels.side is not None
-    row = player.window.panels.side.parameters.row("g")
+    row = player.side.parameters.row("g")
     knob = row.slider.sliding_button
     assert knob is not None
     start = knob.rect.center
@@ -181,8 +179,7 @@ def test_a_slider_changes_a_parameter_and_starts_anew(player: Person) -> None:
 
 
 def test_a_number_is_typed_into_a_field(player: Person) -> None:
-    assert player.window.panels.side is not None
-    field = player.window.panels.side.parameters.row("g").field
+    field = player.side.parameters.row("g").field
 
     player.press(pygame.K_TAB)
     assert field.is_focused
@@ -196,8 +193,7 @@ def test_a_number_is_typed_into_a_field(player: Person) -> None:
 def test_what_is_typed_after_a_click_into_a_field_takes_the_place_of_its_number(
     player: Person,
 ) -> None:
-    assert player.window.panels.side is not None
-    field = player.window.panels.side.parameters.row("g").field
+    field = player.side.parameters.row("g").field
 
     player.click(field.rect)
     player.type("7")
@@ -209,8 +205,7 @@ def test_what_is_typed_after_a_click_into_a_field_takes_the_place_of_its_number(
 def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
     player.resize((1024, 640))
     player.press(pygame.K_d, "d")
-    side = player.window.panels.side
-    assert side is not None
+    side = player.side
     assert side.foot is not None
     assert side.foot.verdicts is not None
     assert side.foot.verdicts.text.startswith("Checks: ")
@@ -218,8 +213,7 @@ def test_the_foot_counts_the_checks_and_leads_to_them(player: Person) -> None:
     player.click(side.foot.verdicts.rect)
     player.wait(0.1)
 
-    side = player.window.panels.side
-    assert side is not None
+    side = player.side
     assert isinstance(side.page, LevelPage)
     checks, seen = side._sheet.checks, side._sheet.container.rect
     assert checks is not None
@@ -252,8 +246,7 @@ def test_arrows_change_the_number_in_a_field(player: Person) -> None:
 
 @pytest.mark.parametrize("typed", ["99", "-", "1e999"])
 def test_an_impossible_value_is_told_and_taken_back(player: Person, typed: str) -> None:
-    assert player.window.panels.side is not None
-    field = player.window.panels.side.parameters.row("g").field
+    field = player.side.parameters.row("g").field
     player.press(pygame.K_TAB)
     player.type(typed)
     before = player.window.surface.copy()

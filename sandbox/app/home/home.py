@@ -153,18 +153,24 @@ class Home:
             inside = self._area.collidepoint(pygame.mouse.get_pos())
             if inside:
                 self._scroll_to(self._top - WHEEL * event.precise_y)
+                self._point(pygame.mouse.get_pos())
             return inside
         if event.type not in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
             return False
-        inside = self._area.collidepoint(event.pos)
-        on = (event.pos[0] - self._area.x, event.pos[1] - self._area.y + self._top)
-        self._hovered = self._grid.at(on) if inside else None
+        inside = self._point(event.pos)
         beside = self.strip.follow(event.pos)
         if event.type == pygame.MOUSEMOTION:
             return False
         if event.button == 1:
             self._click(down=event.type == pygame.MOUSEBUTTONDOWN)
         return inside or beside
+
+    def _point(self, pixel: tuple[int, int]) -> bool:
+        """Take note of which card is under the mouse, and return whether that is over the cards."""
+        inside = self._area.collidepoint(pixel)
+        on = (pixel[0] - self._area.x, pixel[1] - self._area.y + self._top)
+        self._hovered = self._grid.at(on) if inside else None
+        return inside
 
     def _click(self, *, down: bool) -> None:
         """Choose a card that is pressed and let go of."""

@@ -54,7 +54,7 @@ class SidePanel:
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
-        self._since = 0.0
+        self._since, self._below = 0.0, False  # whether the foot is due
         self._shown = self._state
 
     def turn(self, pages: float) -> None:
@@ -111,14 +111,26 @@ class SidePanel:
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
 
     def update(self, seconds: float) -> None:
-        """Bring the numbers up to date, a few times a second while time runs."""
+        """Bring the numbers up to date, a few times a second while time runs.
+
+        What stands below the page follows a frame later then: each takes its time.
+        """
         self._since += seconds
+        if self._below:
+            self._update_foot()
         state = self._state
         changed = any(new is not old for new, old in zip(state, self._shown, strict=True))
         if not changed or (self._session.playing and self._since < REFRESH):
             return
         self._since, self._shown = 0.0, state
         self.page.update()
+        if self._session.playing:
+            self._below = True
+        else:
+            self._update_foot()
+
+    def _update_foot(self) -> None:
+        self._below = False
         if self.foot is not None:
             self.foot.update()
 

@@ -3,7 +3,10 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from math import cos, hypot, pi, sin
+
+import numpy as np
 
 from sandbox.app import lines, theme
 from sandbox.app.theme import Color
@@ -11,6 +14,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment
 from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.geometry.depth import depth
 
 CORNERS_OF_A_CIRCLE = 48
 
@@ -79,22 +83,12 @@ class Outline:
             within = self.radius * (1 - 1 / RIM) - margin if self.hollow else 0.0
             return within <= hypot(x, y) <= self.radius + margin
         near = margin + self.thickness / 2
-        return (self.closed and self._inside(x, y)) or self._distance(x, y) <= near
-
-    def _edges(self) -> list[tuple[XY, XY]]:
-        ends = (*self.points[1:], self.points[0]) if self.closed else self.points[1:]
-        return list(zip(self.points, ends, strict=False))
-
-    def _inside(self, x: float, y: float) -> bool:
-        """Whether a ray to the right crosses the edges an odd number of times."""
-        crossings = sum(
-            (ay > y) != (by > y) and x < (bx - ax) * (y - ay) / (by - ay) + ax
-            for (ax, ay), (bx, by) in self._edges()
-        )
-        return crossings % 2 == 1
-
-    def _distance(self, x: float, y: float) -> float:
-        return min(lines.distance(a, b, (x, y)) for a, b in self._edges())
+        if not self.closed:
+            return min(lines.distance(a, b, (x, y)) for a, b in pairwise(self.points)) <= near
+        if hypot(x, y) > near + max(hypot(*corner) for corner in self.points):
+            return False
+        corners = np.array([complex(*corner) for corner in self.points])
+        return bool(depth(np.array(complex(x, y)), corners) >= -near)
 
 
 def outlines(level: Level, values: Values) -> Mapping[str, Outline]:

@@ -117,6 +117,13 @@ def inconsistencies(level: Level) -> Iterator[Fault]:
             yield from rule(level)
 
 
+def contradictions(level: Level) -> Iterator[Fault]:
+    """Yield the same of a level in which no name leads to nothing."""
+    for rule in _RULES:
+        if rule not in _NAMES:
+            yield from rule(level)
+
+
 def dangling(level: Level) -> Iterator[Fault]:
     """Yield the names that lead to nothing: parameters, bodies and quantities that do not exist."""
     for rule in _NAMES:

@@ -7,12 +7,20 @@ import numpy as np
 from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules import FEWEST, MAX_CORNERS, corners
+from sandbox.model.schemes import bounds_the_rate
+from sandbox.model.walking import expressions
 from sandbox.physics.advising.remedies import tried
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
 
 MOST_PARTS = 20_000
 """How many bodies and joints are made at the most to see whether a rate is too low: about 2 s."""
+
+IN_MOTION = frozenset(
+    {"velocity", "angular_velocity", "gravity", "friction", "static_friction", "restitution"}
+)
+"""What matters only once bodies move: it neither moves a surface at the start, nor bounds a rate
+that springs or drags do not bound."""
 
 
 def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
@@ -27,7 +35,8 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     """
     parts = len(level.bodies) + len(level.joints)
     most = min(max(MOST_PARTS // parts, FEWEST), MAX_CORNERS)
-    asked = ((values, _refused(level, values)) for values in corners(level, most=most))
+    ends = corners(level, _concerned(level), most)
+    asked = ((values, _refused(level, values)) for values in ends)
     found = [(values, error) for values, error in asked if error]
     if not found:
         return None
@@ -35,6 +44,16 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     if advised and error.rate is not None:
         error = tried(error, level, values, level.stepping)
     return error
+
+
+def _concerned(level: Level) -> frozenset[str] | None:
+    """Return the parameters on which it depends whether a level is refused; None for all."""
+    if bounds_the_rate(level):
+        return None
+    said = (vars(part).items() for part in (level.effects, *level.bodies.values()))
+    parts = [value for items in said for name, value in items if name not in IN_MOTION]
+    made_of = (*parts, level.joints, level.stepping)
+    return frozenset[str]().union(*(e.names for part in made_of for _, e in expressions(part)))
 
 
 def _refused(level: Level, values: Values) -> SimulationError | None:

@@ -10,6 +10,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
+from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.errors import EndlessImpacts
 
 ROUNDING = 1e-12
@@ -110,6 +111,7 @@ class Pile:
         most, until = MOST * CROWD // (CROWD + count), MANY * count
         impacts, work, liveliest = 0, 0, 0.0  # the largest e since it was looked at last
         while work < most:
+            cancellation_point()
             equal, e = self._bounce()
             if not equal:
                 return self._impulse

@@ -29,6 +29,7 @@ from sandbox.physics.events.time_of_impact import Hit, Path, meet, touching
 from sandbox.physics.geometry.distance import Outline, outlines
 from sandbox.physics.joints.exact.reactions import Grip
 from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.errors import EndlessImpacts
 from sandbox.physics.state.motion import momentum
 
@@ -246,6 +247,7 @@ class Located:
         hits = self._hits(path, near, 0.0, adds)
         tally = Tally(self._collision.restitution, self._mass > 0, self._dt)
         while hits:
+            cancellation_point()
             groups = self._turns.next(hits)
             time, struck = groups[0][0].time, np.zeros_like(path.struck)
             for group in groups:

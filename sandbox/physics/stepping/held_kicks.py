@@ -99,8 +99,12 @@ class HeldKicks:
             blur = FOOT * PLACES * np.abs(self._batch.state()[:, :3]).max(initial=0.0)
             near = max(near, blur * len(self._moving) ** 0.5 / kick.drift)
         after = np.full_like(start, np.inf)  # at least two kicks are compared
+        if self._most > 1:
+            from sandbox.physics.state.cancellation import cancellation_point
         changes: list[float] = []
         for count in range(self._most):
+            if count:
+                cancellation_point()
             previous = after
             self._batch.set_velocity(start)
             self._space.step(length)

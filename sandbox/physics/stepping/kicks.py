@@ -5,7 +5,7 @@ velocities. Whatever acts in a kick is told which kick it is: see `Kick`.
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -56,9 +56,8 @@ class Kicks:
         self._space, self._joints = scene.space, scene.joints
         self._drift_and_kick = stepper(self._space)
         self._hook: Hook | None = None
-        self._held = HeldKicks(
-            scene, self.finish, touching=touching, placed=scene.direct is not None
-        )
+        placed = scene.direct is not None
+        self._held = HeldKicks(scene, self.finish, touching=touching, placed=placed)
         self.compose([once(dt)])
 
     def compose(self, parts: Sequence[Substep]) -> None:
@@ -108,8 +107,7 @@ class Kicks:
         for part, kick in zip(self.parts[:-1], self._kicks, strict=False):
             self._turn_to(part, kick)
             self._drift_and_kick(part.drift)
-            if self._hook:
-                self._hook.finish()
+            self.finish()
             if self.trail is not None:
                 self.trail.append(self._scene.batch.state())
         self._turn_to(self._last, self._kicks[-1])
@@ -123,11 +121,9 @@ class Kicks:
         if self._hook:
             self._hook.kick = kick
 
-    @contextmanager
-    def held(self) -> Iterator[None]:
+    def held(self) -> AbstractContextManager[None]:
         """Hold all bodies where they are, between two steps; see `settle`."""
-        with self._held.held():
-            yield
+        return self._held.held()
 
     @contextmanager
     def tried(self) -> Iterator[None]:

@@ -1,11 +1,16 @@
 """Stops a run whose steps take so long that nobody can wait for it.
 
-What a step takes is counted before it is taken wherever that can be; this is for what is left.
+What a step takes is counted before it is taken wherever that can be; this is for what is left. A
+step is broken off at a cancellation point; where it has none, the run ends after the step.
 """
 
-from time import perf_counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from time import perf_counter, thread_time
 
+from sandbox.physics.state.cancellation import cancellable
 from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 LONGEST = 30.0
@@ -15,7 +20,7 @@ HINT = "let it have fewer bodies that touch or are joined, or fewer 'iterations'
 
 
 class Patience:
-    """Is lost where two steps in a row take too long.
+    """Is lost where a step computes for too long, or two in a row take too long.
 
     A single one may have been held up by the machine, or by whoever has stopped the process.
 
@@ -27,23 +32,47 @@ class Patience:
 
     def __init__(self, longest: float = LONGEST) -> None:
         self._longest, self._took = longest, 0.0
+        self._started = 0.0
+        self._world: World
+        self._computed: float | None = None  # at the first cancellation point of the step [s]
 
     def lost(self, seconds: float) -> bool:
         """Take note of how long a step took [s], and return whether it was one too many."""
         before, self._took = self._took, seconds
         return min(before, seconds) > self._longest
 
-    def advance(self, world: World) -> None:
-        """Let a world take a step.
+    @contextmanager
+    def within_steps(self) -> Iterator[None]:
+        """Let it be lost in the midst of a step, too: to be entered once, around many steps."""
+        with cancellable(self._look):
+            yield
+
+    def advance(self, world: World) -> Snapshot:
+        """Let a world take a step, and return the state there.
 
         Raises
         ------
         SimulationError
-            If the run had to stop, or this is the second step in a row that has taken too long.
+            If the run had to stop; if this step has computed for too long, or is the second in a
+            row that has taken too long.
         """
-        started = perf_counter()
-        world.advance()
-        took = perf_counter() - started
+        self._started, self._computed, self._world = perf_counter(), None, world
+        snapshot = world.advance()
+        took = perf_counter() - self._started
         if self.lost(took):
-            message = f"a step takes {took:.0f} s, and {self._longest:g} s are the most"
-            raise SimulationError("", world.t, message, hint=HINT)
+            raise _spent(world.t, took, self._longest)
+        return snapshot
+
+    def _look(self) -> None:
+        if self._computed is None:
+            self._computed = thread_time()
+        elif perf_counter() - self._started > self._longest:
+            computed = thread_time() - self._computed
+            if computed > self._longest:
+                raise _spent(self._world.t, computed, self._longest)
+
+
+def _spent(t: float, took: float, longest: float) -> SimulationError:
+    """Return what is told of a step that took so long, of what it may take [s]."""
+    message = f"a step takes {took:.0f} s, and {longest:g} s are the most"
+    return SimulationError("", t, message, hint=HINT)

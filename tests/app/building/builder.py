@@ -29,10 +29,7 @@ class Builder:
 
     @property
     def page(self) -> BuildPage:
-        side = self.person.window.panels.side
-        assert side is not None
-        assert isinstance(side.page, BuildPage)
-        return side.page
+        return self.person.page(BuildPage)
 
     @property
     def editor(self) -> Editor:

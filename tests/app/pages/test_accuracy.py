@@ -24,13 +24,6 @@ from tests.app.test_background import alive
 DRAG = {"gravity": {"acceleration": [0, "-g"]}, "drag": {"linear": 0.1}}
 
 
-def page(person: Person) -> AccuracyPage:
-    assert person.window.panels.side is not None
-    found = person.window.panels.side.page
-    assert isinstance(found, AccuracyPage)
-    return found
-
-
 def busy(person: Person) -> bool:
     return person.window.workers.of(Studying).running
 
@@ -80,14 +73,14 @@ def test_nothing_is_measured_where_nobody_looks(person: Person, tmp_path: Path) 
 def test_the_work_is_cancelled_by_its_button_and_begun_again(player: Person) -> None:
     player.wait(1)
     assert busy(player)
-    assert page(player).button.text == "Cancel"
+    assert player.page(AccuracyPage).button.text == "Cancel"
 
-    player.click(page(player).button.rect)
+    player.click(player.page(AccuracyPage).button.rect)
     assert not busy(player)
-    assert page(player).button.text == "Measure"
+    assert player.page(AccuracyPage).button.text == "Measure"
     player.wait(1)
     assert not busy(player)
-    player.click(page(player).button.rect)
+    player.click(player.page(AccuracyPage).button.rect)
 
     assert busy(player)
 
@@ -126,7 +119,7 @@ def test_a_change_of_a_parameter_makes_what_was_known_void(informed: Person) -> 
 
 def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person) -> None:
     studying = player.window.workers.of(Studying)
-    knob = page(player).dial.sliding_button
+    knob = player.page(AccuracyPage).dial.sliding_button
     assert knob is not None
     start = knob.rect.center
 
@@ -146,7 +139,7 @@ def test_the_dial_asks_for_an_accuracy_and_the_level_is_played_so(player: Person
 def test_the_dial_goes_back_when_another_level_asks_for_nothing(
     player: Person, tmp_path: Path
 ) -> None:
-    dial = page(player).dial
+    dial = player.page(AccuracyPage).dial
     before = dial.get_current_value()
     assert dial.sliding_button is not None
     start = dial.sliding_button.rect.center
@@ -157,7 +150,7 @@ def test_the_dial_goes_back_when_another_level_asks_for_nothing(
     player.open(tmp_path, scenes.falling())
     player.wait()
 
-    assert page(player).dial.get_current_value() == before
+    assert player.page(AccuracyPage).dial.get_current_value() == before
 
 
 ASKING = scenes.falling(effects=DRAG, ghosts={}, stepping={"accuracy": 1e-3})

@@ -11,13 +11,6 @@ from tests.app.person import Person
 LEVEL = "challenges/stop-dead"
 
 
-def page(person: Person) -> ChallengePage:
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, ChallengePage)
-    return side.page
-
-
 def play_to_the_end(person: Person) -> None:
     person.press(pygame.K_SPACE, " ")
     while person.session.playing:
@@ -45,8 +38,7 @@ def test_only_free_parameters_can_be_changed_here(person: Person) -> None:
     person.window.open_level(LEVEL)
     person.wait()
 
-    side = person.window.panels.side
-    assert side is not None
+    side = person.side
     assert side.parameters.row("m2")
     assert set(side.parameters._rows) == {"m2", "v1"}
 
@@ -98,21 +90,21 @@ def test_a_hand_earns_no_stars(person: Person) -> None:
 def test_hints_come_one_after_the_other_and_then_no_more(person: Person) -> None:
     person.window.open_level(LEVEL)
     person.wait()
-    before = page(person)._hints.image.get_height()
+    before = person.page(ChallengePage)._hints.image.get_height()
 
     person.press(pygame.K_PAGEDOWN)
-    person.click(page(person).button.rect)
-    first = page(person)._hints.image.get_height()
+    person.click(person.page(ChallengePage).button.rect)
+    first = person.page(ChallengePage)._hints.image.get_height()
     person.press(pygame.K_PAGEDOWN)
-    person.click(page(person).button.rect)
+    person.click(person.page(ChallengePage).button.rect)
 
-    assert before < first < page(person)._hints.image.get_height()
-    assert not page(person).button.visible
+    assert before < first < person.page(ChallengePage)._hints.image.get_height()
+    assert not person.page(ChallengePage).button.visible
 
 
 def test_a_level_without_a_challenge_says_where_there_are_some(person: Person) -> None:
     person.window.open_level("newton/atwood")
     person.press(pygame.K_k, "k")
 
-    assert page(person)._shown_hints == ()
+    assert person.page(ChallengePage)._shown_hints == ()
     assert "chapter Challenges" in NONE

@@ -23,13 +23,6 @@ from tests.app.person import Person
 from tests.app.scenes import play
 
 
-def page(person: Person) -> EffectsPage:
-    assert person.window.panels.side is not None
-    found = person.window.panels.side.page
-    assert isinstance(found, EffectsPage)
-    return found
-
-
 @pytest.fixture
 def player(person: Person, tmp_path: Path) -> Person:
     """Somebody who has turned to the effects of a ball that is about to fall."""
@@ -215,8 +208,8 @@ def test_a_companion_that_has_to_stop_lets_the_other_go_on() -> None:
 
 
 def test_a_switch_changes_the_run_and_shows_both(player: Person) -> None:
-    player.click(page(player).switch("gravity").rect)
-    assert not page(player).switch("gravity").is_selected
+    player.click(player.page(EffectsPage).switch("gravity").rect)
+    assert not player.page(EffectsPage).switch("gravity").is_selected
     assert player.session.level.effects.gravity is None
 
     player.press(pygame.K_SPACE, " ")
@@ -231,7 +224,7 @@ def test_a_switch_changes_the_run_and_shows_both(player: Person) -> None:
 
 
 def test_the_end_of_the_run_tells_what_is_different(player: Person) -> None:
-    player.click(page(player).switch("drag").rect)
+    player.click(player.page(EffectsPage).switch("drag").rect)
     player.press(pygame.K_SPACE, " ")
     player.wait(0.5)
     before = player.window.surface.copy()
@@ -245,24 +238,24 @@ def test_the_end_of_the_run_tells_what_is_different(player: Person) -> None:
 
 
 def test_reset_restores_the_level(player: Person) -> None:
-    player.click(page(player).switch("drag").rect)
-    player.click(page(player).switch("gravity").rect)
+    player.click(player.page(EffectsPage).switch("drag").rect)
+    player.click(player.page(EffectsPage).switch("gravity").rect)
     assert player.session.changes.off == ("gravity",)
 
-    player.click(page(player).reset.rect)
+    player.click(player.page(EffectsPage).reset.rect)
 
     assert player.session.level == player.session.original
-    assert not page(player).reset.is_enabled
+    assert not player.page(EffectsPage).reset.is_enabled
 
 
 def test_an_effect_that_is_on_can_be_made_stronger_and_weaker(player: Person) -> None:
-    assert not page(player).scale("drag", 2).is_enabled
-    player.click(page(player).switch("drag").rect)
+    assert not player.page(EffectsPage).scale("drag", 2).is_enabled
+    player.click(player.page(EffectsPage).switch("drag").rect)
 
-    player.click(page(player).scale("drag", 2).rect)
-    player.click(page(player).scale("drag", 2).rect)
+    player.click(player.page(EffectsPage).scale("drag", 2).rect)
+    player.click(player.page(EffectsPage).scale("drag", 2).rect)
     assert player.session.changes.told == "with drag (linear 0.4)"
-    player.click(page(player).scale("drag", 0.5).rect)
+    player.click(player.page(EffectsPage).scale("drag", 0.5).rect)
 
     assert player.session.changes.told == "with drag (linear 0.2)"
     assert player.session.level.effects.drag is not None
@@ -283,24 +276,22 @@ def test_a_strength_that_cannot_be_changes_nothing() -> None:
 def test_where_an_effect_cannot_go_is_told(player: Person) -> None:
     before = player.window.surface.copy()
 
-    player.click(page(player).switch("friction").rect)
+    player.click(player.page(EffectsPage).switch("friction").rect)
     player.wait()
 
     stage = player.window.panels.layout.stage
     column = [(x, 40) for x in range(stage.left, stage.right)]
     assert theme.NOTICE in [player.color_at(pixel) for pixel in column]
     assert theme.NOTICE not in [tuple(before.get_at(pixel))[:3] for pixel in column]
-    assert not page(player).switch("friction").is_selected
+    assert not player.page(EffectsPage).switch("friction").is_selected
 
 
 def test_the_tabs_are_turned_by_mouse_and_keyboard(player: Person) -> None:
-    side = player.window.panels.side
-    assert side is not None
+    side = player.side
 
     player.click(side.tab("level page").rect)
-    assert player.window.panels.side is not None
-    assert player.window.panels.side.parameters.row("g")
+    assert player.side.parameters.row("g")
     player.press(pygame.K_p, "p")
     player.press(pygame.K_x, "x")
 
-    assert page(player).switch("gravity").is_selected
+    assert player.page(EffectsPage).switch("gravity").is_selected

@@ -23,13 +23,6 @@ from tests.app.person import Person, until
 APEX = "ball.position.y@apex(ball)"
 
 
-def page(person: Person) -> ExperimentPage:
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, ExperimentPage)
-    return side.page
-
-
 def exploring(person: Person) -> Exploring:
     return person.window.workers.of(Exploring)
 
@@ -89,14 +82,14 @@ def test_the_curve_grows_and_is_that_of_the_closed_form(thrower: Person) -> None
         height = (point.at * sin(radians(values["angle"]))) ** 2 / (2 * values["g"])
         assert point.measured == pytest.approx(height, rel=1e-9)
         assert point.expected == pytest.approx(height, rel=1e-9)
-    field = thrower.window.surface.subsurface(page(thrower).field)
+    field = thrower.window.surface.subsurface(thrower.page(ExperimentPage).field)
     assert (pygame.surfarray.array3d(field) == theme.BODIES[0]).all(axis=2).sum() > 200
 
 
 def test_a_click_runs_with_the_value_under_it_and_the_curve_stays(thrower: Person) -> None:
     work = exploring(thrower)
     until(thrower, lambda: len(work.points) == COUNT)
-    points, field = list(work.points), page(thrower).field
+    points, field = list(work.points), thrower.page(ExperimentPage).field
     chosen = work.chosen(thrower.session)
     assert chosen is not None
     span = span_of(thrower.window.pen, field.width, thrower.session.level, chosen)
@@ -123,7 +116,7 @@ def test_another_value_of_what_is_not_varied_draws_the_curve_anew(thrower: Perso
 
 
 def test_another_parameter_is_chosen_from_its_list(thrower: Person) -> None:
-    button = page(thrower).lists[0].item_list[1]["button_element"]
+    button = thrower.page(ExperimentPage).lists[0].item_list[1]["button_element"]
     assert button is not None
 
     thrower.click(button.rect)
@@ -139,8 +132,11 @@ def test_a_level_without_parameters_says_that_nothing_can_be_varied(person: Pers
     person.wait(1.0)
 
     assert not exploring(person).running
-    assert page(person).lists == []
-    assert page(person).process(pygame.Event(pygame.MOUSEMOTION, pos=(1100, 200))) is None
+    assert person.page(ExperimentPage).lists == []
+    assert (
+        person.page(ExperimentPage).process(pygame.Event(pygame.MOUSEMOTION, pos=(1100, 200)))
+        is None
+    )
 
 
 def test_nothing_is_run_where_nobody_looks(person: Person) -> None:

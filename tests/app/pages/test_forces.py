@@ -42,13 +42,6 @@ def at(session: Session) -> FreeBody:
     return found
 
 
-def page_of(person: Person) -> ForcesPage:
-    assert person.window.panels.side is not None
-    page = person.window.panels.side.page
-    assert isinstance(page, ForcesPage)
-    return page
-
-
 def stepped(level: str, steps: int = 30) -> Session:
     session = Session(textbook(level))
     for _ in range(steps):
@@ -108,8 +101,8 @@ def test_components_along_the_slope_are_those_of_the_textbook(person: Person) ->
     person.window.open_level(INCLINE)
     person.press(pygame.K_j, "j")
     person.press(pygame.K_RIGHT)
-    axes = page_of(person)._axes
-    person.click(page_of(person).inclined.rect)
+    axes = person.page(ForcesPage)._axes
+    person.click(person.page(ForcesPage).inclined.rect)
     found = at(person.session)
     inclined, first = axes.inclined, axes.first(found, (0.0, 0.0))
     told = {acting.name: components(acting.force, first) for acting in found.forces}
@@ -120,7 +113,7 @@ def test_components_along_the_slope_are_those_of_the_textbook(person: Person) ->
     assert sum(across for _, across in told.values()) == pytest.approx(0, abs=1e-9)
     assert first[0] > 0
 
-    person.click(page_of(person).level.rect)
+    person.click(person.page(ForcesPage).level.rect)
     assert not axes.inclined
     assert axes.first(found, (0.0, 0.0)) == (1.0, 0.0)
 

@@ -31,13 +31,6 @@ def opened(name: str, steps: int) -> Session:
     return session
 
 
-def page(person: Person) -> GraphPage:
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, GraphPage)
-    return side.page
-
-
 def test_a_history_gives_back_every_state_it_has_noted() -> None:
     session = opened("newton/atwood", 30)
 
@@ -123,13 +116,16 @@ def test_quantities_are_chosen_from_lists_and_stay_chosen(person: Person) -> Non
     choice = person.window.workers.of(Choice)
     assert choice.up(person.session) == ("ball.position.x",)
 
-    person.click(row(page(person), "ball.position.y").rect)
+    person.click(row(person.page(GraphPage), "ball.position.y").rect)
     person.wait(0.1)  # the list tells it two frames after its button
     assert choice.up(person.session) == ("ball.position.x", "ball.position.y")
 
     person.press(pygame.K_o, "o")
     person.press(pygame.K_d, "d")
-    assert set(page(person).up.get_multi_selection()) == {"ball.position.x", "ball.position.y"}
+    assert set(person.page(GraphPage).up.get_multi_selection()) == {
+        "ball.position.x",
+        "ball.position.y",
+    }
 
 
 def test_some_letters_find_a_quantity_and_what_was_chosen_before_stays(person: Person) -> None:
@@ -138,11 +134,11 @@ def test_some_letters_find_a_quantity_and_what_was_chosen_before_stays(person: P
     choice = person.window.workers.of(Choice)
     before = choice.up(person.session)
 
-    person.click(page(person).sought.rect)
+    person.click(person.page(GraphPage).sought.rect)
     person.type("ball3.energy")
     person.wait(0.1)
-    assert [each["text"] for each in page(person).up.item_list] == ["ball3.energy"]
-    person.click(row(page(person), "ball3.energy").rect)
+    assert [each["text"] for each in person.page(GraphPage).up.item_list] == ["ball3.energy"]
+    person.click(row(person.page(GraphPage), "ball3.energy").rect)
     person.wait(0.1)
 
     assert choice.up(person.session) == (*before, "ball3.energy")
@@ -182,7 +178,7 @@ def test_a_quantity_is_drawn_against_another(person: Person) -> None:
     person.wait(0.5)
 
     assert choice.across(person.session) == "ball.position.x"
-    graph = pygame.surfarray.array3d(page(person)._graphs.image)
+    graph = pygame.surfarray.array3d(person.page(GraphPage)._graphs.image)
     assert (graph == theme.BODIES[0]).all(axis=2).any()
 
 
@@ -192,13 +188,13 @@ def test_the_mouse_over_a_graph_tells_the_values_there(person: Person) -> None:
     person.press(pygame.K_SPACE, " ")
     person.wait(0.5)
     person.press(pygame.K_SPACE, " ")
-    graph = page(person)._graphs.rect
+    graph = person.page(GraphPage)._graphs.rect
 
     person.move((graph.centerx, graph.y + 60))
 
-    assert page(person)._cursor == pytest.approx(person.session.t / 2, rel=0.2)
+    assert person.page(GraphPage)._cursor == pytest.approx(person.session.t / 2, rel=0.2)
     person.move((600, 300))
-    assert page(person)._cursor is None
+    assert person.page(GraphPage)._cursor is None
 
 
 def test_the_cursor_and_the_lines_have_one_scale_where_an_earlier_run_reaches_further(
@@ -230,14 +226,17 @@ def grapher(person: Person) -> Person:
 
 def on_graph(person: Person, t: float, rise: float = 0.5) -> tuple[int, int]:
     """Return where a time [s] is in the first graph, at a part of its height [px]."""
-    graph, corner = page(person)._zooming.graphs[0], page(person)._graphs.rect.topleft
+    graph, corner = (
+        person.page(GraphPage)._zooming.graphs[0],
+        person.page(GraphPage)._graphs.rect.topleft,
+    )
     x = float(graph.across.pixels(np.array(t))) + graph.place.x + corner[0]
     y = graph.up.start + (graph.up.end - graph.up.start) * rise + graph.place.y + corner[1]
     return round(x), round(y)
 
 
 def test_a_box_that_is_dragged_is_what_is_seen(grapher: Person) -> None:
-    rises = page(grapher)._zooming.graphs[0].up
+    rises = grapher.page(GraphPage)._zooming.graphs[0].up
     low, high = (rises.low + share * (rises.high - rises.low) for share in (0.2, 0.8))
 
     grapher.drag(on_graph(grapher, 1.0, 0.2), on_graph(grapher, 2.0, 0.8))
@@ -256,7 +255,7 @@ def test_a_flat_box_leaves_the_height_as_it_is(grapher: Person) -> None:
 
 def test_the_wheel_zooms_about_the_mouse_and_does_not_scroll_the_page(grapher: Person) -> None:
     grapher.move(on_graph(grapher, 1.0))
-    before = page(grapher)._graphs.rect.y
+    before = grapher.page(GraphPage)._graphs.rect.y
     for _ in range(5):
         pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=1, precise_x=0.0, precise_y=1.0))
         grapher.wait()
@@ -266,7 +265,7 @@ def test_the_wheel_zooms_about_the_mouse_and_does_not_scroll_the_page(grapher: P
     low, high = across
     assert high - low == pytest.approx(grapher.session.t * NOTCH**5, rel=1e-6)
     assert (1.0 - low) / (high - low) == pytest.approx(1.0 / grapher.session.t, abs=0.02)
-    assert page(grapher)._graphs.rect.y == before
+    assert grapher.page(GraphPage)._graphs.rect.y == before
 
 
 def test_the_other_button_moves_what_is_seen(grapher: Person) -> None:
@@ -308,7 +307,9 @@ def test_buttons_zoom_and_move_along_for_those_who_have_no_mouse(grapher: Person
         panels = grapher.window.panels
         for _ in range(300):
             grapher.press(pygame.K_TAB)
-            if panels.focus.element(panels.manager, panels.layout) is page(grapher).button(caption):
+            if panels.focus.element(panels.manager, panels.layout) is grapher.page(
+                GraphPage
+            ).button(caption):
                 break
         grapher.press(pygame.K_RETURN, "\r")
 
@@ -364,7 +365,7 @@ def test_what_is_saved_is_what_is_seen(
     grapher.window.panels.turn(0.3)
     grapher.wait(0.1)
 
-    grapher.click(page(grapher).button("Save CSV").rect)
+    grapher.click(grapher.page(GraphPage).button("Save CSV").rect)
     grapher.wait(0.1)
     (path,) = (tmp_path / "files").glob("*.csv")
     lines = [x for x in path.read_text(encoding="utf-8").splitlines() if not x.startswith("#")]
@@ -374,7 +375,7 @@ def test_what_is_saved_is_what_is_seen(
     assert times[-1] == pytest.approx(across[1], abs=dt)
 
     choice = grapher.window.workers.of(Choice)
-    grapher.click(page(grapher).button("Save picture").rect)
+    grapher.click(grapher.page(GraphPage).button("Save picture").rect)
     until(grapher, lambda: not choice.running)
     (png,) = (tmp_path / "files").glob("*.png")
     width, height = pygame.image.load(png).size

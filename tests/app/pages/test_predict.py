@@ -27,13 +27,6 @@ from tests.app.person import Person
 AT_ONE = {"quantity": "ball.speed", "formula": "g*t", "tolerance": 1e-9, "at": 1.0}
 
 
-def page(person: Person) -> PredictPage:
-    assert person.window.panels.side is not None
-    found = person.window.panels.side.page
-    assert isinstance(found, PredictPage)
-    return found
-
-
 def predicting(person: Person) -> Predicting:
     return person.window.workers.of(Predicting)
 
@@ -61,7 +54,7 @@ def asked(person: Person, tmp_path: Path) -> Person:
     person.press(pygame.K_SPACE, " ")
     person.wait(0.2)
     person.press(pygame.K_q, "q")
-    person.click(page(person).button.rect)
+    person.click(person.page(PredictPage).button.rect)
     return person
 
 
@@ -150,9 +143,9 @@ def test_neither_formula_nor_value_is_told_before_the_prediction(
     person.press(pygame.K_q, "q")
     written.clear()
 
-    person.click(page(person).button.rect)
+    person.click(person.page(PredictPage).button.rect)
     person.wait(0.2)
-    told = " ".join([*written, *page(person)._names()])
+    told = " ".join([*written, *person.page(PredictPage)._names()])
     assert "half way" in told
     assert "g*t" not in told
     assert "5.0000 m/s" not in told
@@ -296,8 +289,8 @@ def test_a_level_without_checks_says_that_there_is_nothing_to_predict(
     person.open(tmp_path, scenes.falling(checks=[]))
     person.press(pygame.K_q, "q")
 
-    assert not page(person).button.visible
-    assert not page(person).list.visible
+    assert not person.page(PredictPage).button.visible
+    assert not person.page(PredictPage).list.visible
     assert card.NOTHING in written
     person.press(pygame.K_SPACE, " ")
     person.wait(0.2)
@@ -316,18 +309,18 @@ def test_who_leaves_the_page_has_a_free_run_again(asked: Person) -> None:
 
 
 def test_the_button_puts_a_prediction_off(asked: Person) -> None:
-    asked.click(page(asked).button.rect)
+    asked.click(asked.page(PredictPage).button.rect)
 
     assert not asked.session.locked
-    assert page(asked).list.visible
-    assert not page(asked).field.visible
+    assert asked.page(PredictPage).list.visible
+    assert not asked.page(PredictPage).field.visible
 
 
 def test_another_can_be_predicted_afterwards(asked: Person) -> None:
     answer(asked, "5")
     until_tried(asked)
-    asked.click(page(asked).button.rect)
-    asked.click(page(asked).button.rect)
+    asked.click(asked.page(PredictPage).button.rect)
+    asked.click(asked.page(PredictPage).button.rect)
 
     assert asked.session.locked
     assert asked.session.world.steps == 0

@@ -100,9 +100,7 @@ def test_the_race_ends_as_it_began() -> None:
 def test_the_race_is_started_by_its_button_and_seen(person: Person, tmp_path: Path) -> None:
     person.open(tmp_path, scenes.falling())
     person.press(pygame.K_s, "s")
-    assert person.window.panels.side is not None
-    page = person.window.panels.side.page
-    assert isinstance(page, RacePage)
+    page = person.page(RacePage)
 
     person.click(page.button.rect)
     person.press(pygame.K_SPACE, " ")

@@ -12,7 +12,6 @@ from sandbox.app.pages.page import Desk, Page, Row
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import tabs
-from sandbox.app.panels.side import SidePanel
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.theme import PANEL
@@ -23,11 +22,6 @@ from tests.app.person import Person
 SIZES = [(900, 600), (1280, 800)]
 LEVELS = ["kinematics/projectile", "energy/two-bodies", "newton/atwood", "momentum/billiard-break"]
 FOLDER = Path(sandbox.app.pages.__file__).parent
-
-
-def side_of(person: Person) -> SidePanel:
-    assert person.window.panels.side is not None
-    return person.window.panels.side
 
 
 def card(pen: Pen, width: int, session: Session) -> pygame.Surface:
@@ -55,18 +49,18 @@ def test_a_page_is_opened_by_its_key_and_by_its_tab_while_time_runs(
     for level in LEVELS:
         person.window.open_level(level)
         person.press(pygame.key.key_code(page.key), page.key)
-        by_key = side_of(person).page
+        by_key = person.side.page
         elsewhere = next(other for other in PAGES if other is not page)
         person.press(pygame.key.key_code(elsewhere.key), elsewhere.key)
-        assert type(side_of(person).page) is not type(by_key), level
+        assert type(person.side.page) is not type(by_key), level
 
-        person.click(side_of(person).tab(page.command).rect)
+        person.click(person.side.tab(page.command).rect)
         person.press(pygame.K_SPACE, " ")
         person.wait(0.1)
 
-        assert type(side_of(person).page) is type(by_key), level
+        assert type(person.side.page) is type(by_key), level
         assert person.window.panels.page == page.command
-        sheet = person.window.surface.subsurface(side_of(person)._sheet.container.rect)
+        sheet = person.window.surface.subsurface(person.side._sheet.container.rect)
         assert (pygame.surfarray.array3d(sheet) != PANEL).any(), level
     person.window.close()
 
@@ -111,7 +105,7 @@ def test_no_caption_of_a_tab_is_cut(
 
     person.resize(size)
 
-    rects = [side_of(person).tab(page.command).rect for page in pages]
+    rects = [person.side.tab(page.command).rect for page in pages]
     across = person.window.panels.layout.side
     pen = Pen()
     for page, rect in zip(pages, rects, strict=True):
@@ -119,7 +113,7 @@ def test_no_caption_of_a_tab_is_cut(
         assert across.contains(rect)
         assert len(rect.collidelistall(rects)) == 1
     assert len({rect.y for rect in rects}) <= 3
-    assert side_of(person)._sheet.container.rect.y >= max(rect.bottom for rect in rects)
+    assert person.side._sheet.container.rect.y >= max(rect.bottom for rect in rects)
 
 
 def test_a_page_that_is_a_card_needs_no_panel(
@@ -132,7 +126,7 @@ def test_a_page_that_is_a_card_needs_no_panel(
     person.window.commands.turn_to("forces page")
     person.wait()
 
-    sheet = side_of(person)._sheet.container.rect
+    sheet = person.side._sheet.container.rect
     assert (pygame.surfarray.array3d(person.window.surface.subsurface(sheet)) != PANEL).any()
 
 

@@ -25,10 +25,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def page(person: Person) -> SharePage:
     person.press(pygame.K_w, "w")
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, SharePage)
-    return side.page
+    return person.page(SharePage)
 
 
 def played(person: Person, level: str = "newton/atwood") -> SharePage:

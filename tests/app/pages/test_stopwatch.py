@@ -5,7 +5,16 @@ from math import sqrt
 import pygame
 import pytest
 
-from sandbox.app.pages.table.occasions import AT_ONCE, BY_HAND, Occasion, occasions
+from sandbox.app.live_run import LiveRun
+from sandbox.app.pages.table.occasions import (
+    AT_ONCE,
+    BY_HAND,
+    Found,
+    Moment,
+    Occasion,
+    find,
+    occasions,
+)
 from sandbox.app.pages.table.panel import TablePage
 from sandbox.app.pages.table.stopwatch import Reading, Stopwatch
 from sandbox.app.session import Session
@@ -140,10 +149,7 @@ def test_on_the_page_events_are_chosen_from_lists_and_it_is_set_back(person: Per
         person.press(pygame.K_RIGHT)
     person.press(pygame.K_1, "1")
     person.window.panels.turn(9)
-    side = person.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, TablePage)
-    timing, stopwatch = side.page.timing, person.window.workers.of(Stopwatch)
+    timing, stopwatch = person.page(TablePage).timing, person.window.workers.of(Stopwatch)
     person.wait()
 
     person.click(_row(timing.starts, 1))
@@ -177,3 +183,25 @@ def test_another_level_puts_it_away(person: Person) -> None:
     person.wait()
 
     assert not person.window.workers.of(Stopwatch).shown
+
+
+def test_what_has_not_happened_is_looked_for_once_a_step(
+    person: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To look through the states of a long run takes up to half a millisecond."""
+    person.window.open_level("kinematics/projectile")
+    person.wait()
+    person.press(pygame.K_1, "1")
+    watch = person.window.workers.of(Stopwatch)
+    looked: list[int] = []
+    watch.choose(AT_ONCE, called(person.session, "apex of ball"))
+
+    def search(at: Moment, run: LiveRun) -> Found | None:
+        looked.append(run.world.steps)
+        return find(at, run)
+
+    monkeypatch.setattr("sandbox.app.pages.table.stopwatch.find", search)
+    person.press(pygame.K_PERIOD, ".")
+    person.wait(0.2)
+
+    assert looked == [1, 1]  # for what starts it, and for what stops it

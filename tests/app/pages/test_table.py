@@ -33,11 +33,7 @@ def test_the_instants_are_few_and_the_last_is_one_of_them(count: int) -> None:
 
 
 def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path: Path) -> None:
-    side = seated.window.panels.side
-    assert side is not None
-    assert isinstance(side.page, TablePage)
-
-    seated.click(side.page.save.rect)
+    seated.click(seated.page(TablePage).save.rect)
 
     (path,) = (tmp_path / "files").glob("*.csv")
     lines = [x for x in path.read_text(encoding="utf-8").splitlines() if not x.startswith("#")]
@@ -49,8 +45,7 @@ def test_the_file_has_what_is_graphed_at_every_instant(seated: Person, tmp_path:
 
 
 def test_another_instant_is_another_table(seated: Person) -> None:
-    page = seated.window.panels.side.page  # type: ignore[union-attr]
-    assert isinstance(page, TablePage)
+    page = seated.page(TablePage)
     before = pygame.image.tobytes(page._drawn(), "RGB")
     seated.press(pygame.K_RIGHT)
     assert pygame.image.tobytes(page._drawn(), "RGB") != before

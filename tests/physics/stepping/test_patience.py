@@ -1,14 +1,19 @@
 """What takes more time or memory than anybody has is stopped with a sentence."""
 
+import json
 from collections.abc import Iterator
 from itertools import accumulate
 
 import pytest
 
+from sandbox.model.crowds import crowd
+from sandbox.model.loading import parse
 from sandbox.physics.measuring import recording
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping import patience
+from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.world import World
 from tests.physics.scenes import GRAVITY, disc, level
 
 FALL = level({"ball": disc((0, 0))}, GRAVITY)
@@ -51,3 +56,31 @@ def test_of_many_bodies_fewer_states_are_kept(monkeypatch: pytest.MonkeyPatch) -
     kept = recording.Recorder(build(FALL), ["t"])
     assert kept.trace.t.tolist() == [0]
     assert simulate(FALL, duration=0.1).t.size == 7
+
+
+def crowded() -> World:
+    """Return a world whose steps solve the contacts of discs that lie on each other directly."""
+    pile = crowd("pile", 5)
+    effects = {**pile["effects"], "contact": {"solver": "direct"}}
+    world = build(parse(json.dumps({**pile, "effects": effects})))
+    world.advance(12)
+    return world
+
+
+def test_a_single_step_is_broken_off_where_it_computes_for_too_long() -> None:
+    world, hasty = crowded(), Patience(1e-5)
+
+    with hasty.within_steps(), pytest.raises(SimulationError, match=r"a step takes 0 s, and 1e-05"):
+        hasty.advance(world)
+
+    with pytest.raises(SimulationError, match="a step takes"):
+        world.advance()  # it has ended within the step
+
+
+def test_a_single_step_that_was_held_up_is_not_broken_off(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The clock on the wall goes on while a machine sleeps; the processor's does not."""
+    world, hasty = crowded(), Patience(1e-5)
+    monkeypatch.setattr(patience, "thread_time", lambda: 0.0)
+
+    with hasty.within_steps():
+        hasty.advance(world)

@@ -41,10 +41,11 @@ class Choice:
         self._up: dict[str, tuple[str, ...]] = {}
         self._across: dict[str, str] = {}
         self._zooms: dict[str, Zoom] = {}
+        self._offered: tuple[Level, list[str]] | None = None
 
     def up(self, session: Session) -> tuple[str, ...]:
         """Return what is drawn: at first what the first check measures, or the first speed."""
-        names = offered(session.level)
+        names = self._names(session.level)
         checked = (c.quantity for c in session.original.checks if c.quantity in names)
         speeds = (name for name in names if name.endswith(".speed"))
         first = next(checked, next(speeds, names[0]))
@@ -54,7 +55,13 @@ class Choice:
     def across(self, session: Session) -> str:
         """Return against what: the time, at first."""
         chosen = self._across.get(session.original.title, TIME.name)
-        return chosen if chosen in offered(session.level) else TIME.name
+        return chosen if chosen in self._names(session.level) else TIME.name
+
+    def _names(self, level: Level) -> list[str]:
+        """Return what is offered of a level, which is the same as long as it is shown."""
+        if self._offered is None or self._offered[0] is not level:
+            self._offered = level, offered(level)
+        return self._offered[1]
 
     def choose(self, session: Session, up: tuple[str, ...]) -> None:
         """Draw other quantities; of those that stay, the same part."""

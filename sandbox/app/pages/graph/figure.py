@@ -62,13 +62,7 @@ def figure(
             *_earlier(session, these, up, across),
             *(Curve(n, "run", list(up).index(n), columns[across], columns[n]) for n in these),
             *(
-                Curve(
-                    say("{quantity}, closed form", quantity=name),
-                    "closed",
-                    list(up).index(name),
-                    x,
-                    y,
-                )
+                Curve(_of_the_formula(name), "closed", list(up).index(name), x, y)
                 for name, x, y in closed_forms(session, columns, these, across)
             ),
         ]

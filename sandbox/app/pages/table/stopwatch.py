@@ -11,6 +11,7 @@ from sandbox.app.live_run import LiveRun
 from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
+from sandbox.app.theme import Color
 
 BETWEEN = 0.01
 """The part of a step by which the time of an event is known that lies between two steps."""
@@ -41,6 +42,11 @@ class Reading(NamedTuple):
     def text(self) -> str:
         """The time, for a person to read."""
         return f"{self.seconds:.{self.decimals}f} s"
+
+    @property
+    def color(self) -> Color:
+        """What it is written in: that tells whether it goes."""
+        return theme.NOTICE if self.going else theme.TEXT if self.begun else theme.DIM
 
 
 class Stopwatch:
@@ -73,6 +79,7 @@ class Stopwatch:
         self._began: float | None = None
         self._ended: float | None = None
         self._known: tuple[LiveRun, dict[Occasion, Found]] | None = None
+        self._read: tuple[tuple[object, ...], Reading] | None = None
         self.news = object()
 
     def choose(self, starts: Occasion, stops: Occasion) -> None:
@@ -95,7 +102,16 @@ class Stopwatch:
         return None
 
     def reading(self, session: Session) -> Reading:
-        """Return what it shows at the step that is shown: the same one whenever it is."""
+        """Return what it shows at the step that is shown: the same one whenever it is.
+
+        It is found out once a step, for what has not happened yet is looked for in all states.
+        """
+        step = session.world, session.world.steps, self.news
+        if self._read is None or self._read[0] != step:
+            self._read = step, self._found(session)
+        return self._read[1]
+
+    def _found(self, session: Session) -> Reading:
         dt, now = session.world.dt, Found(session.t, between=False)
         began = self._when(self.starts, self._began, session.run)
         ended = self._when(self.stops, self._ended, session.run)
@@ -135,16 +151,15 @@ class Stopwatch:
         if not self.shown:
             return
         reading = self.reading(session)
-        color = theme.NOTICE if reading.going else theme.TEXT if reading.begun else theme.DIM
-        text = pen.write(reading.text, 20, color, True)
+        text = pen.write(reading.text, 20, reading.color, True)
         dial, pad = pen.px(DIAL), pen.px(PADDING)
         box = pygame.Rect(0, 0, text.width + 2 * dial + 3 * pad, text.height + pad)
         box.topright = surface.width - CORNER[0], CORNER[1]
         pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
         pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
         center = box.left + pad + dial, box.centery
-        pygame.draw.aacircle(surface, color, center, dial, 2)
-        pygame.draw.line(surface, color, center, (center[0], center[1] - dial + 3), 2)
+        pygame.draw.aacircle(surface, reading.color, center, dial, 2)
+        pygame.draw.line(surface, reading.color, center, (center[0], center[1] - dial + 3), 2)
         surface.blit(text, text.get_rect(midleft=(center[0] + dial + pad, box.centery)))
 
 

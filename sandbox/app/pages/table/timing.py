@@ -4,7 +4,6 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 from pygame_gui.elements import UISelectionList
 
-from sandbox.app import theme
 from sandbox.app.cards.card import Card, heading, label
 from sandbox.app.language import say
 from sandbox.app.pages.table.occasions import Occasion, occasions
@@ -94,6 +93,5 @@ class Timing:
     def _drawn(self) -> pygame.Surface:
         reading = self._watch.reading(self._session)
         card = Card(self._sheet.pen, self._sheet.width)
-        color = theme.NOTICE if reading.going else theme.TEXT if reading.begun else theme.DIM
-        card.text(reading.text, 20, color)
+        card.text(reading.text, 20, reading.color)
         return card.drawn()

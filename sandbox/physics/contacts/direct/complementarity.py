@@ -26,6 +26,7 @@ from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, most
 from sandbox.physics.contacts.direct.linear_complementarity import FAINT, by_lemke
 from sandbox.physics.contacts.direct.problem import Active, Problem
 from sandbox.physics.engine.batch import Integers
+from sandbox.physics.state.cancellation import cancellation_point
 
 TOLERANCE = 1e-11
 """The share of the largest impulse, or rate, by which a condition may be missed."""
@@ -215,6 +216,7 @@ class _Scaled:
         """Solve and mend the guess until it holds; None if that goes in circles."""
         seen = set()
         for _ in range(GUESSES):
+            cancellation_point()
             impulse, repeats = self._with(active)
             rate = self._rate + self._delassus.dot(impulse)
             better = self._judge(impulse, rate, active)

@@ -12,6 +12,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
+from sandbox.physics.state.cancellation import cancellation_point
 
 PIVOTS = 20
 """How many corners it goes to at the most, for each condition."""
@@ -52,6 +53,7 @@ def lemke(matrix: Array, offset: Array) -> Array | None:
     entering, row = artificial, int(np.argmin(offset / cover))
     its_row, gone = row, GONE * float((-offset / cover).max())
     for _ in range(min(PIVOTS * count, int(WORK / count**2))):
+        cancellation_point()
         leaving = int(basis[row])
         _pivot(table, row, int(place[entering]))
         basis[row], place[leaving] = entering, place[entering]

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.state.cancellation import cancellation_point
 
 REPEATS = 1e9
 """How much larger the solution of rows that do not repeat each other may be than what is asked for.
@@ -49,6 +50,7 @@ def _least(matrix: Array, wanted: Array) -> Array:
     """
     from scipy.linalg.lapack import dgelsy  # a tenth of a second, for those who need it
 
+    cancellation_point()
     count = len(matrix)
     _, found, *_ = dgelsy(matrix, wanted, np.zeros(count, np.int32), CUT, _room(count).least)
     return np.asarray(found[:, 0] if found.ndim > 1 else found)
@@ -58,6 +60,7 @@ def null(matrix: Array) -> Array:
     """Return unit vectors that a square matrix maps to nothing, as columns: (m, l)."""
     from scipy.linalg.lapack import dgeqp3, dorgqr
 
+    cancellation_point()
     room = _room(len(matrix))
     triangle, _, reflections, *_ = dgeqp3(matrix.T, lwork=room.triangle)
     size = np.abs(triangle.diagonal())

@@ -32,6 +32,7 @@ from sandbox.physics.joints.exact.refusals import check_independent, lost, overl
 from sandbox.physics.joints.exact.separate import alone
 from sandbox.physics.joints.exact.solvability import solved
 from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
+from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.errors import JointFailure
 
 TAUT = 1e-12
@@ -374,6 +375,7 @@ class ExactJoints(JointSystem):
         """
         h = self.drift
         for _ in range(MAX_ITERATIONS):
+            cancellation_point()
             moved = motion.values - impulse.dot(response)
             there = self.look(Coordinates(place.values + h * moved))
             violation = there.total - length

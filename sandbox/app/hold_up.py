@@ -1,0 +1,96 @@
+"""What a person sees, and can do, while a frame takes long: a step, or a level that is built.
+
+A step is not cut into frames. Whatever makes one long comes to cancellation points
+(`physics/state/cancellation.py`), and there the window shows that it is alive, stops what takes
+long if somebody hits Esc or closes it, and keeps all other events for the next frame.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from time import perf_counter
+
+import pygame
+
+from sandbox.app import theme
+from sandbox.app.language import say
+from sandbox.app.panels import messages
+from sandbox.app.workspace import Workspace
+from sandbox.model.errors import SandboxError
+from sandbox.physics.state.cancellation import cancellable
+
+LONG = 0.25  # s, after which something is told of a frame
+AGAIN = 0.1  # s from one look to the next
+
+
+class HoldUp:
+    """Looks after a window while one of its frames takes long."""
+
+    def __init__(self, space: Workspace) -> None:
+        self._space = space
+        self._kept: list[pygame.Event] = []
+        self._since = self._looked = 0.0  # s
+        self._behind: pygame.Surface | None = None  # what was shown when it began
+
+    @contextmanager
+    def watched(self) -> Iterator[None]:
+        """Look after what is computed within."""
+        self._since = self._looked = perf_counter()
+        self._behind = None
+        with cancellable(self._look):
+            yield
+
+    def events(self) -> Sequence[pygame.Event]:
+        """Return what has happened since the last frame."""
+        kept, self._kept = self._kept, []
+        return [*kept, *pygame.event.get()]
+
+    def _look(self) -> None:
+        """Show what is waited for, and how long it takes, if it takes long.
+
+        Raises
+        ------
+        SandboxError
+            If somebody does not want to wait.
+        """
+        now = perf_counter()
+        if now - self._since < LONG or now - self._looked < AGAIN:
+            return
+        took = f"{now - self._since:.1f} s"
+        stopped = self._stopped()
+        self._draw(say("This takes long: {took}. Esc stops it.", took=took))
+        self._looked = perf_counter()
+        if stopped:
+            raise SandboxError(say("stopped by Esc after {took}", took=took))
+
+    def _stopped(self) -> bool:
+        """Take what has happened, and return whether somebody wants to stop or to quit."""
+        stopped = False
+        for event in pygame.event.get():
+            if event.type == pygame.QUIT:
+                self._space.open, stopped = False, True
+            elif event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE:
+                stopped = True
+            else:
+                self._keep(event)
+        return stopped
+
+    def _keep(self, event: pygame.Event) -> None:
+        """Keep an event; of the ways that a mouse goes only what they add up to."""
+        last = self._kept[-1] if self._kept else None
+        if last and last.type == event.type == pygame.MOUSEMOTION and last.buttons == event.buttons:
+            by = last.rel[0] + event.rel[0], last.rel[1] + event.rel[1]
+            self._kept[-1] = pygame.Event(event.type, {**event.dict, "rel": by})
+        else:
+            self._kept.append(event)
+
+    def _draw(self, text: str) -> None:
+        """Write a sentence into the middle of what was shown before, however large it is now."""
+        surface = pygame.display.get_surface() or self._space.surface
+        if self._behind is None:
+            self._behind = surface.copy()
+        surface.fill(theme.STAGE)
+        surface.blit(self._behind, (0, 0))
+        area = self._space.panels.layout.stage.clip(surface.get_rect())
+        middle = pygame.Rect(area.x, area.centery, area.width, 0)
+        messages.draw_banner(surface, self._space.pen, middle, text, theme.NOTICE)
+        pygame.display.flip()

@@ -1,0 +1,37 @@
+"""Places in a long computation at which whoever waits for it may look up, and break it off.
+
+The loops that can make one step last for seconds come to a `cancellation_point` each time round.
+pymunk's own step has none, nor has a call of LAPACK: they are over before anybody is asked. Nobody
+is, and nothing else happens, unless somebody has asked for it by `cancellable`.
+"""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+Look = Callable[[], None]
+"""Looks at what goes on; raises a `SandboxError` to break it off."""
+
+_asked: tuple[Look, ...] = ()
+
+
+def cancellation_point() -> None:
+    """Let whoever waits look; a run that they break off has ended.
+
+    Raises
+    ------
+    SandboxError
+        What they raise.
+    """
+    for look in _asked:
+        look()
+
+
+@contextmanager
+def cancellable(look: Look) -> Iterator[None]:
+    """Ask at every cancellation point within, and whoever asked before as well."""
+    global _asked
+    before, _asked = _asked, (*_asked, look)
+    try:
+        yield
+    finally:
+        _asked = before
