@@ -47,7 +47,7 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
             return super().blit(source, dest)
 
     milestones = session.milestones()
-    texts = [pen.outlined(text) for milestone in milestones for text in milestone.texts]
+    texts = [pen.outlined(text) for milestone in milestones for text in milestone.texts(str)]
     stage = Stage(pen, (640, 480))
     stage.use(session.world)
     stage.draw(Noting((640, 480)), milestones=milestones)

@@ -242,7 +242,7 @@ class Home:
         pygame.draw.rect(surface, rim, place, 2 if focused else 1, border_radius=6)
 
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
-        earned = self._progress.stars(level.title)
+        earned = self._progress.stars(level.told.title)
         right = below.right - self._pen.px(PADDING)
         if earned or level.chapter == catalog.CHALLENGES:
             for i in reversed(range(STARS)):

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import level_words, lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
@@ -106,7 +106,8 @@ class Stage:
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
         if view.few:
-            marks.draw_milestones(surface, self.camera, self._pen, milestones, view.labels)
+            words = level_words.of(world.level)
+            marks.draw_milestones(surface, self.camera, self._pen, milestones, words, view.labels)
         texts.draw_texts(surface, view)
         for overlay in self._overlays:
             if overlay.draw is not None:
