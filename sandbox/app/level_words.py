@@ -31,7 +31,7 @@ def shown(words: Iterable[str], source: str) -> Say:
     source
         The level's file.
     """
-    if language.used() == language.ENGLISH or not Path(source).is_relative_to(catalog.root()):
+    if not Path(source).is_relative_to(catalog.root()):
         return str
     known = language.catalogue(language.used(), "levels")
     try:

@@ -28,6 +28,8 @@ HEADING = 34  # px
 MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
+CAPTION = 14
+"""The size of the letters on buttons."""
 STAR = "•"
 """Stands behind a title for each star that its challenge has earned."""
 
@@ -83,7 +85,7 @@ class LevelList:
         self._px = px = pen.px
         width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
-        self._commands = dict(self._ways(manager, width))
+        self._commands = dict(self._ways(manager, pen, width))
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
@@ -111,13 +113,18 @@ class LevelList:
             self._buttons[self._button(manager, pen, level)] = level
         self._show()
 
-    def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
-        """Make the buttons that lead to other levels, with the commands that they call for."""
-        ways = (("home", say("Home")), ("new scene", say("New")), ("open file", say("Open …")))
-        each = (width + self._px(MARGIN)) // len(ways)
-        for i, (command, text) in enumerate(ways):
-            gap = self._px(MARGIN)
-            place = pygame.Rect(gap + i * each, gap, each - gap, self._px(FIELD))
+    def _ways(self, manager: UIManager, pen: Pen, width: int) -> Iterator[tuple[UIButton, str]]:
+        """Make the buttons that lead to other levels, with the commands that they call for.
+
+        The room that their captions leave is shared.
+        """
+        ways = {"home": say("Home"), "new scene": say("New"), "open file": say("Open …")}
+        needed = {command: pen.write(text, CAPTION).width for command, text in ways.items()}
+        gap = x = self._px(MARGIN)
+        spare = (width - (len(ways) - 1) * gap - sum(needed.values())) // len(ways)
+        for command, text in ways.items():
+            place = pygame.Rect(x, gap, needed[command] + spare, self._px(FIELD))
+            x = place.right + gap
             yield (
                 UIButton(place, text, manager, container=self.column, tool_tip_text=tip(command)),
                 command,
