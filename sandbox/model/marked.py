@@ -7,12 +7,10 @@ those of a new field, effect or joint, too.
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from sandbox.model.base import Model
 from sandbox.model.locating import Path
-
-Mark = TypeVar("Mark")
 
 Marked = tuple[Path, Any, Any]
 """Where a marked value stands, the value, and its mark."""
@@ -21,7 +19,7 @@ Find = Callable[[Any, Path], Iterator[Marked]]
 """Yields what is marked in a value that stands at a path."""
 
 
-def marked(part: Model, kind: type[Mark], path: Path = ()) -> Iterator[tuple[Path, Any, Mark]]:
+def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
     """Yield every value of a part of a level that has a mark of some kind.
 
     Parameters
