@@ -105,10 +105,10 @@ class Stage:
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
+        texts.draw_texts(surface, view)
         if view.few:
             words = level_words.of(world.level)
             marks.draw_milestones(surface, self.camera, self._pen, milestones, words, view.labels)
-        texts.draw_texts(surface, view)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)
