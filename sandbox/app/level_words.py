@@ -1,10 +1,11 @@
 """What levels say, in the language of the window, if they come with the project as they are.
 
 A level that a person has written stays in the language of its author. So does one that comes with
-the project, as soon as any of its words is another one: half of it would be translated, else.
+the project, as soon as any of its words is changed: otherwise it would be translated by half.
 """
 
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from pathlib import Path
 
 from sandbox.app import language
@@ -31,7 +32,7 @@ def shown(words: Iterable[str], source: str) -> Say:
     source
         The level's file.
     """
-    if not Path(source).is_relative_to(catalog.root()):
+    if not _comes_along(source):
         return str
     known = language.catalogue(language.used(), "levels")
     try:
@@ -39,6 +40,12 @@ def shown(words: Iterable[str], source: str) -> Say:
     except LookupError:
         return str
     return lambda text: said.get(text, text)
+
+
+@lru_cache(maxsize=512)
+def _comes_along(source: str) -> bool:
+    """Whether a file is one of those that come with the project."""
+    return Path(source).is_relative_to(catalog.root())
 
 
 def title(check: Check, say: Say) -> str:

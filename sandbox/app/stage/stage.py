@@ -105,8 +105,9 @@ class Stage:
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
-        texts.draw_texts(surface, view)
-        if view.few:
+        if world.level.view.labels:
+            texts.draw_texts(surface, view)
+        if view.few and milestones:
             words = level_words.of(world.level)
             marks.draw_milestones(surface, self.camera, self._pen, milestones, words, view.labels)
         for overlay in self._overlays:
