@@ -32,7 +32,7 @@ class Books:
     Attributes
     ----------
     start
-        The energies with which the run began.
+        The energies with which the run began, or with which a hand has left it.
 
     Parameters
     ----------
@@ -46,17 +46,26 @@ class Books:
         self._world, self._ledger = world, Ledger(world)
         self._meter = Meter(world, _ENERGIES)
         self._every = max(steps // INSTANTS, 1)
-        self.start = self.energies
+        self.start, self._let_go = self.energies, False
         self._history = Trail(self._row())
 
     def note(self) -> None:
         """Take in a step."""
         self._ledger.note()
+        if self._let_go:
+            self.start, self._let_go = self.energies, False
         if self._world.steps % self._every == 0:
             self._history.add(self._row())
 
+    def hand_over(self) -> None:
+        """Let energies be compared with those of now: a hand has worked, and lets go.
+
+        Half of its last pull is still to come, so those after the next step count.
+        """
+        self.start, self._let_go = self.energies, True
+
     def restart(self) -> None:
-        """Begin anew, as after a hand has put a body elsewhere; the start of the run stays."""
+        """Begin anew, as after a hand has put a body elsewhere; the start stays."""
         self._ledger = Ledger(self._world)
         self._history.restart(self._row())
 

@@ -1,7 +1,8 @@
 """The language of the window. What it says stands in the code in English, and is looked up here.
 
 A translation is a catalogue in `languages`, as gettext has them: `de.po` for people to edit, and
-`de.mo`, which is made of it. See `docs/how-to/translate-the-window.md`.
+`de.mo`, which is made of it. What the levels say that come with the project has catalogues of its
+own, in `languages/levels`. See `docs/how-to/translate-the-window.md`.
 """
 
 import os
@@ -9,6 +10,7 @@ from collections.abc import Mapping
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from typing import Literal, get_args
 
 Name = Literal["en", "de"]
@@ -20,7 +22,9 @@ TITLES: Mapping[Name, str] = {"en": "English", "de": "Deutsch"}
 ENGLISH: Name = "en"
 """The language of the code, which needs no catalogue; it is in use before another is chosen."""
 
-FOLDER = files("sandbox.app") / "languages"
+Domain = Literal["window", "levels"]
+"""Who says what is in a catalogue."""
+DOMAINS: tuple[Domain, ...] = get_args(Domain)
 
 _VARIABLES = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
 """Where a system says its language; of several the first that says anything counts."""
@@ -75,10 +79,30 @@ def later(message: str) -> str:
     return message
 
 
+def folder(domain: Domain) -> Traversable:
+    """Return where the catalogues of a domain are."""
+    languages = files("sandbox.app") / "languages"
+    return languages if domain == "window" else languages / domain
+
+
+class _Unknown(NullTranslations):
+    """What is asked when a catalogue does not have a message."""
+
+    def gettext(self, message: str) -> str:
+        raise LookupError(message)
+
+
 @cache
-def catalogue(name: Name) -> NullTranslations:
-    """Return the catalogue of a language; that of English hands back what it is asked."""
+def catalogue(name: Name, domain: Domain = "window") -> NullTranslations:
+    """Return the catalogue of a language; that of English hands back what it is asked.
+
+    Asked for what it does not have, one of the levels raises a `LookupError`: nobody but a level
+    that comes with the project says what is in it.
+    """
     if name == ENGLISH:
         return NullTranslations()
-    with (FOLDER / f"{name}.mo").open("rb") as file:
-        return GNUTranslations(file)
+    with (folder(domain) / f"{name}.mo").open("rb") as file:
+        found = GNUTranslations(file)
+    if domain == "levels":
+        found.add_fallback(_Unknown())
+    return found

@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from sandbox.app.listed import entry
 from sandbox.app.panels import levels
 from sandbox.app.recent import Recent
 
@@ -19,20 +20,24 @@ class LevelFiles:
 
     def __init__(self) -> None:
         self.recent = Recent()
-        opened = (levels.entry(path, "opened") for path in self.recent.paths)
+        opened = (entry(path, "opened") for path in self.recent.paths)
         self.entries = [*opened, *levels.entries()]
+
+    def say_anew(self) -> None:
+        """Let the list say all in the language that is in use now."""
+        self.entries = [known.said_anew() for known in self.entries]
 
     def read_again(self, path: Path) -> None:
         """Let the list say what a file is called now; list it, if it was not there."""
-        for i, entry in enumerate(self.entries):
-            if entry.path == path:
-                self.entries[i] = levels.entry(path, entry.chapter)
+        for i, known in enumerate(self.entries):
+            if known.path == path:
+                self.entries[i] = entry(path, known.chapter)
                 return
-        self.entries.insert(0, levels.entry(path, "opened"))
+        self.entries.insert(0, entry(path, "opened"))
 
     def neighbour(self, path: Path | None, direction: int) -> Path | None:
         """Return the next level, or the previous one, in a circle; None if there is none."""
-        paths = [entry.path for entry in self.entries]
+        paths = [known.path for known in self.entries]
         if not paths:
             return None
         here = paths.index(path) if path in paths else -min(direction, 0)

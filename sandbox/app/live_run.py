@@ -174,6 +174,8 @@ class LiveRun:
             self._go_on_in(world, before, action)
             return
         self.actions.append(action)
+        if action.kind in ("place", "release"):
+            self.books.hand_over()
         if action.kind == "place":
             self.books.restart()
             self.trail.restart(self.world.snapshot.position)

@@ -4,8 +4,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from sandbox.app import wording
+from sandbox.app.level_words import Say, title
 from sandbox.model.level import (
     ApexEvent,
+    Check,
     ContactEvent,
     CrossingEvent,
     Instant,
@@ -32,16 +34,20 @@ class Milestone:
         To which.
     place
         Where its centre was [m].
-    texts
-        What was measured then, a line each.
+    told
+        What was measured then: the check, and the value.
     passed
         Whether all of it was as expected.
     """
 
     body: str
     place: XY
-    texts: list[str]
+    told: list[tuple[Check, str]]
     passed: bool
+
+    def texts(self, words: Say) -> list[str]:
+        """Return that, a line each, as the level's words are put now."""
+        return [f"{title(check, words)} {value}" for check, value in self.told]
 
 
 def needed(level: Level) -> Iterator[str]:
@@ -64,9 +70,9 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
             found[key] = Milestone(body, (x, y), [], passed=True)
         here = found[key]
         here.passed = here.passed and result.verdict == "passed"
-        if len(here.texts) < MOST:
-            what = result.check.label or result.check.quantity
-            here.texts.append(f"{what} {wording.quantity(result.measured, result.unit, 3)}")
+        if len(here.told) < MOST:
+            value = wording.quantity(result.measured, result.unit, 3)
+            here.told.append((result.check, value))
     return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import graph, legend, theme, wording
+from sandbox.app import graph, legend, level_words, theme, wording
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
 from sandbox.app.companions import Changes
@@ -167,10 +167,10 @@ def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface
 
 def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
     """Draw as many checks as there is room for."""
-    readings = session.readings()
-    drawn = checks(pen, width, readings)
+    readings, words = session.readings(), level_words.of(session.original)
+    drawn = checks(pen, width, readings, words)
     for count in range(len(readings) - 1, 0, -1):
         if drawn.height <= room:
             break
-        drawn = checks(pen, width, readings[:count], left_out=len(readings) - count)
+        drawn = checks(pen, width, readings[:count], words, left_out=len(readings) - count)
     return drawn

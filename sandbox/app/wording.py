@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
 
 from sandbox.app.language import later, plural, say
+from sandbox.app.level_words import Say
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -204,9 +205,9 @@ def _variation(found: Variation) -> str:
     return say("with {effect} ({settings})", effect=effect, settings=said)
 
 
-def summary(found: Sequence[Difference]) -> Iterator[str]:
-    """Yield what a change of effects does to each quantity, in a few words."""
-    for label, one in {each.label or each.quantity: each for each in found}.items():
+def summary(found: Sequence[Difference], words: Say) -> Iterator[str]:
+    """Yield what a change of effects does to each quantity of a level, in a few words."""
+    for label, one in {words(each.label) or each.quantity: each for each in found}.items():
         if one.share:
             yield f"{label} {difference(one)}"
 

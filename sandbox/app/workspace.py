@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import language, theme
+from sandbox.app import language, level_words, theme
 from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
 from sandbox.app.hand import Hand
@@ -124,10 +124,12 @@ class Workspace:
         self._followed = chosen
         theme.use(chosen.theme)
         language.use(self.comfort.language)
+        self.files.say_anew()
         self.pen.renew(self.comfort.scale)
         self.panels.renew(self.surface.size)
         if self.session is not None:
             self.stage.use(self.session.world)
+            self._entitle(self.session.original)
         self.lay_out()
 
     def lay_out(self) -> None:
@@ -172,7 +174,7 @@ class Workspace:
             parts = len(level.bodies) + len(level.joints)
             if parts > MANY:
                 told = later("Building {title}: {count:,} bodies and joints …")
-                self._say_first(say(told, title=legible(level.title), count=parts))
+                self._say_first(say(told, title=_title(level), count=parts))
             session = Session(level, choose(level, self._settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, error)
@@ -288,7 +290,12 @@ class Workspace:
 
     @staticmethod
     def _entitle(level: Level) -> None:
-        pygame.display.set_caption(f"{legible(level.title)} – {TITLE}")
+        pygame.display.set_caption(f"{_title(level)} – {TITLE}")
+
+
+def _title(level: Level) -> str:
+    """Return what a level is called, as it is shown."""
+    return legible(level_words.of(level)(level.title))
 
 
 def _file(level: Level) -> Path | None:

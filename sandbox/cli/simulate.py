@@ -101,7 +101,7 @@ def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
     if found:
         for line in varying.differences(found):
             typer.echo(line)
-    said = [*telling.summary(found), telling.step_cost(cost)]
+    said = [*telling.summary(found, str), telling.step_cost(cost)]
     typer.echo(f"{varied.change.description}: {'; '.join(said)}")
 
 

@@ -1,11 +1,12 @@
-"""The catalogues of the window's languages, brought up to date with what the code says.
+"""The catalogues of the window's languages, brought up to date with what code and levels say.
 
 `python -m sandbox.cli.texts` does so. It needs Babel, which the extra `test` brings.
 """
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,8 @@ from sandbox.extras import needed_for
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
 from sandbox.model.generating import generate
+from sandbox.model.loading import load
+from sandbox.model.prose import prose
 
 if TYPE_CHECKING:
     from babel.messages.catalog import Catalog
@@ -36,12 +39,10 @@ def _write() -> Iterator[Path]:
         from babel.messages.mofile import write_mo
         from babel.messages.pofile import write_po
 
-    folder, template = catalog.sources() / FOLDER / "languages", messages()
-    for name in language.NAMES:
-        if name == language.ENGLISH:
-            continue
-        path = folder / f"{name}.po"
-        translated = merged(path, name, template)
+    translations = [name for name in language.NAMES if name != language.ENGLISH]
+    for domain, name in product(language.DOMAINS, translations):
+        path = catalog.sources() / path_of(domain, name)
+        translated = merged(path, name, SAID[domain]())
         edited, compiled = BytesIO(), BytesIO()
         write_po(edited, translated, width=100, include_lineno=False, ignore_obsolete=True)
         write_mo(compiled, translated)
@@ -50,7 +51,13 @@ def _write() -> Iterator[Path]:
             yield place
 
 
-def messages() -> "Catalog":
+def path_of(domain: language.Domain, name: str) -> Path:
+    """Return the catalogue that people edit, from the project's sources."""
+    languages = FOLDER / "languages"
+    return (languages if domain == "window" else languages / domain) / f"{name}.po"
+
+
+def of_the_window() -> "Catalog":
     """Return all that the window says, in English, with the modules that say it."""
     from babel.messages.catalog import Catalog
     from babel.messages.extract import extract
@@ -70,6 +77,25 @@ def messages() -> "Catalog":
     return found
 
 
+def of_the_levels() -> "Catalog":
+    """Return all that the levels say, with their files: the fields that are marked as prose."""
+    from babel.messages.catalog import Catalog
+
+    found = Catalog()
+    for name in catalog.names():
+        path = catalog.root() / f"{name}.json"
+        for _, text in prose(load(path)):
+            found.add(text, locations=[(path.relative_to(catalog.root().parent).as_posix(), 1)])
+    return found
+
+
+SAID: Mapping[language.Domain, Callable[[], "Catalog"]] = {
+    "window": of_the_window,
+    "levels": of_the_levels,
+}
+"""What is in the catalogues of each domain, in English."""
+
+
 def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
     """Return a catalogue with all messages of a template, as far as they are translated there.
 
@@ -78,7 +104,7 @@ def merged(path: Path, name: str, template: "Catalog") -> "Catalog":
     from babel.messages.catalog import Catalog
     from babel.messages.pofile import read_po
 
-    head = f"# What the window of the sandbox says, in the language {name}."
+    head = f"# What the sandbox says, in the language {name}; make texts brings it up to date."
     translated = Catalog(locale=name, header_comment=head, project="mechanics-sandbox", fuzzy=False)
     if path.exists():
         with path.open("rb") as file:

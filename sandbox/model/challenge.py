@@ -9,8 +9,9 @@ from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
 from sandbox.model.instants import Instant
 from sandbox.model.mention import ParameterName, QuantityName
+from sandbox.model.prose import Prose
 
-Sentence = Annotated[str, Field(min_length=1, max_length=200)]
+Sentence = Annotated[Prose, Field(min_length=1, max_length=200)]
 
 
 class Goal(Model):

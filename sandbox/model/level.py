@@ -74,6 +74,7 @@ from sandbox.model.locating import Path
 from sandbox.model.mention import BodyNames, Mention, QuantityName
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
+from sandbox.model.prose import Prose
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
 
 
@@ -119,7 +120,7 @@ class Parameter(Model):
     """the largest value that it may be given"""
     unit: str = ""
     """as it is shown; a parameter in degrees is used as `angle*deg`"""
-    label: str = ""
+    label: Prose = ""
     """what the number is, in a few words"""
 
 
@@ -204,7 +205,7 @@ class Check(Model):
     """a condition over the parameters; where it is false the formula does not apply"""
     at: Instant | None = None
     """a time [s] or an event; every step if left out"""
-    label: str = ""
+    label: Prose = ""
     """what is checked, in a few words"""
 
 
@@ -254,7 +255,7 @@ class Stepping(Model):
 class Label(Model):
     """Words on the stage."""
 
-    text: Annotated[str, Field(min_length=1, max_length=80)]
+    text: Annotated[Prose, Field(min_length=1, max_length=80)]
     """one short line"""
     at: End
     """the body, the point of a body or the fixed point [x, y] that they are written over"""
@@ -286,11 +287,11 @@ class Level(Model):
     """where an editor finds the JSON Schema of the format"""
     format: Annotated[Literal[1], BeforeValidator(_version)]
     """the version of the level format"""
-    title: Annotated[str, Field(min_length=1, max_length=80)]
+    title: Annotated[Prose, Field(min_length=1, max_length=80)]
     """as it stands in the list of levels"""
-    summary: str = ""
+    summary: Prose = ""
     """one or two sentences for the person who plays"""
-    reference: str = ""
+    reference: Prose = ""
     """the part of the document that it comes from"""
     parameters: Annotated[Mapping[Name, Parameter], Field(max_length=50)] = {}
     """the numbers that a person may change; any number of the scene may be a formula over them"""

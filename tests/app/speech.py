@@ -64,6 +64,13 @@ def capitals(message: str) -> str:
     return "".join(part if part.startswith("{") else part.upper() for part in parts)
 
 
+class Loud(NullTranslations):
+    """Says everything in capitals, as if it were in the catalogue."""
+
+    def gettext(self, message: str) -> str:
+        return message.upper()
+
+
 class Speech:
     """Hears all that a window writes.
 
@@ -78,7 +85,8 @@ class Speech:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.capitals = Capitals()
         self.heard: set[str] = set()
-        monkeypatch.setattr(language, "catalogue", lambda _: self.capitals)
+        domains = {"window": self.capitals, "levels": Loud()}
+        monkeypatch.setattr(language, "catalogue", lambda _, domain="window": domains[domain])
         write = Pen._write
 
         def noted(

@@ -1,8 +1,12 @@
 """The catalogues of the window's languages: complete, true to the code, and compiled."""
 
+import re
+from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from gettext import GNUTranslations
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from string import Formatter
 
@@ -17,19 +21,29 @@ from sandbox.model import accounts, catalog
 from sandbox.model.loading import load
 
 TRANSLATED = [name for name in language.NAMES if name != language.ENGLISH]
-FOLDER = Path(str(language.FOLDER))
+EACH = pytest.mark.parametrize(
+    ("domain", "name"), list(product(language.DOMAINS, TRANSLATED)), ids=str
+)
+"""Every catalogue."""
 
 
-@pytest.fixture(scope="module")
-def template() -> Catalog:
-    """All that the window says, in English."""
-    return texts.messages()
+@cache
+def template(domain: language.Domain) -> Catalog:
+    """Return all that is in the catalogues of a domain, in English."""
+    return texts.SAID[domain]()
 
 
-def of(name: str) -> Catalog:
+def of(domain: language.Domain, name: str) -> Catalog:
     """Return the catalogue of a language, as people edit it."""
-    with (FOLDER / f"{name}.po").open("rb") as file:
+    with (catalog.sources() / texts.path_of(domain, name)).open("rb") as file:
         return read_po(file, locale=name)
+
+
+def signs(text: str) -> Counter[str]:
+    """Count the numbers of a text, and the signs of its formulas and units."""
+    numbers = re.findall(r"\d+(?:\.\d+)?", re.sub(r"(?<=\d)[ ,](?=\d{3}\b)", "", text))
+    letters = (sign for sign in text if not (sign.isascii() or sign in "ÄÖÜäöüß„“–…’"))
+    return Counter([*numbers, *letters, *re.findall(r"[=+*/^%°()]", text)])
 
 
 def messages(found: Catalog) -> Iterator[Message]:
@@ -47,32 +61,42 @@ def places(text: str) -> set[tuple[str | None, str | None]]:
     return {(name, written) for _, name, written, _ in Formatter().parse(text) if name is not None}
 
 
-@pytest.mark.parametrize("name", TRANSLATED)
+@EACH
 def test_every_message_is_translated_and_none_is_left_of_what_is_gone(
-    template: Catalog, name: str
+    domain: language.Domain, name: str
 ) -> None:
-    translated = of(name)
-    wanted = {(message.context, forms(message.id)[0]) for message in messages(template)}
+    translated = of(domain, name)
+    wanted = {(message.context, forms(message.id)[0]) for message in messages(template(domain))}
     found = {
         (message.context, forms(message.id)[0])
         for message in messages(translated)
         if all(forms(message.string)) and not message.fuzzy
     }
 
-    assert not wanted - found, f"run `make texts`, then translate these in {name}.po"
+    assert not wanted - found, f"run `make texts`, then translate these: {domain}, {name}.po"
     assert not found - wanted, "run `make texts`: nobody says these any more"
 
 
-@pytest.mark.parametrize("name", TRANSLATED)
-def test_a_translation_has_the_places_of_its_message(name: str) -> None:
-    for message in messages(of(name)):
+@EACH
+def test_a_translation_has_the_places_of_its_message(domain: language.Domain, name: str) -> None:
+    for message in messages(of(domain, name)):
         for form in forms(message.string):
             assert places(form) == places(forms(message.id)[-1]), form
 
 
 @pytest.mark.parametrize("name", TRANSLATED)
-def test_spaces_at_the_ends_of_a_message_are_there_in_its_translation(name: str) -> None:
-    for message in messages(of(name)):
+def test_what_a_level_says_keeps_its_numbers_and_formulas_in_translation(name: str) -> None:
+    """1,000 may be 1000 or 1 000: a comma is a decimal one elsewhere."""
+    for message in messages(of("levels", name)):
+        text, form = forms(message.id)[0], forms(message.string)[0]
+        assert signs(form) == signs(text), form
+
+
+@EACH
+def test_spaces_at_the_ends_of_a_message_are_there_in_its_translation(
+    domain: language.Domain, name: str
+) -> None:
+    for message in messages(of(domain, name)):
         text, form = forms(message.id)[0], forms(message.string)[0]
         ends = [len(each) - len(each.lstrip()) for each in (text, form)]
         assert ends[0] == ends[1], form
@@ -80,19 +104,21 @@ def test_spaces_at_the_ends_of_a_message_are_there_in_its_translation(name: str)
 
 @pytest.mark.parametrize("name", TRANSLATED)
 def test_a_message_has_as_many_forms_as_its_language_has_for_numbers(name: str) -> None:
-    translated = of(name)
+    translated = of("window", name)
     several = [message for message in messages(translated) if message.pluralizable]
 
     assert several
     assert {len(forms(message.string)) for message in several} == {translated.num_plurals}
 
 
-@pytest.mark.parametrize("name", TRANSLATED)
-def test_what_the_window_reads_is_what_people_edit(name: language.Name) -> None:
+@EACH
+def test_what_the_window_reads_is_what_people_edit(
+    domain: language.Domain, name: language.Name
+) -> None:
     compiled = BytesIO()
-    write_mo(compiled, of(name))
+    write_mo(compiled, of(domain, name))
     compiled.seek(0)
-    used = language.catalogue(name)
+    used = language.catalogue(name, domain)
     assert isinstance(used, GNUTranslations)
     every = used, GNUTranslations(compiled)
     said, edited = (dict(each._catalog) for each in every)  # type: ignore[attr-defined]
@@ -103,11 +129,11 @@ def test_what_the_window_reads_is_what_people_edit(name: language.Name) -> None:
 
 
 def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
-    template: Catalog, tmp_path: Path
+    tmp_path: Path,
 ) -> None:
-    new = texts.merged(tmp_path / "fr.po", "fr", template)
+    new = texts.merged(tmp_path / "fr.po", "fr", template("window"))
 
-    assert {message.id for message in new} == {message.id for message in template}
+    assert {message.id for message in new} == {message.id for message in template("window")}
     assert not any(any(forms(message.string)) for message in messages(new))
 
 
@@ -121,10 +147,10 @@ def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
         assert booked <= words, name
 
 
-def test_a_key_is_a_message_with_a_context_of_its_own(template: Catalog) -> None:
+def test_a_key_is_a_message_with_a_context_of_its_own() -> None:
     """Delete is a key, which has another name in German than what it does."""
-    assert template.get("Delete", context="key") is not None
-    key, act = (of("de").get("Delete", context=context) for context in ("key", None))
+    assert template("window").get("Delete", context="key") is not None
+    key, act = (of("window", "de").get("Delete", context=context) for context in ("key", None))
     assert key is not None
     assert act is not None
     assert key.string != act.string

@@ -47,7 +47,7 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
             return super().blit(source, dest)
 
     milestones = session.milestones()
-    texts = [pen.outlined(text) for milestone in milestones for text in milestone.texts]
+    texts = [pen.outlined(text) for milestone in milestones for text in milestone.texts(str)]
     stage = Stage(pen, (640, 480))
     stage.use(session.world)
     stage.draw(Noting((640, 480)), milestones=milestones)
@@ -55,6 +55,35 @@ def test_events_at_one_place_are_written_apart(pen: Pen) -> None:
     assert len(written) == len(texts) == 3
     shrunk = [place.inflate(0, -4) for place in written]  # lines of one text share their rims
     assert all(a.collidelist(shrunk[i + 1 :]) < 0 for i, a in enumerate(shrunk))
+
+
+def test_what_was_measured_keeps_off_the_words_of_the_level(pen: Pen) -> None:
+    """Those always stand where they belong, so whatever else is written makes way for them."""
+    session = Session(load(catalog.find("momentum/bounce-by-bounce")))
+    while session.t < 2.0:
+        session.step()
+    own, measured = set[pygame.Surface](), set[pygame.Surface]()
+    for label in session.level.view.labels:
+        own.add(pen.outlined(label.text))
+    for milestone in session.milestones():
+        measured.update(pen.outlined(text) for text in milestone.texts(str))
+    places: dict[pygame.Surface, pygame.Rect] = {}
+
+    class Noting(pygame.Surface):
+        def blit(self, source: pygame.Surface, dest: pygame.Rect, *_: object) -> pygame.Rect:  # type: ignore[override]
+            if source in own | measured:
+                places[source] = pygame.Rect(dest)
+            return super().blit(source, dest)
+
+    stage = Stage(pen, (370, 540))
+    stage.use(session.world)
+    stage.fit()
+    stage.draw(Noting((370, 540)), milestones=session.milestones())
+
+    assert places.keys() >= own
+    assert places.keys() & measured
+    taken = [places[text] for text in own]
+    assert all(places[text].collidelist(taken) < 0 for text in places.keys() & measured)
 
 
 def test_the_words_of_forces_in_a_narrow_picture_keep_off_each_other(pen: Pen) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from itertools import combinations
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pygame
@@ -16,6 +16,7 @@ from sandbox import app
 from sandbox.app import language, own_files, preferences
 from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
+from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.pages.effects.panel import EffectsPage
 from sandbox.app.pages.page import Page
 from sandbox.app.pages.predict.panel import PredictPage
@@ -24,7 +25,12 @@ from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
+from sandbox.model import catalog
+from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
+from sandbox.model.level import Level
+from sandbox.model.loading import parse
+from sandbox.model.prose import Words, prose
 from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until
@@ -43,26 +49,53 @@ SHOWING = {
 
 
 @pytest.fixture
-def speech(monkeypatch: pytest.MonkeyPatch) -> Speech:
+def speech(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Speech:
     """Everything that is written, in a window that speaks in capitals and names nothing."""
     monkeypatch.setattr(levels, "entries", list)
     monkeypatch.setattr(own_files, "folder", lambda: Path("/"))
+    monkeypatch.setattr(catalog, "root", lambda: tmp_path)
     return Speech(monkeypatch)
 
 
-def wordless(**changes: object) -> str:
-    """Return the falling ball, none of whose own words has a small letter."""
+def shipped(**changes: object) -> str:
+    """Return the falling ball with words in every field that may have some, and names in capitals.
+
+    In a window that speaks in capitals it counts as one that comes with the project.
+    """
     ball: dict[str, Any] = {"shape": {"type": "disc", "radius": 0.5}, "mass": 1, "position": [0, 5]}
     check = {"quantity": "B.speed", "formula": "10*t", "tolerance": 1e-9}
+    landing = {"event": "landing", "body": "B", "height": 2}
+    goal = {"quantity": "B.speed", "at": 0.5, "above": 1, "label": "it is fast"}
     told: dict[str, object] = {
-        "title": "A", "summary": "A.",
-        "parameters": {"G": {"value": 10, "min": 1, "max": 20, "unit": "m/s²", "label": "G"}},
+        "title": "a fall", "summary": "it falls.", "reference": "chapter on falling",
+        "parameters": {"G": {"value": 10, "min": 1, "max": 20, "unit": "m/s²", "label": "pull"}},
         "effects": {"gravity": {"acceleration": [0, "-G"]}},
         "bodies": {"B": ball, "C": {**ball, "position": [3, 5]}},
-        "checks": [check, {**check, "label": "HALF", "at": 0.5}],
+        "checks": [
+            check,
+            {**check, "label": "half way", "at": 0.5},
+            {**check, "label": "landed", "at": landing},
+        ],
+        "challenge": {
+            "task": "let it fall", "free": ["G"], "goals": [goal], "stars": [goal],
+            "hints": ["heavier", "heavier still"], "solution": {"G": 9},
+        },
+        "view": {"labels": [{"text": "here", "at": [1, 1]}]},
         "ghosts": {},
     }  # fmt: skip
     return falling(**{**told, **changes})
+
+
+def worded(hint: Any, path: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:  # noqa: ANN401
+    """Yield the fields of a type that have words, by the fields that lead there."""
+    if any(isinstance(mark, Words) for mark in getattr(hint, "__metadata__", ())):
+        yield path
+    elif isinstance(hint, type) and issubclass(hint, Model):
+        for field, kind in get_type_hints(hint, include_extras=True).items():
+            yield from worded(kind, (*path, field))
+    else:
+        for part in get_args(hint):
+            yield from worded(part, path)
 
 
 def turn_to(person: Person, page: str) -> None:
@@ -166,6 +199,16 @@ def test_a_message_without_words_is_none() -> None:
         language.use(language.ENGLISH)
 
 
+def test_the_level_that_is_listened_to_has_words_wherever_a_level_may_have_some() -> None:
+    """Words in a field that is new are heard on the pages, too."""
+    fields = set(worded(Level))
+    steps = {step for path in fields for step in path}
+    found = {tuple(step for step in path if step in steps) for path, _ in prose(parse(shipped()))}
+
+    assert len(fields) > 5
+    assert found == fields
+
+
 def test_what_is_not_said_through_the_catalogue_is_found(speech: Speech) -> None:
     speech.heard |= {"Forces", "FORCES", "B.position.x", "2 kg", "Forces ON B"}
 
@@ -197,7 +240,7 @@ def bare(call: ast.Call) -> Iterator[str]:
 def test_all_that_a_page_writes_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path, page: Page
 ) -> None:
-    person.open(tmp_path, wordless())
+    person.open(tmp_path, shipped())
     person.press(pygame.key.key_code(page.key), page.key)
     person.wait(0.1)
     heard(speech, person)
@@ -210,7 +253,7 @@ def test_all_that_a_page_writes_is_said_in_the_language(
 def test_what_is_written_of_changed_effects_and_of_a_race_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    person.open(tmp_path, wordless())
+    person.open(tmp_path, shipped())
     turn_to(person, "effects")
     effects = person.page(EffectsPage)
     person.click(effects.switch("drag").rect)
@@ -229,7 +272,7 @@ def test_what_is_written_of_changed_effects_and_of_a_race_is_said_in_the_languag
 def test_what_is_written_of_a_prediction_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    person.open(tmp_path, wordless())
+    person.open(tmp_path, shipped())
     turn_to(person, "predict")
     page = person.page(PredictPage)
     person.click(page.button.rect)
@@ -245,10 +288,11 @@ def test_what_is_written_of_a_prediction_is_said_in_the_language(
 def test_what_is_written_of_a_challenge_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    goal = {"quantity": "B.speed", "at": 0.5, "above": 1, "label": "FAST"}
-    asked = {"task": "A", "free": ["G"], "goals": [goal], "hints": ["A", "B"], "solution": {"G": 9}}
-    person.open(tmp_path, wordless(challenge=asked))
+    person.open(tmp_path, shipped())
     turn_to(person, "challenge")
+    page = person.page(ChallengePage)
+    for _ in range(2):
+        person.click(page.button.rect)
     person.press(pygame.K_SPACE, " ")
     until(person, lambda: not person.session.playing)
     heard(speech, person)
@@ -257,7 +301,7 @@ def test_what_is_written_of_a_challenge_is_said_in_the_language(
 def test_what_is_written_while_somebody_builds_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path
 ) -> None:
-    person.open(tmp_path, wordless())
+    person.open(tmp_path, shipped())
     builder = Builder(person)
     builder.at(0, 5)
     heard(speech, person)
@@ -274,7 +318,7 @@ def test_what_is_written_while_somebody_builds_is_said_in_the_language(
 def test_what_else_the_window_writes_is_said_in_the_language(
     speech: Speech, person: Person, tmp_path: Path, command: str
 ) -> None:
-    person.open(tmp_path, wordless())
+    person.open(tmp_path, shipped())
     for _ in range(3):
         person.window.do(command)
         person.wait(0.1)

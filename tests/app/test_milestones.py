@@ -37,9 +37,9 @@ def test_the_apex_and_the_landing_are_marked_between_the_steps(thrown: Session) 
     landing = thrown.milestones()[1]
 
     assert apex.place == pytest.approx((31.8552, 15.9276), abs=1e-4)  # v² / 2 g, v² / 4 g
-    assert apex.texts == ["apex 15.9 m"]
+    assert apex.texts(str) == ["apex 15.9 m"]
     assert landing.place == pytest.approx((63.7105, 0), abs=1e-4)
-    assert landing.texts == ["range 63.7 m", "time of flight 3.60 s"]
+    assert landing.texts(str) == ["range 63.7 m", "time of flight 3.60 s"]
     assert apex.passed
     assert landing.passed
 

@@ -240,6 +240,28 @@ def test_the_energies_of_a_fall_are_exchanged() -> None:
     assert now.total == pytest.approx(start.total)
 
 
+def test_energies_are_compared_with_those_that_a_hand_has_left() -> None:
+    """The work of the hand is no change that the run has made of itself."""
+    session = Session(scenes.level())
+    run = session.run
+
+    run.act("place", "ball", (0.0, 30.0))
+    assert run.books.start.total == pytest.approx(300)
+    for _ in range(20):
+        session.step()
+    assert run.books.energies.total == pytest.approx(run.books.start.total)
+    run.act("grab", "ball", (0.0, 30.0))
+    run.act("drag", "", (5.0, 40.0))
+    for _ in range(20):
+        session.step()
+    assert run.books.energies.total > 1.1 * run.books.start.total
+    run.act("release", "", (0.0, 0.0))
+    for _ in range(10):
+        session.step()
+
+    assert run.books.energies.total == pytest.approx(run.books.start.total, rel=1e-3)
+
+
 def test_the_speeds_go_from_a_twentieth_to_sixteen_and_no_further() -> None:
     session = Session(scenes.level())
 

@@ -4,6 +4,7 @@ from functools import partial
 from time import localtime, strftime
 from typing import NamedTuple
 
+from sandbox.app import level_words
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.language import plural, say
@@ -40,7 +41,9 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
 def _going_on(draft: Draft, editor: Editor, session: Session) -> Act:
     """Return what goes on with a draft that another one hides."""
     level = draft.level
-    title = level.title if level is not None else say("a level with mistakes")
+    title = say("a level with mistakes")
+    if level is not None:
+        title = level_words.of(level)(level.title)
     caption = title if draft.path is None else draft.path.name
     tip = say("go on with it")
     if level is not None:

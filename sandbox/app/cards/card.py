@@ -54,7 +54,7 @@ class Card:
         for (text, color), share in zip(cells, COLUMNS, strict=True):
             room = share * (self.width - self.indent)
             images = (self.pen.write(text, s, color) for s in range(size, SMALLEST, -1))
-            fitting = (image for image in images if image.width + self.pen.px(GAP) <= room)
+            fitting = (image for image in images if image.width + self.pen.px(2 * GAP) <= room)
             self.put(next(fitting, self.pen.write(text, SMALLEST, color)), round(x))
             x += room
         self.y += self.pen.height(size)

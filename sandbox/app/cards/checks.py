@@ -8,6 +8,7 @@ from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.grading import Reading
 from sandbox.app.language import later, say
+from sandbox.app.level_words import Say, title
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
 from sandbox.model.level import Check
@@ -21,11 +22,12 @@ def checks(
     pen: Pen,
     width: int,
     readings: Sequence[Reading],
+    words: Say = str,
     disturbed: bool = False,
     left_out: int = 0,
     splits: Mapping[int, Split] = NOTHING,
 ) -> pygame.Surface:
-    """Draw how the checks stand, and how many are left out.
+    """Draw how the checks of a level that puts its words so stand, and how many are left out.
 
     Of a check whose numerical error is known, only the digits that survive it are shown.
     """
@@ -41,7 +43,7 @@ def checks(
         card.columns([(head, theme.DIM) for head in heads], 12)
         for index, reading in enumerate(readings):
             card.y += GAP
-            _check(card, reading, splits.get(index))
+            _check(card, reading, words, splits.get(index))
     if left_out:
         card.text(say("and {count} more", count=left_out), 12, theme.DIM, indent=card.indent)
     return card.drawn()
@@ -57,12 +59,12 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
     return card.drawn()
 
 
-def _check(card: Card, reading: Reading, split: Split | None) -> None:
+def _check(card: Card, reading: Reading, words: Say, split: Split | None) -> None:
     result = reading.result
     check = result.check
     color = _color(result.verdict)
     card.put(_badge(card.pen, result.verdict, color), 0, card.pen.px(2))
-    _check_title(card, check)
+    _check_title(card, check, words)
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
         told = say("does not apply: it needs {condition}", condition=source)
@@ -102,11 +104,9 @@ def _color(verdict: str) -> Color:
     return {"passed": theme.PASSED, "failed": theme.FAILED}.get(verdict, theme.WAITING)
 
 
-def _check_title(card: Card, check: Check) -> None:
+def _check_title(card: Card, check: Check, words: Say) -> None:
     """Write what is checked, and beside it, where there is room, the quantity's name."""
-    lines = card.pen.paragraph(
-        check.label or check.quantity, card.width - card.indent, 14, bold=True
-    )
+    lines = card.pen.paragraph(title(check, words), card.width - card.indent, 14, bold=True)
     name = card.pen.write(check.quantity if check.label else "", 12, theme.DIM)
     for line in lines:
         card.put(line, card.indent)

@@ -23,6 +23,10 @@ BAR = 5  # px, the width of what shows how far it is scrolled
 STARS = 3  # the most that a challenge gives
 RADIUS = 6  # px, of a star
 PADDING = 9  # px, beside a card's words
+ROWS = 4, 23  # px, where these begin below the picture
+
+Line = tuple[str, int, theme.Color]
+"""A text, the size of its letters, and its colour."""
 
 _STEPS = {
     pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1),
@@ -65,7 +69,7 @@ class Home:
         self._pressed: int | None = None
         self._held: Recoverable | None = None  # the draft on which the mouse was pressed
         self._here: Path | None = None  # the level that is played
-        self._short = lru_cache(maxsize=600)(self._shortened)
+        self._words = lru_cache(maxsize=600)(self._lines)
 
     def enter(self, path: Path | None) -> None:
         """Show the cards as they are by now, that of a level in view."""
@@ -76,7 +80,7 @@ class Home:
 
     def renew(self) -> None:
         """Lay out and draw all anew, in the present theme, scale and language."""
-        self._short.cache_clear()
+        self._words.cache_clear()
         self.thumbnails.cancel()
         self.thumbnails.forget()
         self.preview.stop()
@@ -248,7 +252,7 @@ class Home:
         pygame.draw.rect(surface, rim, place, 2 if focused else 1, border_radius=6)
 
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
-        earned = self._progress.stars(level.title)
+        earned = self._progress.stars(level.told.title)
         right = below.right - self._pen.px(PADDING)
         if earned or level.chapter == catalog.CHALLENGES:
             for i in reversed(range(STARS)):
@@ -257,14 +261,22 @@ class Home:
                 surface.blit(_star(color, self._pen.px(RADIUS)), (right, below.y + self._pen.px(8)))
             right -= self._pen.px(PADDING) // 2
         x, pen = below.x + self._pen.px(PADDING), self._pen
-        surface.blit(
-            pen.write(self._short(level.title, right - x, 14), 14), (x, below.y + self._pen.px(4))
-        )
-        told = self._short(level.summary, below.width - 2 * self._pen.px(PADDING), 12)
-        surface.blit(pen.write(told, 12, theme.DIM), (x, below.y + self._pen.px(24)))
+        rows = self._words(level, right - x, below.width - 2 * pen.px(PADDING))
+        for (text, size, color), y in zip(rows, ROWS, strict=True):
+            surface.blit(pen.write(text, size, color), (x, below.y + pen.px(y)))
 
-    def _shortened(self, text: str, room: int, size: int) -> str:
-        return self._pen.shorten(text[:200], max(room, 1), size)
+    def _lines(self, level: Entry, room: int, whole: int) -> tuple[Line, Line]:
+        """Return what is written of a level: a title that is long has the summary's line, too.
+
+        Of its own line it has some room, of the summary's the whole [px].
+        """
+        pen, title = self._pen, level.title[:200]
+        if pen.shorten(title, room, 14) == title:
+            told = pen.shorten(level.summary[:200], max(whole, 1), 12)
+            return (title, 14, theme.TEXT), (told, 12, theme.DIM)
+        first, *others = pen.wrap(title, max(room, 1), 13)
+        rest = pen.shorten(" ".join(others), max(whole, 1), 13)
+        return (first, 13, theme.TEXT), (rest, 13, theme.TEXT)
 
     def _draw_bar(self, surface: pygame.Surface) -> None:
         area, height = self._area, self._grid.height

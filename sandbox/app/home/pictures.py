@@ -12,7 +12,7 @@ from typing import NamedTuple
 import platformdirs
 import pygame
 
-from sandbox.app import picture, theme
+from sandbox.app import language, picture, theme
 from sandbox.app.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.text import Pen
@@ -60,7 +60,8 @@ def key(path: Path) -> str:
     content = read_ordinary(path.resolve(), MAX_BYTES)
     if content is None:
         raise OSError("not an ordinary file")
-    about = f"{__version__} {DRAWN} {SIZE} {theme.used()} ".encode()
+    spoken = language.used() if b'"labels"' in content else ""  # words that are drawn
+    about = f"{__version__} {DRAWN} {SIZE} {theme.used()} {spoken}".encode()
     return hashlib.sha256(about + content).hexdigest()[:32]
 
 

@@ -1,6 +1,5 @@
 """The list of levels, by chapter, and a field that finds some of them."""
 
-import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -17,9 +16,9 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 from sandbox.app import theme
 from sandbox.app.commands import tip
 from sandbox.app.language import plural, say
-from sandbox.app.listed import Entry
+from sandbox.app.listed import Entry, entry
 from sandbox.app.progress import Progress
-from sandbox.app.text import Pen, legible
+from sandbox.app.text import Pen
 from sandbox.app.widgets.field import LONGEST, Field
 from sandbox.app.widgets.gui import press, scroll, scrolled
 from sandbox.model import catalog
@@ -29,6 +28,8 @@ HEADING = 34  # px
 MARGIN = 8  # px
 FIELD = 28  # px
 SCROLL_BAR = 22  # px
+CAPTION = 14
+"""The size of the letters on buttons."""
 STAR = "•"
 """Stands behind a title for each star that its challenge has earned."""
 
@@ -43,29 +44,22 @@ def entries() -> list[Entry]:
     return found
 
 
-def entry(path: Path, chapter: str) -> Entry:
-    """Return the entry of a file, whatever is in it."""
-    try:
-        told = json.loads(path.read_text(encoding="utf-8"))
-        title = legible(str(told["title"])).strip() or path.stem
-        more = [str(told.get(k, "")) for k in ("summary", "reference")]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        title, more = path.stem, [""]  # why it cannot be read is told when it is opened
-    words = " ".join((chapter, path.stem.replace("-", " "), title, *more)).casefold()
-    return Entry(path, chapter, title, words, more[0])
-
-
 def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
     """Return what orders levels that have all of some words: the least comes first.
 
     A title says more than a summary, the whole phrase more than its words; of two titles that say
-    as much, the shorter one says less beside it.
+    as much, the shorter one says less beside it. A title that is shown translated counts as its
+    author put it, too.
     """
-    title, phrase = entry.title.casefold(), " ".join(words)
-    if phrase in title:
-        return 0, len(title)
-    if all(word in title for word in words):
-        return 1, len(title)
+    titles, phrase = (entry.title.casefold(), entry.told.title.casefold()), " ".join(words)
+    for place, found in enumerate(
+        (
+            [title for title in titles if phrase in title],
+            [title for title in titles if all(word in title for word in words)],
+        )
+    ):
+        if found:
+            return place, min(map(len, found))
     return (2 if phrase in entry.words else 3), 0
 
 
@@ -91,7 +85,7 @@ class LevelList:
         self._px = px = pen.px
         width = rect.width - 2 * px(MARGIN)
         self.column = UIContainer(rect, manager)
-        self._commands = dict(self._ways(manager, width))
+        self._commands = dict(self._ways(manager, pen, width))
         self.field = Field(
             pygame.Rect(px(MARGIN), 2 * px(MARGIN) + px(FIELD), width, px(FIELD)), manager,
             container=self.column,
@@ -119,13 +113,18 @@ class LevelList:
             self._buttons[self._button(manager, pen, level)] = level
         self._show()
 
-    def _ways(self, manager: UIManager, width: int) -> Iterator[tuple[UIButton, str]]:
-        """Make the buttons that lead to other levels, with the commands that they call for."""
-        ways = (("home", say("Home")), ("new scene", say("New")), ("open file", say("Open …")))
-        each = (width + self._px(MARGIN)) // len(ways)
-        for i, (command, text) in enumerate(ways):
-            gap = self._px(MARGIN)
-            place = pygame.Rect(gap + i * each, gap, each - gap, self._px(FIELD))
+    def _ways(self, manager: UIManager, pen: Pen, width: int) -> Iterator[tuple[UIButton, str]]:
+        """Make the buttons that lead to other levels, with the commands that they call for.
+
+        The room that their captions leave is shared.
+        """
+        ways = {"home": say("Home"), "new scene": say("New"), "open file": say("Open …")}
+        needed = {command: pen.write(text, CAPTION).width for command, text in ways.items()}
+        gap = x = self._px(MARGIN)
+        spare = (width - (len(ways) - 1) * gap - sum(needed.values())) // len(ways)
+        for command, text in ways.items():
+            place = pygame.Rect(x, gap, needed[command] + spare, self._px(FIELD))
+            x = place.right + gap
             yield (
                 UIButton(place, text, manager, container=self.column, tool_tip_text=tip(command)),
                 command,
@@ -150,7 +149,7 @@ class LevelList:
         )
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
-        stars = self._progress.stars(level.title)
+        stars = self._progress.stars(level.told.title)
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)

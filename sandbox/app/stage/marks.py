@@ -8,6 +8,7 @@ import pygame
 
 from sandbox.app import lines, signs, theme
 from sandbox.app.camera import Camera
+from sandbox.app.level_words import Say
 from sandbox.app.milestones import Milestone
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
@@ -152,7 +153,7 @@ def draw_arrow_key(
 
 def draw_milestones(
     surface: pygame.Surface, camera: Camera, pen: Pen, milestones: Sequence[Milestone],
-    labels: Labels,
+    words: Say, labels: Labels,
 ) -> None:  # fmt: skip
     """Mark where something has happened, with what was measured then written beside it."""
     seen = [(m, camera.to_screen(m.place)) for m in milestones]
@@ -164,7 +165,7 @@ def draw_milestones(
         lines.path(surface, color, [*corners, corners[0]], 2)
         labels.take(_box(corners))
     for milestone, (x, y) in seen:
-        texts = [pen.outlined(text) for text in milestone.texts]
+        texts = [pen.outlined(text) for text in milestone.texts(words)]
         size = max(t.width for t in texts), sum(t.height - 2 for t in texts)
         inside = surface.get_rect().inflate(-2 * EDGE, -2 * EDGE)
         around = _around(round(x), round(y), size)

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app import level_words, lines, theme
 from sandbox.app.camera import Camera
 from sandbox.app.companions import Companion
 from sandbox.app.milestones import Milestone
@@ -105,9 +105,11 @@ class Stage:
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)
         self._draw_beside(surface, beside)
-        if view.few:
-            marks.draw_milestones(surface, self.camera, self._pen, milestones, view.labels)
-        texts.draw_texts(surface, view)
+        if world.level.view.labels:
+            texts.draw_texts(surface, view)
+        if view.few and milestones:
+            words = level_words.of(world.level)
+            marks.draw_milestones(surface, self.camera, self._pen, milestones, words, view.labels)
         for overlay in self._overlays:
             if overlay.draw is not None:
                 overlay.draw(surface, view)

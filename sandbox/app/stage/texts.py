@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app import lines
+from sandbox.app import level_words, lines
 from sandbox.app.stage.view import View
 from sandbox.model.expressions import Values
 from sandbox.model.joints import End, Held, body_of
@@ -14,13 +14,13 @@ from sandbox.physics.state.anchor import Anchor
 
 def draw_texts(surface: pygame.Surface, view: View) -> None:
     """Write the labels of a level where they belong, and keep other words from there."""
-    world = view.world
+    world, words = view.world, level_words.of(view.world.level)
     rows = {name: row for row, name in enumerate(world.level.bodies)}
     for label in view.world.level.view.labels:
         place, _ = _anchor(label.at, rows, world.values).find(world.snapshot)
         pixel = view.camera.to_screen((float(place.real), float(place.imag)))
         if lines.near((pixel,)):
-            text = view.pen.outlined(label.text)
+            text = view.pen.outlined(words(label.text))
             where = text.get_rect(center=(round(pixel[0]), round(pixel[1])))
             surface.blit(text, where)
             view.labels.take(where)

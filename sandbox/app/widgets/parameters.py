@@ -9,6 +9,7 @@ from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIMan
 from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer
 
 from sandbox.app import theme, wording
+from sandbox.app.level_words import Say
 from sandbox.app.rounding import rounded, step
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
@@ -49,8 +50,9 @@ class Parameters:
     def __init__(
         self, manager: UIManager, pen: Pen, container: UIScrollingContainer,
         area: pygame.Rect, parameters: Mapping[str, Parameter], values: Values,
+        words: Say = str,
     ) -> None:  # fmt: skip
-        self._manager = manager
+        self._manager, self._words = manager, words
         self._rows: dict[str, Row] = {}
         height = pen.px(ROW)
         for i, (name, parameter) in enumerate(parameters.items()):
@@ -66,10 +68,11 @@ class Parameters:
         room = rect.width - px(FIELD) - px(UNIT) - 8
         unit = "°" if parameter.unit == "deg" else parameter.unit
         box = pygame.Rect(rect.right - px(UNIT) - px(FIELD), rect.y, px(FIELD), px(26))
-        symbol = pen.write(name if parameter.label else "", 13, theme.DIM)
-        title = _title(pen, parameter.label or name, room - symbol.width - 8)
+        label = self._words(parameter.label)
+        symbol = pen.write(name if label else "", 13, theme.DIM)
+        title = _title(pen, label or name, room - symbol.width - 8)
         texts = [(title, rect.x), (pen.write(unit, 14, theme.DIM), box.right + 6)]
-        if symbol.width and name != parameter.label:
+        if symbol.width and name != label:
             texts.append((symbol, rect.x + title.width + 8))
         for image, x in texts:
             place = image.get_rect(midleft=(x, rect.y + px(13)))

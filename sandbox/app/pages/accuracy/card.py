@@ -1,15 +1,16 @@
 """What is told of a run's accuracy and of the time that it takes."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.language import later, say
+from sandbox.app.level_words import Say, title
 from sandbox.app.text import Pen
 from sandbox.app.theme import Color
-from sandbox.model.level import Check, Stepping
+from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.study import Here, Progress, Split
 from sandbox.physics.accuracy.trust import Trust
 
@@ -75,17 +76,17 @@ def status(
 
 
 def rest(
-    pen: Pen, width: int, shares: Mapping[str, float], checks: Sequence[Check],
+    pen: Pen, width: int, shares: Mapping[str, float], level: Level,
     splits: Mapping[int, Split],
 ) -> pygame.Surface:  # fmt: skip
     """Draw where a frame's time goes, and what the checks' errors are made of."""
-    card = Card(pen, width)
+    card, words = Card(pen, width), level_words.of(level)
     _frame(card, shares)
     if splits:
         card.y += 8
         card.heading(say("What the errors are made of"))
         for index, split in sorted(splits.items()):
-            _split(card, checks[index], split)
+            _split(card, level.checks[index], words, split)
     return card.drawn()
 
 
@@ -107,10 +108,10 @@ def _frame(card: Card, shares: Mapping[str, float]) -> None:
     card.y += card.pen.height(12)
 
 
-def _split(card: Card, check: Check, split: Split) -> None:
+def _split(card: Card, check: Check, words: Say, split: Split) -> None:
     """Add the three parts of a check's error, side by side."""
     card.y += GAP
-    card.text(check.label or check.quantity, 13, bold=True)
+    card.text(title(check, words), 13, bold=True)
     if split.total is None:
         source = check.valid_if.source if check.valid_if else ""
         told = say("its moment never comes")

@@ -136,4 +136,4 @@ class AccuracyPage:
     def _drawn_rest(self) -> pygame.Surface:
         pen, width, session = self._sheet.pen, self._sheet.width, self._session
         splits = self._studying.splits(session)
-        return rest(pen, width, self._load.shares, session.level.checks, splits)
+        return rest(pen, width, self._load.shares, session.original, splits)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import lines, theme, wording
+from sandbox.app import level_words, lines, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.language import later, say
 from sandbox.app.session import Session
@@ -33,10 +33,10 @@ def challenge(pen: Pen, width: int, session: Session) -> pygame.Surface:
 def task(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw what is asked for."""
     asked = session.level.challenge
-    card = Card(pen, width)
-    card.text(session.original.title, 20, bold=True)
+    card, words = Card(pen, width), level_words.of(session.original)
+    card.text(words(session.original.title), 20, bold=True)
     card.y += 4
-    card.text(asked.task if asked else say(NONE), 15 if asked else 14)
+    card.text(words(asked.task) if asked else say(NONE), 15 if asked else 14)
     return card.drawn()
 
 
@@ -60,13 +60,13 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         card.text(say("Restart (R) to try again."), 13, theme.DIM)
         return card.drawn()
     _stars(card, found, best)
-    before = ""
+    before, words = "", level_words.of(session.original)
     for index, outcome in enumerate(found.outcomes):
         rank = _rank(index, asked)
         if rank != before:
             card.text(rank, 12, theme.DIM)
         before = rank
-        _goal(card, outcome)
+        _goal(card, outcome, words(outcome.goal.label))
     if found.altered:
         names = ", ".join(found.altered)
         told = say("No star counts: {names} is locked in this challenge.", names=names)
@@ -112,10 +112,10 @@ def _star(radius: int, *, earned: bool) -> pygame.Surface:
     return sign
 
 
-def _goal(card: Card, outcome: Outcome) -> None:
+def _goal(card: Card, outcome: Outcome, label: str) -> None:
     color = _color(outcome.standing)
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
-    card.text(outcome.goal.label, 14, bold=True, indent=card.indent)
+    card.text(label, 14, bold=True, indent=card.indent)
     value = outcome.measured
     now = "–" if value is None else wording.quantity(value, outcome.unit, 4)
     card.columns(

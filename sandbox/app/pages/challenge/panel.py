@@ -4,6 +4,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
+from sandbox.app import level_words
 from sandbox.app.language import later, say
 from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
@@ -26,7 +27,13 @@ class ChallengePage:
         free = {name: level.parameters[name] for name in (asked.free if asked else ())}
         area = pygame.Rect(sheet.margin, y, sheet.width, 0)
         sheet.parameters = Parameters(
-            sheet.manager, sheet.pen, sheet.container, area, free, desk.session.values
+            sheet.manager,
+            sheet.pen,
+            sheet.container,
+            area,
+            free,
+            desk.session.values,
+            level_words.of(desk.session.original),
         )
         self._standing = sheet.image(self._draw_standing(), y + sheet.parameters.height + 4)
         self._hints = sheet.image(self._draw_hints(), below(self._standing) + 8)
@@ -72,7 +79,9 @@ class ChallengePage:
 
     @property
     def _shown_hints(self) -> tuple[str, ...]:
-        return self._all_hints[: self._judge.hints.get(self._session.original.title, 0)]
+        words = level_words.of(self._session.original)
+        shown = self._judge.hints.get(self._session.original.title, 0)
+        return tuple(map(words, self._all_hints[:shown]))
 
     def _draw_standing(self) -> pygame.Surface:
         best = self._judge.stars(self._session)

@@ -4,9 +4,10 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.language import later, say
+from sandbox.app.level_words import Say
 from sandbox.app.pages.effects import whatif
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
@@ -19,7 +20,7 @@ TOUCHED_ONE = later(
 
 def compared(
     pen: Pen, width: int, told: str, differences: Sequence[Difference],
-    cost: float | None = None, *, disturbed: bool = False,
+    words: Say, cost: float | None = None, *, disturbed: bool = False,
 ) -> pygame.Surface:  # fmt: skip
     """Draw what a change of the effects makes of the checks' quantities, and what it costs."""
     card = Card(pen, width)
@@ -41,7 +42,7 @@ def compared(
         if difference.before is difference.after is None:
             continue  # not yet
         card.y += GAP
-        card.text(difference.label or difference.quantity, 14, bold=True, indent=card.indent)
+        card.text(words(difference.label) or difference.quantity, 14, bold=True, indent=card.indent)
         numbers = (difference.before, difference.after)
         values = ["–" if n is None else wording.quantity(n, difference.unit) for n in numbers]
         part = difference.relative
@@ -54,7 +55,8 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
     """Draw how a session differs from its level as it is declared."""
     if not session.changes:
         return unchanged(pen, width)
-    return compared(pen, width, session.changes.told, whatif.compared(session))
+    words = level_words.of(session.original)
+    return compared(pen, width, session.changes.told, whatif.compared(session), words)
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:

@@ -7,7 +7,7 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import wording
+from sandbox.app import level_words, wording
 from sandbox.app.cards.card import label
 from sandbox.app.companions import NONE
 from sandbox.app.grading import Ration
@@ -137,6 +137,5 @@ class EffectsPage:
             self._ration = Ration(lambda: whatif.compared(session), ())
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
-        return compared(
-            pen, width, session.changes.told, found, cost, disturbed=session.world.disturbed
-        )
+        words, disturbed = level_words.of(session.original), session.world.disturbed
+        return compared(pen, width, session.changes.told, found, words, cost, disturbed=disturbed)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sandbox.app import wording
+from sandbox.app import level_words, wording
 from sandbox.app.companions import NONE, Changes, Variant
 from sandbox.app.language import later, say
 from sandbox.app.session import Session
@@ -164,7 +164,7 @@ def cost(session: Session) -> float | None:
 
 def told(session: Session, found: Sequence[Difference]) -> str:
     """Say in one sentence what the change makes of the level, and what it costs."""
-    said = list(wording.summary(found))
+    said = list(wording.summary(found, level_words.of(session.original)))
     price = cost(session)
     if price is not None:
         said.append(wording.step_cost(price))

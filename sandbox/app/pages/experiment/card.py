@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.language import later, plural, say
 from sandbox.app.pages.experiment.exploring import Chosen, Exploring
@@ -103,7 +103,7 @@ def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None
 def _named(level: Level, name: str) -> str:
     parameter = level.parameters[name]
     unit = f" [{parameter.unit}]" if parameter.unit else ""
-    label = f", {parameter.label}" if parameter.label else ""
+    label = f", {level_words.of(level)(parameter.label)}" if parameter.label else ""
     return f"{name}{unit}{label}"
 
 

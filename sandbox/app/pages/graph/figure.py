@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Literal, NamedTuple
 
+from sandbox.app import level_words
 from sandbox.app.language import say
 from sandbox.app.pages.graph.card import closed_forms, measured
 from sandbox.app.pages.graph.zoom import Graph, Interval
@@ -69,7 +70,8 @@ def figure(
         fields.append(Field(graph.unit, curves, (graph.up.low, graph.up.high)))
     span = graphs[0].across
     label = with_unit_in_brackets(across, units[across])
-    return Figure(session.original.title, label, (span.low, span.high), fields)
+    title = level_words.of(session.original)(session.original.title)
+    return Figure(title, label, (span.low, span.high), fields)
 
 
 def _earlier(

@@ -2,24 +2,24 @@
 
 import pygame
 
-from sandbox.app import theme, wording
+from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import Card
 from sandbox.app.language import say
 from sandbox.app.text import Pen
 from sandbox.model.expressions import Values
-from sandbox.model.level import Level, Parameter
+from sandbox.model.level import Level
 
 
 def header(pen: Pen, width: int, level: Level) -> pygame.Surface:
     """Draw a level's title, summary and reference."""
-    card = Card(pen, width)
-    card.text(level.title, 20, bold=True)
+    card, words = Card(pen, width), level_words.of(level)
+    card.text(words(level.title), 20, bold=True)
     card.y += 4
     if level.summary:
-        card.text(level.summary, 14)
+        card.text(words(level.summary), 14)
         card.y += 4
     if level.reference:
-        card.text(level.reference, 12, theme.DIM)
+        card.text(words(level.reference), 12, theme.DIM)
     return card.drawn()
 
 
@@ -32,20 +32,19 @@ def clock(pen: Pen, width: int, text: str) -> pygame.Surface:
 
 def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surface:
     """Draw the parameters with their values."""
-    card = Card(pen, width)
+    card, words = Card(pen, width), level_words.of(level)
     card.heading(say("Parameters"))
     for name, parameter in level.parameters.items():
         value = wording.with_unit(wording.setting(values[name]), parameter.unit)
         right = pen.write(value, 14, theme.TEXT)
-        label = pen.write(
-            pen.shorten(_title(name, parameter), width - right.width - 8), 14, theme.DIM
-        )
+        called = _title(name, words(parameter.label))
+        label = pen.write(pen.shorten(called, width - right.width - 8), 14, theme.DIM)
         card.put(label, 0)
         card.put(right, width - right.width)
         card.y += label.height + 2
     return card.drawn()
 
 
-def _title(name: str, parameter: Parameter) -> str:
+def _title(name: str, label: str) -> str:
     """Return a parameter's label and the name that formulas call it by."""
-    return f"{parameter.label}  {name}" if parameter.label not in ("", name) else name
+    return f"{label}  {name}" if label not in ("", name) else name

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
+from sandbox.app import level_words
 from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
 from sandbox.app.language import later, say
@@ -38,7 +39,13 @@ class LevelPage:
         area = pygame.Rect(sheet.margin, y, width, 0)
         values = desk.session.values
         sheet.parameters = Parameters(
-            sheet.manager, pen, sheet.container, area, level.parameters, values
+            sheet.manager,
+            pen,
+            sheet.container,
+            area,
+            level.parameters,
+            values,
+            level_words.of(level),
         )
         self.onwards: UIButton | None = None
         y += sheet.parameters.height
@@ -71,6 +78,7 @@ class LevelPage:
             sheet.pen,
             sheet.width,
             session.readings(),
+            level_words.of(session.original),
             disturbed=session.world.disturbed,
             splits=self._studying.splits(session),
         )

@@ -10,7 +10,7 @@ from sandbox.app.cards.checks import TOUCHED
 from sandbox.app.language import later, say
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
-from sandbox.app.pages.predict.questions import FACTORS, title, when
+from sandbox.app.pages.predict.questions import FACTORS, when
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.model.level import Check
@@ -36,11 +36,13 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
     return card.drawn()
 
 
-def asked(pen: Pen, width: int, question: Check, unit: str, *, open_: bool) -> pygame.Surface:
-    """Draw a question; while it is open, with how it may be answered."""
+def asked(
+    pen: Pen, width: int, question: Check, title: str, unit: str, *, open_: bool
+) -> pygame.Surface:
+    """Draw a question by its title; while it is open, with how it may be answered."""
     card = Card(pen, width)
     card.heading(say("Your prediction"))
-    card.text(title(question), 15, bold=True)
+    card.text(title, 15, bold=True)
     name = f"{question.quantity} {when(question.at)}" if question.label else when(question.at)
     card.text(name, 13, theme.DIM)
     if open_:

@@ -4,12 +4,12 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton, UIImage, UISelectionList
 
-from sandbox.app import theme
+from sandbox.app import level_words, theme
 from sandbox.app.language import later, say
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.predicting import Predicting
-from sandbox.app.pages.predict.questions import questions, title, unit_of, when
+from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.model.level import Check
@@ -84,7 +84,8 @@ class PredictPage:
 
     def _names(self) -> list[str]:
         """Name what can be asked, each in its own words."""
-        titles = [title(question) for question in self._questions]
+        words = level_words.of(self._session.original)
+        titles = [level_words.title(question, words) for question in self._questions]
         pairs = zip(titles, self._questions, strict=True)
         return [
             name if titles.count(name) == 1 else f"{name} {when(each.at)}" for name, each in pairs
@@ -154,7 +155,8 @@ class PredictPage:
         if question is None:
             return card.intro(pen, width, self._session, possible=bool(self._questions))
         unit = unit_of(question, self._session.level)
-        return card.asked(pen, width, question, unit, open_=self._open)
+        name = level_words.title(question, level_words.of(self._session.original))
+        return card.asked(pen, width, question, name, unit, open_=self._open)
 
     def _drawn_unit(self) -> pygame.Surface:
         question = self._predicting.question

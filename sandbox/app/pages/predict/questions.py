@@ -42,11 +42,6 @@ def questions(level: Level, values: Values) -> tuple[Check, ...]:
     return tuple({(check.quantity, check.at): check for check in reversed(timed)}.values())[::-1]
 
 
-def title(check: Check) -> str:
-    """Name what is asked for."""
-    return check.label or check.quantity
-
-
 def when(at: Instant | None) -> str:
     """Say when a quantity is asked for."""
     match at:

@@ -47,7 +47,7 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
         ),
         Setting(
             say("Language"),
-            say("What a level says of itself stays in the language of its author."),
+            say("What people write in levels of their own stays as they wrote it."),
             list(_languages(comfort)),
         ),
         Setting(
