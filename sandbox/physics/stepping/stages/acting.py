@@ -25,7 +25,6 @@ from sandbox.physics.events.blows import SUDDEN
 from sandbox.physics.joints.cutting import let_go
 from sandbox.physics.joints.pulls import Pulls, pulls_of
 from sandbox.physics.metering.meter import Meter
-from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup, Stage
 
@@ -64,7 +63,6 @@ class Acting:
         self._meter = Meter(setup, {h.waits.quantity for h in self._pending.values()} - {"t"})
         self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
         self._fixed = scene.mass == 0
-        self._springs = np.array([n in scene.joints.springs for n in level.joints], dtype=bool)
         borne = loads(level.joints, setup.values)
         self._sudden = SUDDEN * np.array([borne.get(n, np.inf) for n in level.joints])
         self._past: tuple[Pulls, Pulls] | None = None  # in the last kick, and in that before it
@@ -145,12 +143,12 @@ class Acting:
             happening = self._pending.pop(name)
             yield part._replace(lasts=wait)
             part = self._happen(name, happening, part, wait)
-        self._pulled = self._pulls(part.at(0.0))
+        self._pulled = self._pulls()
         yield part
 
     def _next(self, part: Part) -> tuple[str, float] | None:
         """Return what happens first in a part, and how long after its beginning [s]."""
-        forces = self._pulls(part.at(0.0))
+        forces = self._pulls()
         last = forces if self._pulled is None else self._pulled
         growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
         growth[0] = np.where(np.abs(growth[0]) * self._dt > self._sudden, 0.0, growth[0])
@@ -189,22 +187,22 @@ class Acting:
         wait = within(lambda time: value(waited.quantity, time), waited, part.lasts)
         return wait if wait <= latest else None
 
-    def _pulls(self, motion: Instant) -> tuple[Array, Array]:
-        """Return the tensions and torques of the joints in a motion: (j,) each [N, N m]."""
+    def _pulls(self) -> tuple[Array, Array]:
+        """Return the tensions and torques of the joints that are solved: (j,) each [N, N m]."""
         joints = self._scene.joints
-        return joints.tension(motion), joints.torque()
+        return joints.tensions(), joints.torque()
 
     def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
         """Return the state so long after the beginning of a part; forces grow as they did."""
         motion, none = part.at(time), np.zeros(len(self._fixed))
-        tension, torque = self._pulls(motion)
+        tension, torque = self._pulls()
         return Snapshot(
             *motion,
             acceleration=part.acceleration[:, :2],
             angular_acceleration=part.acceleration[:, 2],
             normal=none,
             friction=none,
-            tension=tension + np.where(self._springs, 0.0, growth[0] * time),
+            tension=tension + growth[0] * time,
             torque=torque + growth[1] * time,
         )
 
