@@ -7,6 +7,7 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 os.environ["LANGUAGE"] = "en"  # whoever runs them, wherever
 
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pygame
@@ -14,6 +15,7 @@ import pytest
 
 from sandbox.app import language, preferences, progress, recent, theme
 from sandbox.app.home import pictures
+from sandbox.app.listed import Entry
 from sandbox.app.panels import levels
 from sandbox.app.text import Pen
 from sandbox.app.window import Window
@@ -42,16 +44,25 @@ def _nothing_remembered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(pictures, "folder", lambda: tmp_path / "pictures")
 
 
-FEW = 12
-"""Levels that are listed: a button each, which takes longer to make than most tests do."""
+@pytest.fixture
+def few() -> int:
+    """How many levels are listed: a button each takes longer to make than most tests do."""
+    return 4
+
+
+@cache
+def _first(count: int) -> tuple[Entry, ...]:
+    return tuple(levels.entries()[:count])
 
 
 @pytest.fixture
-def person(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[Person]:
+def person(
+    request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, few: int
+) -> Iterator[Person]:
     """Somebody in front of a window in which nothing is open yet."""
     if not request.node.get_closest_marker("all_levels"):
-        few = levels.entries()[:FEW]
-        monkeypatch.setattr(levels, "entries", lambda: list(few))
+        listed = _first(few)
+        monkeypatch.setattr(levels, "entries", lambda: list(listed))
     window = Window((1280, 800))
     pygame.event.get()  # `clear` would never let go of the widgets that events are about
     yield Person(window)

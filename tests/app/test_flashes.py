@@ -13,6 +13,7 @@ from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.test_time_travel import go_to
+from tests.sample import thinned
 
 CRADLE = "momentum/cradle"
 
@@ -87,7 +88,7 @@ def test_no_more_impacts_are_kept_than_can_be_of_use() -> None:
     assert 0 < len(session.run.blows.since(0)) <= MOST
 
 
-@pytest.mark.parametrize("theme", ["dark", "light", "contrast"])
+@pytest.mark.parametrize("theme", thinned(["dark", "light", "contrast"], 3))
 def test_a_flash_is_seen_where_bodies_struck_unless_it_is_switched_off(
     person: Person, theme: str
 ) -> None:

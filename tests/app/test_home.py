@@ -26,6 +26,12 @@ ATWOOD = "newton/atwood"
 
 
 @pytest.fixture
+def few() -> int:
+    """Cards in several rows, of two chapters."""
+    return 12
+
+
+@pytest.fixture
 def visitor(person: Person) -> Person:
     """Somebody who plays a level and goes home."""
     person.window.open_level("kinematics/free-fall")

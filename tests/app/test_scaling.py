@@ -1,5 +1,6 @@
 """Larger and smaller text: everything has room for it."""
 
+from itertools import product
 from pathlib import Path
 
 import pygame
@@ -13,9 +14,12 @@ from sandbox.app.panels.layout import divide
 from sandbox.app.preferences import SIZES
 from tests.app.person import Person
 from tests.app.scenes import falling
+from tests.sample import thinned
 
 SMALLEST, USUAL = (900, 600), (1280, 800)
 CONTROL = pygame.KMOD_LCTRL
+LOOKS = thinned(product([SMALLEST, USUAL], [80, 150, 200], NAMES), 5)
+"""Of the window: how large it is, how large its text is [%], and its language."""
 
 
 def choose(person: Person, size: int, language: Name = "en") -> None:
@@ -72,9 +76,7 @@ def test_the_parts_of_the_window_fill_it_and_do_not_overlap(
         assert layout.stage.height + layout.controls.height == window[1]
 
 
-@pytest.mark.parametrize("language", NAMES)
-@pytest.mark.parametrize("size", [80, 150, 200])
-@pytest.mark.parametrize("window", [SMALLEST, USUAL])
+@pytest.mark.parametrize(("window", "size", "language"), LOOKS)
 def test_no_caption_is_larger_than_its_widget_on_any_page(
     person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name
 ) -> None:
@@ -92,9 +94,7 @@ def test_no_caption_is_larger_than_its_widget_on_any_page(
                 assert pen.height(11) <= each.rect.height, (page.name, each.text)
 
 
-@pytest.mark.parametrize("language", NAMES)
-@pytest.mark.parametrize("size", [80, 150, 200])
-@pytest.mark.parametrize("window", [SMALLEST, USUAL])
+@pytest.mark.parametrize(("window", "size", "language"), LOOKS)
 def test_no_two_widgets_of_a_page_cover_each_other(
     person: Person, tmp_path: Path, window: tuple[int, int], size: int, language: Name
 ) -> None:

@@ -200,6 +200,14 @@ def test_runs_that_fail_stay_as_rows_without_a_price() -> None:
     assert row["error"] is None
 
 
+def test_what_goes_quickly_takes_levels_of_every_chapter() -> None:
+    every = catalog.textbook()
+    taken = command.sample(every)
+
+    assert {name.partition("/")[0] for name in taken} == {name.partition("/")[0] for name in every}
+    assert len(every) / command.EACH <= len(taken) < len(every) / 4
+
+
 @pytest.mark.sweep
 def test_the_figures_are_written(tmp_path: Path) -> None:
     file = tmp_path / "c.json"

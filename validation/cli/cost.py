@@ -10,7 +10,8 @@ from validation.cli.options import FAILED, JsonFile, reported_errors
 
 def command(
     levels: Annotated[
-        list[str] | None, typer.Argument(metavar="[LEVEL]...", help="All levels if left out.")
+        list[str] | None,
+        typer.Argument(metavar="[LEVEL]...", help="All levels if left out; a sixth with --quick."),
     ] = None,
     json_file: JsonFile = None,
     output: Annotated[

@@ -18,6 +18,9 @@ class Workers:
     def __init__(self, pages: Sequence[Page]) -> None:
         self._by_page = {page.command: page.worker() for page in pages if page.worker is not None}
         self.all: tuple[Worker, ...] = tuple(self._by_page.values())
+        self._on_stage = {
+            page: worker for page, worker in self._by_page.items() if isinstance(worker, OnStage)
+        }
 
     def of(self, kind: type[W]) -> W:
         """Return the worker of a kind; `LookupError` if no page declares it."""
@@ -25,8 +28,7 @@ class Workers:
 
     def on_stage(self, page: str) -> OnStage | None:
         """Return what is in the place of the hand while a page is open; None if nothing is."""
-        worker = self._by_page.get(page)
-        return worker if isinstance(worker, OnStage) else None
+        return self._on_stage.get(page)
 
     @property
     def running(self) -> bool:

@@ -36,9 +36,9 @@ STAR = "•"
 
 def entries() -> list[Entry]:
     """Return the levels of the catalogue."""
-    found = []
+    found, folder = [], catalog.root()
     for name in catalog.names():
-        path = (catalog.root() / f"{name}.json").resolve()
+        path = (folder / f"{name}.json").resolve()
         if path.is_file():  # it may be gone since it was listed
             found.append(entry(path, name.partition("/")[0]))
     return found

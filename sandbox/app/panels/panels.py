@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pygame
-from pygame_gui import UI_BUTTON_PRESSED, UIManager
+from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.core import UIContainer
 
 from sandbox.app import language, theme
@@ -25,6 +25,7 @@ from sandbox.app.preferences import Comfort
 from sandbox.app.session import Session
 from sandbox.app.text import Pen
 from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.manager import Manager
 from sandbox.app.widgets.opening import OpenDialog
 from sandbox.model.errors import SandboxError
 
@@ -83,7 +84,7 @@ class Panels:
         self._sought = self.sought
         self.list = None
         self.offer: UIButton | None = None
-        self.manager = UIManager(
+        self.manager = Manager(
             size, theme.widgets(self._pen.scale), enable_live_theme_updates=False,
             starting_language=language.used(),
         )  # fmt: skip

@@ -1,7 +1,7 @@
 """The tabs of the pages: in as many rows as their captions need, and none of them cut."""
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, pairwise
+from itertools import accumulate, combinations, pairwise
 
 import pygame
 from pygame_gui import UIManager
@@ -62,22 +62,23 @@ class Tabs:
 
 def rows(pen: Pen, pages: Sequence[Page], width: int) -> list[Sequence[Page]]:
     """Part the pages into as few rows as a width [px] allows, about equally full."""
+    gap = pen.px(GAP)
+    ends = list(accumulate((_width(pen, page) + gap for page in pages), initial=0))
+
+    def longest(row_ends: Sequence[int]) -> int:  # px
+        return max(ends[b] - ends[a] for a, b in pairwise(row_ends)) - gap
+
     for count in range(1, len(pages) + 1):
-        parted = min(_parted(pages, count), key=lambda rows: max(_length(pen, r) for r in rows))
-        if all(_length(pen, row) <= width for row in parted):
-            return parted
+        row_ends = min(_parted(len(pages), count), key=longest)
+        if longest(row_ends) <= width:
+            return [pages[a:b] for a, b in pairwise(row_ends)]
     return [[page] for page in pages]
 
 
-def _parted(pages: Sequence[Page], count: int) -> Iterator[list[Sequence[Page]]]:
-    """Yield all ways to part the pages into so many rows."""
-    for breaks in combinations(range(1, len(pages)), count - 1):
-        yield [pages[a:b] for a, b in pairwise((0, *breaks, len(pages)))]
-
-
-def _length(pen: Pen, row: Sequence[Page]) -> int:
-    """Return the least length of a row [px]."""
-    return sum(_width(pen, page) + pen.px(GAP) for page in row) - pen.px(GAP)
+def _parted(pages: int, count: int) -> Iterator[tuple[int, ...]]:
+    """Yield all ways to part so many pages into rows: where the first begins, and all ends."""
+    for breaks in combinations(range(1, pages), count - 1):
+        yield 0, *breaks, pages
 
 
 def _width(pen: Pen, page: Page) -> int:

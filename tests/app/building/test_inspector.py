@@ -10,6 +10,7 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.joints import Joint
 from sandbox.model.level import Body
 from tests.app.building.builder import Builder
+from tests.sample import thinned
 
 
 def test_a_field_takes_an_expression(builder: Builder) -> None:
@@ -47,7 +48,7 @@ def test_half_of_a_point_that_is_not_said_can_be_typed(builder: Builder) -> None
     assert builder.document["bodies"]["left"]["velocity"] == [0, -2]
 
 
-@pytest.mark.parametrize("effect", list(EFFECTS))
+@pytest.mark.parametrize("effect", thinned(EFFECTS, 5))
 def test_every_effect_is_switched_on_and_off(builder: Builder, effect: str) -> None:
     builder.new()
     for x in (0, 4):

@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from math import pi
 from pathlib import Path
-from time import sleep
 from typing import Any
 
 import pygame
@@ -22,7 +21,7 @@ from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.variants import Variation
 from sandbox.physics.run import simulate
 from tests.app import scenes
-from tests.app.person import Person
+from tests.app.person import Person, until
 
 AT_ONE = {"quantity": "ball.speed", "formula": "g*t", "tolerance": 1e-9, "at": 1.0}
 
@@ -33,13 +32,7 @@ def predicting(person: Person) -> Predicting:
 
 def until_tried(person: Person) -> None:
     """Look on until the run is over and no effect is tried any more."""
-    for _ in range(3000):
-        person.wait()
-        if not person.session.playing and not predicting(person).running:
-            return
-        if not person.session.playing:
-            sleep(0.01)
-    raise AssertionError("the work does not end")
+    until(person, lambda: not person.session.playing and not predicting(person).running)
 
 
 def answer(person: Person, typed: str) -> None:

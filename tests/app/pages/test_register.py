@@ -42,27 +42,37 @@ def test_every_folder_of_pages_is_registered_and_every_page_has_its_folder() -> 
     assert not names - folders, f"a page is called as its folder in sandbox/app/pages: {names}"
 
 
-@pytest.mark.parametrize("page", PAGES, ids=[page.name for page in PAGES])
+def each_with_a_level() -> list[object]:
+    """Return every page with every level; the quick tests open each page with one of them."""
+    ways = [(page, i, level) for i, page in enumerate(PAGES) for level in range(len(LEVELS))]
+    return [
+        pytest.param(
+            page, LEVELS[level], id=f"{page.name}-{LEVELS[level]}",
+            marks=() if level == i % len(LEVELS) else pytest.mark.sweep,
+        )
+        for page, i, level in ways
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("page", "level"), each_with_a_level())
 def test_a_page_is_opened_by_its_key_and_by_its_tab_while_time_runs(
-    person: Person, page: Page
+    person: Person, page: Page, level: str
 ) -> None:
-    for level in LEVELS:
-        person.window.open_level(level)
-        person.press(pygame.key.key_code(page.key), page.key)
-        by_key = person.side.page
-        elsewhere = next(other for other in PAGES if other is not page)
-        person.press(pygame.key.key_code(elsewhere.key), elsewhere.key)
-        assert type(person.side.page) is not type(by_key), level
+    person.window.open_level(level)
+    person.press(pygame.key.key_code(page.key), page.key)
+    by_key = person.side.page
+    elsewhere = next(other for other in PAGES if other is not page)
+    person.press(pygame.key.key_code(elsewhere.key), elsewhere.key)
+    assert type(person.side.page) is not type(by_key)
 
-        person.click(person.side.tab(page.command).rect)
-        person.press(pygame.K_SPACE, " ")
-        person.wait(0.1)
+    person.click(person.side.tab(page.command).rect)
+    person.press(pygame.K_SPACE, " ")
+    person.wait(0.1)
 
-        assert type(person.side.page) is type(by_key), level
-        assert person.window.panels.page == page.command
-        sheet = person.window.surface.subsurface(person.side._sheet.container.rect)
-        assert (pygame.surfarray.array3d(sheet) != PANEL).any(), level
-    person.window.close()
+    assert type(person.side.page) is type(by_key)
+    assert person.window.panels.page == page.command
+    sheet = person.window.surface.subsurface(person.side._sheet.container.rect)
+    assert (pygame.surfarray.array3d(sheet) != PANEL).any()
 
 
 COMMANDS = [(page, command) for page in PAGES for command in page.commands]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sandbox.model.catalog import find
-from sandbox.model.level import Stepping
+from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import Setting
@@ -26,14 +26,28 @@ def trust(found: list[Finding]) -> dict[str, Trust]:
     return {each.quantity: each for each in found if isinstance(each, Trust)}
 
 
-def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is() -> None:
-    """Also of what no check asks for: held against a run with an eighth of the step."""
-    level = load(find("energy/kepler-ellipse"))
-    names = ["planet.kinetic_energy", "planet.acceleration.x", "planet.position.y"]
-    fine = level.stepping.at(8 * level.stepping.rate)
-    run, best = (simulate(level, record=names, stepping=s).columns for s in (level.stepping, fine))
+@pytest.fixture(scope="module")
+def ellipse() -> Level:
+    return load(find("energy/kepler-ellipse"))
 
-    found = trust(list(study.split(level, level.defaults)))
+
+@pytest.fixture(scope="module")
+def of_the_ellipse(ellipse: Level) -> list[Finding]:
+    """What is found of an ellipse, which takes two seconds."""
+    return list(study.split(ellipse, ellipse.defaults))
+
+
+def test_of_whatever_can_be_drawn_it_is_told_how_far_off_it_is(
+    ellipse: Level, of_the_ellipse: list[Finding]
+) -> None:
+    """Also of what no check asks for: held against a run with an eighth of the step."""
+    names = ["planet.kinetic_energy", "planet.acceleration.x", "planet.position.y"]
+    fine = ellipse.stepping.at(8 * ellipse.stepping.rate)
+    run, best = (
+        simulate(ellipse, record=names, stepping=s).columns for s in (ellipse.stepping, fine)
+    )
+
+    found = trust(of_the_ellipse)
 
     for name in names:
         pairs = zip(run[name], best[name][::8], strict=False)
@@ -84,11 +98,12 @@ def test_an_exact_run_owes_nothing_to_its_step() -> None:
     assert here.price > 0
 
 
-def test_the_error_of_a_step_is_told_as_numerical() -> None:
-    level = load(find("energy/kepler-ellipse"))
-    errors = [result.error for result in grade(simulate(level))]
+def test_the_error_of_a_step_is_told_as_numerical(
+    ellipse: Level, of_the_ellipse: list[Finding]
+) -> None:
+    errors = [result.error for result in grade(simulate(ellipse))]
 
-    found = splits(list(study.split(level, level.defaults)))
+    found = splits(of_the_ellipse)
 
     for index in (0, 1, 2):
         assert found[index].numerical == pytest.approx(errors[index], rel=0.05)

@@ -163,10 +163,16 @@ print(True)
     "code",
     [
         pytest.param(COINCIDENT.replace("COUNT", "320") + UNFREED, marks=pytest.mark.sweep),
-        COINCIDENT.replace("COUNT", "200"),
+        pytest.param(COINCIDENT.replace("COUNT", "200"), marks=pytest.mark.sweep),
+        COINCIDENT.replace("COUNT", "100"),
         HELD,
     ],
-    ids=["almost as many in one place as may be", "hundreds in one place, and freed", "at rest"],
+    ids=[
+        "almost as many in one place as may be",
+        "hundreds in one place, and freed",
+        "a hundred in one place, and freed",
+        "at rest",
+    ],
 )
 def test_it_does_not_end_the_interpreter(code: str) -> None:
     """pymunk can crash where what sleeps is tied to its static body; nothing ever sleeps here."""
