@@ -108,8 +108,8 @@ def _motion(world: World, row: int) -> str:
 
 
 def _joints(world: World) -> Iterator[str]:
-    for column, (name, joint) in enumerate(world.level.joints.items()):
-        tension = float(world.snapshot.tension[column])
+    for name, joint in world.level.joints.items():
+        tension = float(world.scene.joints.tension(name, world.snapshot))
         pulls = "pulls" if tension >= 0 or isinstance(joint, Wire) else "pushes"
         force = wording.quantity(abs(tension), "N", 4)
         yield f"{name}: {_ties(joint, world)}; {pulls} with {force}"

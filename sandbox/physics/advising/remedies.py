@@ -8,7 +8,7 @@ of them together within a bounded time and number of steps.
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
-from time import perf_counter
+from time import process_time
 from typing import NamedTuple
 
 from sandbox.model.errors import SandboxError
@@ -21,7 +21,10 @@ from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.stepping.world import World
 
 SECONDS = 2.0
-"""How long trying may take in all [s]; a step that is under way is not cut short."""
+"""How long trying may take in all, of the processor [s]: on a busy machine the same is found.
+
+A step that is under way is not cut short.
+"""
 
 STEPS = 50_000
 """How many steps a trial may take."""
@@ -105,13 +108,13 @@ def advise(
         return Advice("")
     end = level.duration(values) if duration is None else duration
     attempt = partial(_attempt, values=values, before=error.time, end=end)
-    deadline, failed = perf_counter() + seconds, list[_Trial]()
+    deadline, failed = process_time() + seconds, list[_Trial]()
     rates = list(_finer(error, stepping))
     others = list(_others(level, stepping))
     for i, (description, changed, with_, rate) in enumerate((*rates, *others)):
         left = len(rates) + len(others) - i
-        share = (deadline - perf_counter()) / left * 2  # what stops early leaves more to the others
-        until = min(deadline, perf_counter() + share)
+        share = (deadline - process_time()) / left * 2  # what stops early leaves more to the others
+        until = min(deadline, process_time() + share)
         trial = attempt(description, changed or level, with_, rate, until=until)
         if trial is None:
             continue
@@ -200,6 +203,6 @@ def _run(world: World, steps: int, until: float) -> bool:
     """Observe so many steps, if time is left; return whether it was."""
     for _ in range(steps):
         world.advance()
-        if perf_counter() > until:
+        if process_time() > until:
             return False
     return True

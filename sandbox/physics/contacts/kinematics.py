@@ -16,7 +16,10 @@ def point_velocity(rate: Array, arm: Array) -> Array:
     arm
         (..., 2), from their centres to the points [m].
     """
-    moves: Array = rate[..., :2] + rate[..., 2:] * np.stack((-arm[..., 1], arm[..., 0]), axis=-1)
+    across = np.empty(arm.shape)
+    np.negative(arm[..., 1], out=across[..., 0])
+    across[..., 1] = arm[..., 0]
+    moves: Array = rate[..., :2] + rate[..., 2:] * across
     return moves
 
 

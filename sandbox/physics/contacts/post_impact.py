@@ -54,9 +54,9 @@ def impacts(
         The time step [s].
     """
     arms = touching(contacts, place)
-    adds = np.abs(rates_apart(contacts, arms, smooth)) * dt
-    parting = rates_apart(contacts, arms, after)
-    hits = rates_apart(contacts, arms, before) < -adds
+    gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
+    adds = np.abs(gain) * dt
+    hits = meeting < -adds
     hits &= contacts.first[:, None] | (parting > adds)  # the next corner of what touches already
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
@@ -78,10 +78,20 @@ def touching(contacts: Contacts, place: Array) -> Array:
 
 
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
-    """Return how fast velocities, or accelerations, take pairs apart where they touch: (k, 2)."""
-    rates = rate[contacts.bodies][:, None]
-    here, there = np.moveaxis(point_velocity(rates, arms), 2, 0)
-    parting: Array = np.sum((there - here) * contacts.direction[:, None], axis=2)
+    """Return how fast velocities, or accelerations, take pairs apart where they touch: (..., k, 2).
+
+    Parameters
+    ----------
+    contacts
+        k pairs.
+    arms
+        (k, 2, 2, 2), as `touching` tells them [m].
+    rate
+        (..., n, 3), of the bodies [m/s, rad/s].
+    """
+    moves = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
+    apart = moves[..., 1, :] - moves[..., 0, :]
+    parting: Array = np.sum(apart * contacts.direction[:, None], axis=-1)
     return parting
 
 

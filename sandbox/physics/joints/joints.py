@@ -10,6 +10,7 @@ from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.state.motion import Motion
+from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
     from sandbox.physics.forces.spring import SpringForce
@@ -133,19 +134,24 @@ class Joints:
         """Return which of those solved together is furthest off, and by how much [m, rad]."""
         return self.together.parting() if self.together else ("", 0.0)
 
-    def tension(self, motion: Motion) -> Array:
-        """Return the force with which each joint pulls [N], or a wire pushes to its left."""
-        return np.array([self._tension(name, motion) for name in self.paths])
+    def tension(self, name: str, snapshot: Snapshot) -> Array:
+        """Return the force with which a joint pulls, or a wire pushes to its left: (...) [N]."""
+        if spring := self.springs.get(name):
+            return spring.tension(snapshot)
+        tension: Array = snapshot.tension[..., list(self.paths).index(name)]
+        return tension
 
-    def _tension(self, name: str, motion: Motion) -> float:
+    def tensions(self) -> Array:
+        """Return the force with which each joint that is solved pulls now; 0 of springs: (j,)."""
+        return np.array([self._tension(name) for name in self.paths], dtype=float)
+
+    def _tension(self, name: str) -> float:
         if name in self.strings:
             return self.strings[name].tension
-        if name in self.cut:
+        if name in self.cut or name in self.springs:
             return 0.0
         if name in self.own:
             return self.own[name].tension
-        if name in self.springs:
-            return float(self.springs[name].tension(motion))
         assert self.together
         force = self.together.force(name)
         return -force if name in self.wires else force

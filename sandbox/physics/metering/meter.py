@@ -100,7 +100,7 @@ class Meter:
             return lambda s: s.torque[..., column]
         if attribute == "tension" and name in self._joints.wires:
             return lambda s: np.abs(s.tension[..., column])
-        return lambda s: s.tension[..., column]
+        return partial(self._joints.tension, name)
 
     def _of_two(self, quantity: Quantity) -> Measurement:
         """Measure a point of a body, or a body relative to another, or in a sensor."""

@@ -28,6 +28,7 @@ class Snapshot:
         (n,), the sizes of the contact forces on each body, added up [N].
     tension
         (j,), with which each joint pulls [N]; of a wire, with which it pushes its bead to its left.
+        0 of springs: theirs follows from the motion (`Joints.tension`).
     torque
         (j,), of each weld or motor on its second body [N m].
     """

@@ -203,6 +203,6 @@ class Observer:
             angular_acceleration=acceleration[:, 2],
             normal=normal,
             friction=friction,
-            tension=self._scene.joints.tension(motion),
+            tension=self._scene.joints.tensions(),
             torque=self._scene.joints.torque(),
         )

@@ -13,7 +13,6 @@ from sandbox.model.happenings import Crossing, Happening, loads
 from sandbox.physics.events.acting import Part, crosses, within
 from sandbox.physics.events.blows import SUDDEN
 from sandbox.physics.metering.meter import Meter
-from sandbox.physics.state.motion import Instant
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
 
@@ -25,7 +24,7 @@ Value = Callable[[str, float], float]
 
 
 class Waiting:
-    """Finds what happens in a drift; n bodies, j joints.
+    """Finds what happens in a drift; j joints.
 
     Parameters
     ----------
@@ -39,8 +38,6 @@ class Waiting:
         level, self._scene, self._dt = setup.level, setup.scene, setup.kicks.clock.dt
         self._pending = pending
         self._meter = Meter(setup, {h.waits.quantity for h in pending.values()} - {"t"})
-        springs = self._scene.joints.springs
-        self._springs = np.array([name in springs for name in level.joints], dtype=bool)
         borne = loads(level.joints, setup.values)
         self._sudden = SUDDEN * np.array([borne.get(n, np.inf) for n in level.joints])
         self.begin()
@@ -50,13 +47,13 @@ class Waiting:
         self._was: dict[str, float] = {}
         self._pulled: tuple[Array, Array] | None = None  # tensions and torques at the last step
 
-    def note(self, part: Part) -> None:
+    def note(self) -> None:
         """Take note of the forces in the last part of a drift, from which the next one begins."""
-        self._pulled = self._pulls(part.at(0.0))
+        self._pulled = self._pulls()
 
     def first(self, part: Part) -> tuple[str, float] | None:
         """Return what happens first in a part, and how long after its beginning [s]."""
-        forces = self._pulls(part.at(0.0))
+        forces = self._pulls()
         last = forces if self._pulled is None else self._pulled
         growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
         growth[0] = np.where(np.abs(growth[0]) * self._dt > self._sudden, 0.0, growth[0])
@@ -95,21 +92,21 @@ class Waiting:
         wait = within(lambda time: value(waited.quantity, time), waited, part.lasts)
         return wait if wait <= latest else None
 
-    def _pulls(self, motion: Instant) -> tuple[Array, Array]:
-        """Return the tensions and torques of the joints in a motion: (j,) each [N, N m]."""
+    def _pulls(self) -> tuple[Array, Array]:
+        """Return the tensions and torques of the joints that are solved: (j,) each [N, N m]."""
         joints = self._scene.joints
-        return joints.tension(motion), joints.torque()
+        return joints.tensions(), joints.torque()
 
     def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
         """Return the state so long after the beginning of a part; forces grow as they did."""
         motion, none = part.at(time), np.zeros(len(part.place))
-        tension, torque = self._pulls(motion)
+        tension, torque = self._pulls()
         return Snapshot(
             *motion,
             acceleration=part.acceleration[:, :2],
             angular_acceleration=part.acceleration[:, 2],
             normal=none,
             friction=none,
-            tension=tension + np.where(self._springs, 0.0, growth[0] * time),
+            tension=tension + growth[0] * time,
             torque=torque + growth[1] * time,
         )

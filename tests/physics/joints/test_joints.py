@@ -13,9 +13,11 @@ from scipy.special import ellipk
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
+from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.measuring.event_interpolation import crossing
-from sandbox.physics.run import build
+from sandbox.physics.run import build, simulate
 from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.state.motion import Motion
 from tests.physics.scenes import GRAVITY, G, Spec, box, disc, level, measured, run, table, worst
 
 
@@ -324,6 +326,23 @@ def test_a_spring_keeps_its_energy_and_tells_its_tension() -> None:
     assert found["coil.tension"][0] == pytest.approx(5, rel=1e-12)
     assert found["coil.potential_energy"][0] == pytest.approx(0.25, rel=1e-12)
     assert worst(found["coil.tension"], 50 * (found["coil.length"] - 1)) <= 1e-12
+
+
+def test_what_a_spring_pulls_is_found_only_where_it_is_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Once for a whole run, not at each of its steps."""
+    asked, pull = [0], SpringForce.tension
+
+    def counted(coil: SpringForce, motion: Motion) -> Array:
+        asked[0] += 1
+        return pull(coil, motion)
+
+    monkeypatch.setattr(SpringForce, "tension", counted)
+    simulate(oscillator(240), record=["mass.position.x"], duration=1)
+    assert asked == [0]
+    simulate(oscillator(240), record=["coil.tension"], duration=1)
+    assert asked == [1]
 
 
 @pytest.mark.parametrize(("sign", "omega"), [(1, 5.0), (-1, 5.0 * sqrt(3))])

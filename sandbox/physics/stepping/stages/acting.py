@@ -155,7 +155,7 @@ class Acting:
             *before, part = self._until(part, wait) if jolts else (part._replace(lasts=wait),)
             yield from (*before, part)
             part = self._happen(part, left, act)
-        self._waiting.note(part)
+        self._waiting.note()
         yield from self._halves(part) if self._jolts and self._leapfrog else (part,)
 
     def _until(self, part: Part, wait: float) -> Sequence[Part]:
