@@ -8,7 +8,6 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.state.motion import Motion
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -76,14 +75,6 @@ class Joints:
         """(k, 2), who is part of one solid with whom, as numbers."""
         return self.solids.pairs if self.solids else NO_PAIRS
 
-    def _stick(self, _kick: Kick) -> None:
-        """Weld those that have just met where they are."""
-        assert self.touches and self.solids and self.weld  # noqa: PT018 (all come together)
-        self.touches.end_step()
-        for a, b in self.touches.latest:
-            if self.solids.join(a, b):
-                self.weld(a, b)
-
     def length(self, name: str, motion: Motion) -> Array:
         """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
         from sandbox.physics.state.anchor import length
@@ -91,21 +82,6 @@ class Joints:
         distance = length(self.paths[name], motion)
         radius = self.radii.get(name)
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
-
-    def solvers(self, *, alone: bool) -> list[Work]:
-        """Return what must run after pymunk's solver.
-
-        Parameters
-        ----------
-        alone
-            Whether the exact joints are solved without contacts, and therefore here.
-        """
-        work: list[Work] = [string.solve for string in self.strings.values()]
-        if self.touches:
-            work.append(self._stick)
-        if alone and (together := self.together):
-            work.append(lambda kick: together.solve(kick.until))
-        return work
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""

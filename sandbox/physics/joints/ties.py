@@ -1,6 +1,7 @@
-"""Joints that let go, and joints that catch, while a scene runs."""
+"""What changes who is joined to whom while a scene runs."""
 
 from sandbox.physics.joints.joints import Joints
+from sandbox.physics.state.kick import Kick
 
 
 def let_go(joints: Joints, name: str, t: float) -> None:
@@ -18,6 +19,15 @@ def let_go(joints: Joints, name: str, t: float) -> None:
         joints.together.drop(name)
         if joints.solids:
             joints.solids.part(name)
+
+
+def stick(joints: Joints, _kick: Kick) -> None:
+    """Weld those that have just met where they are."""
+    assert joints.touches and joints.solids and joints.weld  # noqa: PT018 (all come together)
+    joints.touches.end_step()
+    for a, b in joints.touches.latest:
+        if joints.solids.join(a, b):
+            joints.weld(a, b)
 
 
 def catch(joints: Joints, name: str, t: float) -> bool:
