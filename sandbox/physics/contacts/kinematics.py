@@ -5,6 +5,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
 
+ACROSS = np.array([-1.0, 1.0])
+"""Turns (y, x) of an arm into the way in which its end goes around."""
+
 
 def point_velocity(rate: Array, arm: Array) -> Array:
     """Return v + ω × r of points of bodies, or so much of an acceleration: (..., 2) [m/s].
@@ -16,10 +19,7 @@ def point_velocity(rate: Array, arm: Array) -> Array:
     arm
         (..., 2), from their centres to the points [m].
     """
-    across = np.empty(arm.shape)
-    np.negative(arm[..., 1], out=across[..., 0])
-    across[..., 1] = arm[..., 0]
-    moves: Array = rate[..., :2] + rate[..., 2:] * across
+    moves: Array = rate[..., :2] + rate[..., 2:] * (arm[..., ::-1] * ACROSS)
     return moves
 
 

@@ -54,13 +54,18 @@ def impacts(
         The time step [s].
     """
     arms = touching(contacts, place)
-    gain, parting, meeting = rates_apart(contacts, arms, np.stack((smooth, after, before)))
-    adds = np.abs(gain) * dt
-    hits = meeting < -adds
+    came = rates_apart(contacts, arms, before)
+    if not np.count_nonzero(came < 0):
+        return NO_CONTACTS.touches, smooth[:0]
+    adds = np.abs(rates_apart(contacts, arms, smooth)) * dt
+    hits = came < -adds
+    if not np.count_nonzero(hits):
+        return NO_CONTACTS.touches, smooth[:0]
+    parting = rates_apart(contacts, arms, after)
     hits &= contacts.first[:, None] | (parting > adds)  # the next corner of what touches already
     struck = np.asarray(hits.any(axis=1))
     if not struck.any():
-        return np.flatnonzero(struck), smooth[:0]
+        return NO_CONTACTS.touches, smooth[:0]
     hit = np.flatnonzero(reached(contacts.bodies, struck, mass > 0, linked=solid))
     rests = np.asarray((parting <= NEGLIGIBLE * adds).all(axis=1))
     return hit, _held_up(contacts, rests, smooth, mass == 0)[hit]
@@ -78,21 +83,10 @@ def touching(contacts: Contacts, place: Array) -> Array:
 
 
 def rates_apart(contacts: Contacts, arms: Array, rate: Array) -> Array:
-    """Return how fast velocities, or accelerations, take pairs apart where they touch: (..., k, 2).
-
-    Parameters
-    ----------
-    contacts
-        k pairs.
-    arms
-        (k, 2, 2, 2), as `touching` tells them [m].
-    rate
-        (..., n, 3), of the bodies [m/s, rad/s].
-    """
-    moves = point_velocity(rate[..., contacts.bodies, :][..., None, :, :], arms)
-    apart = moves[..., 1, :] - moves[..., 0, :]
-    parting: Array = np.sum(apart * contacts.direction[:, None], axis=-1)
-    return parting
+    """Return how fast velocities, or accelerations, take pairs apart where they touch: (k, 2)."""
+    moves = point_velocity(rate[contacts.bodies][:, None], arms)
+    apart = (moves[:, :, 1] - moves[:, :, 0]) * contacts.direction[:, None]
+    return np.asarray(apart[:, :, 0] + apart[:, :, 1])
 
 
 def reached(

@@ -97,7 +97,7 @@ class Query:
         found: dict[tuple[int, int], list[Touched]] = {}
         for row, other, contact in self._found(moved):
             found.setdefault((row, other), []).append(contact)
-        pairs = [(min(pair), max(pair)) for pair in known.bodies.tolist()]
+        pairs = known.pairs
         deep = Counter[tuple[int, int]]()
         for pair, depths in zip(pairs, known.depths, strict=True):
             deep[pair] += int(np.count_nonzero(depths > least))

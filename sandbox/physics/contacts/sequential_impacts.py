@@ -148,7 +148,10 @@ class Sequence:
         """Add what the impacts do to jump and impulse; for `gives` see `_allowed`."""
         points = _points(contacts, place, self._turning)
         parts = np.einsum("kbc,kbc->kb", points.jacobian, velocity[points.bodies])
-        parting, allowed = parts.sum(axis=1), _allowed(points, parts, gives)
+        parting, rounding = parts.sum(axis=1), ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
+        if not np.count_nonzero(parting < -rounding):
+            return
+        allowed = np.maximum(_allowed(points, gives), rounding)
         struck = parting < -allowed
         if not struck.any():
             return
@@ -217,7 +220,7 @@ def _points(contacts: Contacts, place: Array, turning: Booleans) -> _Points:
     return _Points(bodies, pair_jacobian(arm, direction), partner)
 
 
-def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
+def _allowed(points: _Points, gives: Array) -> Array:
     """Return the approach with which bodies still rest on each other, for pymunk: (k,) [m/s].
 
     It is no more than gravity and laws give them in a step, or these and what held them in the
@@ -228,15 +231,10 @@ def _allowed(points: _Points, parts: Array, gives: Array) -> Array:
     ----------
     points
         Where they touch.
-    parts
-        (k, 2), what each of the two bodies' velocities adds to how fast they part [m/s].
     gives
         (3, n, 3), all three as what they add to velocities in a step [m/s, rad/s].
     """
     sizes = [np.linalg.norm(a, axis=2) for a in (points.jacobian, gives[2, points.bodies])]
     adds = np.einsum("kbc,skbc->sk", points.jacobian, gives[:2, points.bodies])
     alone, held = np.abs(adds)
-    held = np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))
-    rounding = ROUNDING * np.abs(parts).max(axis=1) + FAINTEST
-    allowed: Array = np.maximum.reduce((alone, held, rounding))
-    return allowed
+    return np.asarray(np.maximum(alone, np.minimum(held, np.sum(sizes[0] * sizes[1], axis=1))))

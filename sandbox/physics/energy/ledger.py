@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.dividing import Divided
 from sandbox.physics.contacts.direct.stages import Stage
 from sandbox.physics.contacts.impulse_work import Kick
 from sandbox.physics.energy.attribution import Attribution
@@ -109,7 +110,7 @@ class Ledger:
         before = self._velocity if self._back else self._drifted()
         self._back = False
         self._part(before)
-        after = self._scene.batch.velocity()
+        after = self._left()
         t = step.t if step.seen is None else float(step.seen.t)
         seen = step.seen or self._middle(0.0, before)
         moment = Kick(t, step.dt, seen, step.snapshot.position, before, self._inertia(t))
@@ -228,7 +229,24 @@ class Ledger:
             return self._act(step.acted)
         if step.stop:
             return self._stop(step.stop)
+        if step.divided:
+            return self._divide(step.divided)
         return self._cut(step.impacts) if step.impacts else self._velocity
+
+    def _left(self) -> Array:
+        """Return the velocities of the coming drift: (n, 3) [m/s, rad/s]."""
+        direct = self._scene.direct
+        return direct.divided.left if direct and direct.divided else self._scene.batch.velocity()
+
+    def _divide(self, divided: Divided) -> Array:
+        """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
+
+        What laws did in it is in the kicks before and after; what else pushed is a support.
+        """
+        before = self._momentum(self._end)
+        self._go_on(divided.begun, 0.0)
+        self._entries.support(self._momentum(self._end) - before)
+        return divided.begun
 
     def _cut(self, collided: Collided) -> Array:
         """Book the impacts that cut the last drift; return the velocities that it ended with."""

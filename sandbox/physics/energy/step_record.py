@@ -13,6 +13,7 @@ from sandbox.physics.state.motion import Reading
 from sandbox.physics.state.snapshot import Snapshot
 
 if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.dividing import Divided
     from sandbox.physics.events.acting import Acted
     from sandbox.physics.events.impact_response import Collided
     from sandbox.physics.events.slip import Stop
@@ -52,6 +53,8 @@ class StepRecord(NamedTuple):
         What the end of slipping did in its drift; None if none ended.
     acted
         What events did in its drift; None if none happened.
+    divided
+        Its drift, if it was taken in parts; else None.
     jump
         (n, 3), what impacts in sequence changed [m/s, rad/s]; None without.
     """
@@ -71,6 +74,7 @@ class StepRecord(NamedTuple):
     impacts: "Collided | None" = None
     stop: "Stop | None" = None
     acted: "Acted | None" = None
+    divided: "Divided | None" = None
     jump: Array | None = None
 
     @property

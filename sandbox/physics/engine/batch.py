@@ -68,6 +68,11 @@ class Contacts(NamedTuple):
         two = self.touches > 1
         return np.where(two, np.maximum(most, self.depths[:, 1]), most) if two.any() else most
 
+    @property
+    def pairs(self) -> list[tuple[int, int]]:
+        """The bodies of each, the lower number first."""
+        return [(a, b) if a < b else (b, a) for a, b in self.bodies.tolist()]
+
     def and_(self, others: "Contacts") -> "Contacts":
         """Return these contacts and others."""
         if not len(self.bodies):

@@ -249,10 +249,11 @@ def _clear(
     radii = one.radius + other.radius
     bend = here.bend(one.reach, left) + there.bend(other.reach, left)
     curve = dot(normal, there.acceleration - here.acceleration) - bend
+    moving = [(q, there.speed(q)) for q in cores[1]]
     resting = min(
-        _crossing(dot(normal, q - p) - radii, dot(normal, there.speed(q) - here.speed(p)), curve)
-        for p in cores[0]
-        for q in cores[1]
+        _crossing(dot(normal, q - p) - radii, dot(normal, goes - moves), curve)
+        for p, moves in ((p, here.speed(p)) for p in cores[0])
+        for q, goes in moving
     )
     times = [resting]
     if here.turns and len(cores[0]) > 1:

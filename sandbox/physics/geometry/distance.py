@@ -5,9 +5,10 @@ with a very small one. So the distance of two shapes is that of two cores, point
 complex numbers) joined by straight edges, less two radii.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
+from operator import itemgetter
 from typing import NamedTuple
 
 import numpy as np
@@ -123,14 +124,26 @@ class _Near(NamedTuple):
     point: complex  # on the first core
 
 
+class _Edge(NamedTuple):
+    """An edge of a core."""
+
+    start: complex
+    end: complex
+    along: complex  # from the one to the other
+    square: float  # of its length
+    out: complex  # the unit normal on its right
+
+
 def gap(one: Sequence[complex], other: Sequence[complex], radii: float) -> Gap:
     """Return the gap between two cores, placed in the plane, thickened by two radii [m]."""
-    overlap = _overlap(one, other)
+    own, others = _edges(one), _edges(other)
+    overlap = _overlap((one, own), (other, others))
     if overlap:
         return Gap(overlap.distance - radii, overlap.normal, (overlap.point,))
-    near = [*_nearest(one, other)]
-    near += [_Near(d, -n, p + n * d) for d, n, p in _nearest(other, one)]
-    best = min(near, key=lambda n: n.distance)
+    near = _nearest(one, other, others, inf)
+    least = min(near, key=itemgetter(0)).distance
+    near += [_Near(d, -n, p + n * d) for d, n, p in _nearest(other, one, own, least)]
+    best = min(near, key=itemgetter(0))
     side = best.normal * 1j
     touch = [best.point]
     for distance, normal, point in near:
@@ -146,51 +159,70 @@ def dot(a: complex, b: complex) -> float:
     return a.real * b.real + a.imag * b.imag
 
 
-def _edges(core: Sequence[complex]) -> Iterator[tuple[complex, complex]]:
-    """Yield the edges of a core; a line has two, there and back, a point has none."""
+def _edges(core: Sequence[complex]) -> list[_Edge]:
+    """Return the edges of a core; a line has two, there and back, a point has none."""
+    found = []
     for i in range(len(core) if len(core) > 1 else 0):
-        yield core[i - 1], core[i]
+        along = core[i] - core[i - 1]
+        out = -1j * along / abs(along)
+        found.append(_Edge(core[i - 1], core[i], along, dot(along, along), out))
+    return found
 
 
-def _nearest(one: Sequence[complex], other: Sequence[complex]) -> Iterator[_Near]:
-    """Yield for every corner of one core how near each edge of the other is.
+def _nearest(
+    one: Sequence[complex], other: Sequence[complex], edges: Sequence[_Edge], least: float
+) -> list[_Near]:
+    """Return for every corner of one core how near each edge of the other is.
 
-    Beside an edge the normal is the edge's own, which stays right however near they are.
+    Beside an edge the normal is the edge's own, which stays right however near they are. What is
+    further off than the `least` known distance [m], or than another that is found here, is left
+    out.
     """
-    edges = [(a, b, b - a, dot(b - a, b - a)) for a, b in _edges(other)]
+    if len(other) == 1:
+        return [_to_point(p, other[0]) for p in one]
+    found = []
     for p in one:
-        if len(other) == 1:
-            yield _to_point(p, other[0])
-        for a, b, along, square in edges:
-            share = dot(p - a, along)
+        for a, b, along, square, out in edges:
+            way = p - a
+            high = way.real * out.real + way.imag * out.imag
+            if abs(high) > least + FLUSH:
+                continue
+            share = way.real * along.real + way.imag * along.imag
             if 0 < share < square:
-                out = -1j * along / abs(along)
-                high = dot(p - a, out)
-                yield _Near(abs(high), -out if high > 0 else out, p)
+                near = _Near(abs(high), -out if high > 0 else out, p)
             else:
-                yield _to_point(p, a if share <= 0 else b)
+                near = _to_point(p, a if share <= 0 else b)
+            found.append(near)
+            least = min(least, near.distance)
+    return found
 
 
 def _to_point(p: complex, q: complex) -> _Near:
-    distance = abs(q - p)
-    return _Near(distance, (q - p) / distance if distance else 1j, p)
+    way = q - p
+    distance = abs(way)
+    return _Near(distance, way / distance if distance else 1j, p)
 
 
-def _overlap(one: Sequence[complex], other: Sequence[complex]) -> _Near | None:
+Core = tuple[Sequence[complex], Sequence[_Edge]]
+"""The corners and edges of a core."""
+
+
+def _overlap(one: Core, other: Core) -> _Near | None:
     """Return the least overlap of two cores along the normal of an edge; None if they are apart.
 
     Points overlap with polygons only. Two lines overlap where they cross, but not where they only
     touch, or lie in one line: there every distance is rounding.
     """
-    thin = len(one) < 3 > len(other)
-    if thin and 1 in (len(one), len(other)):
+    sizes = len(one[0]), len(other[0])
+    thin = sizes[0] < 3 > sizes[1]
+    if thin and 1 in sizes:
         return None
     apart = -FLUSH if thin else 0.0
     least: _Near | None = None
-    for core, against, sign in ((one, other, 1), (other, one, -1)):
-        for a, b in _edges(core):
-            out = -1j * (b - a) / abs(b - a)
-            deepest = min(against, key=lambda p, out=out: dot(p, out))  # type: ignore[misc]
+    for (_, edges), (against, _), sign in ((one, other, 1), (other, one, -1)):
+        for a, _, _, _, out in edges:
+            x, y = out.real, out.imag
+            deepest = min(against, key=lambda p, x=x, y=y: p.real * x + p.imag * y)  # type: ignore[misc]
             distance = dot(deepest - a, out)
             if distance > apart:
                 return None

@@ -107,9 +107,9 @@ class Course:
         way = self._knots[first : last + 1] - point
         near = first + int(np.argmin(way.real**2 + way.imag**2))
         low, high = max(near - 1, first) * KNOT, min(near + 1, last) * KNOT
-        if self._ahead(first * KNOT, point) <= 0 and near == first:
+        if near == first and self._ahead(first * KNOT, point) <= 0:
             return None
-        if self._ahead(last * KNOT, point) > 0 and near == last:
+        if near == last and self._ahead(last * KNOT, point) > 0:
             return None
         return self._between(point, float(low), float(high), float(near * KNOT))
 

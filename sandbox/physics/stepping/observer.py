@@ -84,7 +84,9 @@ class Observer:
 
     def velocity(self, seen: Observation) -> Array:
         """Return how fast bodies are between this step and the next: (n, 3) [m/s, rad/s]."""
-        if self._scene.direct or seen.after is None or seen.steps != self._kicks.clock.steps:
+        if direct := self._scene.direct:
+            return direct.velocity()
+        if seen.after is None or seen.steps != self._kicks.clock.steps:
             return self._scene.batch.velocity()
         return seen.after
 
@@ -106,6 +108,7 @@ class Observer:
             parts=kicks.parts,
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,
+            divided=self._scene.direct.drifted if self._scene.direct else None,
         )
         for add in self._stages.record:
             record = add(record)

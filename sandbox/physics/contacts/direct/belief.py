@@ -50,8 +50,7 @@ class Belief:
         good: Booleans = np.asarray(contacts.direction.any(axis=1))
         if contacts.bodies is self._same and good.all():
             return contacts
-        pairs = [(a, b) if a < b else (b, a) for a, b in contacts.bodies.tolist()]
-        known = self._pairs
+        pairs, known = contacts.pairs, self._pairs
         if known is not None and (new := np.array([pair not in known for pair in pairs])).any():
             good &= ~new | (contacts.depth <= _reach(contacts, *moved()))
         self._pairs = {pair for pair, keep in zip(pairs, good, strict=True) if keep}

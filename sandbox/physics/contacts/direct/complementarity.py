@@ -16,13 +16,14 @@ Rows may repeat each other, as the two feet of a welded table do: the forces are
 only what they add up to. The least that contacts can give are taken.
 """
 
-from math import inf
+from functools import cached_property
+from math import inf, sqrt
 
 import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.lemke import lemke
-from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, null, solved
+from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, most, null, solved
 from sandbox.physics.contacts.direct.problem import Active, Problem
 from sandbox.physics.engine.batch import Integers
 
@@ -97,6 +98,22 @@ def solve(
     return impulse / size, active
 
 
+def solve_one(delassus: float, rate: float, blur: float, lets: float) -> float:
+    """Return the impulse of a single row of a joint [N s or N m s]; the parameters are as above.
+
+    Raises
+    ------
+    Unsolvable
+        If it does not hold.
+    """
+    size = sqrt(delassus) if delassus > 0 else 1.0
+    own, rate = delassus / (size * size), rate / size
+    impulse = -rate / (own or 1.0)
+    if abs(rate + own * impulse) <= min(CONTRADICTS * abs(rate), lets / size) + blur / size:
+        return impulse / size
+    raise Unsolvable(0)
+
+
 def _sizes(delassus: Array, alike: Integers | None) -> Array:
     """Return the root of each row's own inverse mass, or of the mean of those that are alike."""
     own = delassus.diagonal()
@@ -122,19 +139,31 @@ class _Scaled:
         self._problem, self._rate, self._size, self._blur = problem, rate, size, blur
         self._lets = lets
         self._delassus = delassus + give * np.eye(len(rate)) if give else delassus
-        friction = problem.friction
-        self._row, self._contact = row, contact = friction.row, friction.contact
-        self._share = size.take(row)[:, None] / size.take(contact)
-        self._sticks = friction.shares[0] * self._share
-        self._some = bool(len(row))
-        self._largest = float(np.abs(rate).max(initial=0.0))
-        asked = np.where(problem.pushes, np.minimum(rate, 0.0), rate)  # what is slack asks nothing
-        self._asked = float(np.abs(asked).max(initial=0.0))
+        self._row, self._contact = problem.friction.row, problem.friction.contact
+        self._settled = not (len(self._row) or np.count_nonzero(problem.pushes))  # joints alone
+        self._largest = 0.0 if self._settled else most(rate)
+
+    @cached_property
+    def _share(self) -> Array:
+        """How friction is scaled by the impulse of each contact: (2, f)."""
+        return np.asarray(self._size.take(self._row) / self._size.take(self._contact))
+
+    @cached_property
+    def _sticks(self) -> Array:
+        """How large friction that sticks may be by the impulse of each contact: (2, f)."""
+        return self._problem.friction.shares[0] * self._share
+
+    @cached_property
+    def _slips(self) -> Array:
+        """How large friction that slips is by the impulse of each contact: (2, f)."""
+        return self._problem.friction.shares[1] * self._share
 
     @property
-    def _slips(self) -> Array:
-        """How large friction that slips is by the impulse of each contact: (f, 2)."""
-        return self._problem.friction.shares[1] * self._share
+    def _asked(self) -> float:
+        """The largest rate that anything is asked for: what is slack asks nothing."""
+        if self._settled:
+            return most(self._rate)
+        return most(np.where(self._problem.pushes, np.minimum(self._rate, 0.0), self._rate))
 
     def solve(self, active: Active) -> tuple[Array, Active]:
         """Return the impulses, and which rows hold."""
@@ -179,9 +208,9 @@ class _Scaled:
                 return impulse, found
             for tried in (self._with(guess)[0], rough):
                 missed = self._missed(tried)
-                most = float(np.abs(tried).max())
-                sound = most <= REPEATS * self._asked
-                if sound and missed.max() <= least + FAINT * most:
+                largest = most(tried)
+                sound = largest <= REPEATS * self._asked
+                if sound and missed.max() <= least + FAINT * largest:
                     return tried, guess
         raise Unsolvable(int(np.argmax(missed)))
 
@@ -206,14 +235,14 @@ class _Scaled:
 
     def _with(self, active: Active) -> tuple[Array, bool]:
         """Return the impulses if these rows hold, (m,), and whether some repeat each other."""
-        count = np.count_nonzero(active.on)
-        if count == len(self._rate):
+        rows = active.on.nonzero()[0]
+        if len(rows) == len(self._rate):
             return solved(self._delassus, -self._rate)
-        rows, impulse = np.flatnonzero(active.on), np.zeros(len(self._rate))
-        if not count:
+        impulse = np.zeros(len(self._rate))
+        if not len(rows):
             return impulse, False
         if not np.count_nonzero(active.slip):
-            matrix = self._delassus[np.ix_(rows, rows)]
+            matrix = self._delassus[rows[:, None], rows]
             impulse[rows], repeats = solved(matrix, -self._rate[rows])
             return impulse, repeats
         gives = self._gives(active.slip)[:, rows]
@@ -239,20 +268,21 @@ class _Scaled:
 
     def _gives(self, slip: Integers) -> Array:
         """Return what impulses follow from those of rows that hold: (m, m)."""
-        gives, slipping = np.eye(len(self._rate)), np.flatnonzero(slip)
-        gives[self._row[slipping]] += slip[slipping, None] * self._shares(self._slips)[slipping]
+        gives = np.eye(len(self._rate))
+        for contact, share in zip(self._contact, self._slips * slip, strict=True):
+            gives[self._row, contact] += share
         return gives
 
     def _shares(self, coefficients: Array) -> Array:
         """Return how large friction may be by each impulse: (f, m); of no contact it is 0."""
         shares, slip = np.zeros((len(self._row), len(self._rate))), np.arange(len(self._row))
-        for side in (0, 1):
-            shares[slip, self._contact[:, side]] += coefficients[:, side]
+        for contact, share in zip(self._contact, coefficients, strict=True):
+            shares[slip, contact] += share
         return shares
 
     def _bounds(self, impulse: Array, coefficients: Array) -> Array:
         """Return how large the impulses of friction may be: (f,)."""
-        by_one, by_other = (coefficients * np.maximum(impulse.take(self._contact), 0.0)).T
+        by_one, by_other = coefficients * np.maximum(impulse.take(self._contact), 0.0)
         return np.asarray(by_one + by_other)
 
     def _holds(self, rate: Array, active: Active) -> bool:
@@ -265,21 +295,22 @@ class _Scaled:
 
     def _judge(self, impulse: Array, rate: Array, active: Active) -> Active | None:
         """Return which rows rather hold at such rates; None if those do."""
-        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
-        still = TOLERANCE * max(self._largest, np.abs(rate).max(initial=0.0)) + self._blur
+        if self._settled:
+            return None
+        close = TOLERANCE * most(impulse)
+        still = TOLERANCE * max(self._largest, most(rate)) + self._blur
         pulls_or_meets = np.where(active.on, impulse + close, rate + still) < 0
-        on = active.on ^ (self._problem.pushes & pulls_or_meets)
-        if not self._some:
-            return Active(on, active.slip) if np.count_nonzero(on != active.on) else None
+        wrong = self._problem.pushes & pulls_or_meets
+        on = active.on ^ wrong
+        if not len(self._row):
+            return Active(on, active.slip) if np.count_nonzero(wrong) else None
         friction, row, slip = self._problem.friction, self._row, active.slip
-        by_one, by_other = (on.take(self._contact) & friction.there).T
-        presses = by_one | by_other
+        by_one, by_other = on.take(self._contact) & friction.there
+        on[row] = presses = by_one | by_other
         own = impulse.take(row)
-        bounds = self._bounds(impulse, self._sticks)
-        beyond = active.on.take(row) & (np.abs(own) > bounds + close)
-        on[row] = presses
+        beyond = active.on.take(row) & (np.abs(own) > self._bounds(impulse, self._sticks) + close)
         if np.count_nonzero(slip) or np.count_nonzero(beyond):
-            slip = np.where(slip * rate[row] > still[row], 0, slip)
+            slip = np.where(slip * rate.take(row) > still.take(row), 0, slip)
             slip[beyond] = np.sign(own[beyond])
             slip *= presses
             on[row] &= slip == 0
@@ -288,10 +319,10 @@ class _Scaled:
 
     def _guess(self, impulse: Array) -> Active:
         """Return which rows hold if impulses are about these."""
-        close = TOLERANCE * np.abs(impulse).max(initial=0.0)
+        close = TOLERANCE * most(impulse)
         on = self._problem.free | (self._problem.pushes & (impulse > close))
         slip = np.zeros(len(self._row), dtype=np.intp)
-        if self._some:
+        if len(self._row):
             bound, own = self._bounds(impulse, self._slips), impulse[self._row]
             at_bound = (np.abs(own) >= bound * (1 - 1e-9)) & (bound > close)
             slip[at_bound] = np.sign(own[at_bound])

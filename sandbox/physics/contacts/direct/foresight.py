@@ -19,8 +19,9 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Surfaces
-from sandbox.physics.contacts.direct.parts import ALIKE, LEAST, Shapes, Spot, landing, within
-from sandbox.physics.contacts.direct.strangers import Pair, Strangers
+from sandbox.physics.contacts.direct.parts import Pair, Placed, Shapes
+from sandbox.physics.contacts.direct.spots import ALIKE, LEAST, Spot, corner_on, landing, within
+from sandbox.physics.contacts.direct.strangers import Strangers
 from sandbox.physics.contacts.queries import Touched, contacts_of
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles
@@ -65,16 +66,18 @@ class Foresight:
         strangers
             The pairs that did not touch before it and might.
         """
-        drift = kick.joints.drift
-        there = Coordinates(kick.place.values + drift * motion)
+        drift, known = kick.joints.drift, set(kick.contacts.pairs) if strangers else ()
+        turning = self._turning(kick.contacts, angles(motion) * drift)
+        coming = [pair for pair in strangers if pair not in known]
+        if not (turning or coming):
+            return None
+        here = self._shapes.at(kick.place)
+        there = self._shapes.at(Coordinates(kick.place.values + drift * motion))
         found: dict[Pair, list[Touched]] = {}
-        for pair in self._turning(kick.contacts, angles(motion) * drift):
-            found[pair] = list(self._meet(pair, kick, there))
-        known = {(min(pair), max(pair)) for pair in kick.contacts.bodies.tolist()}
-        for pair in strangers:
-            if pair not in known:
-                found[pair] = list(self._land(pair, kick, there))
-        found = {pair: meets for pair, meets in found.items() if meets}
+        for pairs, meets in ((turning, self._meet), (coming, self._land)):
+            for pair in pairs:
+                if spots := list(meets(pair, here, there)):
+                    found[pair] = [self._touched(pair, on, kick.joints.origin) for on in spots]
         return _new(contacts_of(found), kick) if found else None
 
     def _turning(self, contacts: Contacts, turns: Array) -> list[Pair]:
@@ -92,30 +95,23 @@ class Foresight:
         if not np.count_nonzero(far):
             return []
         whole = (contacts.touches == 2) & single[a] & single[b]
-        rows = np.flatnonzero(far & self._looks[a, b] & ~whole)
-        both = contacts.bodies[rows].tolist()
-        return sorted({(min(pair), max(pair)) for pair in both})
+        turns = (far & self._looks[a, b] & ~whole).tolist()
+        return sorted({pair for pair, looks in zip(contacts.pairs, turns, strict=True) if looks})
 
-    def _meet(self, pair: Pair, kick: Kick, there: Coordinates) -> Iterator[Touched]:
+    def _meet(self, pair: Pair, here: Placed, there: Placed) -> Iterator[Sequence[Spot]]:
         """Yield where a side of one that touches comes down, as it is where the drift starts."""
-        for began, ended in self._shapes.close(pair, kick.place, there):
-            for own, side, corner in within(ended):
-                owner, guest = began[own], began[1 - own]
-                left = float(owner.apart(guest)[side, corner])
-                if left <= 0:
-                    continue  # it is behind that side already
-                normal = complex(owner.normals[side])
-                tip = complex(guest.corners[corner]) - normal * guest.rounding
-                yield self._touched(pair, [Spot(own, normal, tip, left)], kick.joints.origin)
+        for parts in self._shapes.close(pair, there):
+            for found in within(there.both(pair, parts)):
+                if spot := corner_on(here.both(pair, parts), *found):
+                    yield [spot]
 
-    def _land(self, pair: Pair, kick: Kick, there: Coordinates) -> Iterator[Touched]:
-        """Yield where two bodies meet that are apart, as it is where the drift starts."""
-        for began, ended in self._shapes.close(pair, kick.place, there):
+    def _land(self, pair: Pair, here: Placed, there: Placed) -> Iterator[Sequence[Spot]]:
+        """Yield where two bodies meet that are apart, side by side, as it is where it starts."""
+        for parts in self._shapes.close(pair, there):
             on_side: dict[tuple[int, complex], list[Spot]] = {}
-            for spot in landing(began, ended, self._least):
+            for spot in landing(here.both(pair, parts), there.both(pair, parts), self._least):
                 on_side.setdefault((spot.own, spot.normal), []).append(spot)
-            for spots in on_side.values():
-                yield self._touched(pair, spots, kick.joints.origin)
+            yield from on_side.values()
 
     def _touched(self, pair: Pair, spots: Sequence[Spot], origin: complex) -> Touched:
         """Return what is to be of one or two spots on one side."""

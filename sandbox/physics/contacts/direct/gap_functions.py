@@ -17,7 +17,8 @@ radii that roll. Of curves see `curved`; a side touches one as the circle that i
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from copy import copy
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -137,8 +138,10 @@ class Features:
         (k,), n above, along the axes of that body.
     owns
         Whether the side is the first body's, or the second's, (2, k + f): 0 or 1.
+    rounds
+        Which points have no side, r of them; None if all have one.
     sign
-        (k,), s above, and 0 where there is a side; None if there is one everywhere.
+        (r,), s above, of these.
     rolls
         a and b above, (2, f) [m].
     apart
@@ -154,7 +157,8 @@ class Features:
     side: Integers
     normal: Plane
     owns: Array
-    sign: Array | None
+    rounds: slice | Integers | None
+    sign: Array
     rolls: Array
     apart: Plane
     curved: tuple[Curved, ...] = ()
@@ -166,47 +170,53 @@ class Features:
         What of the Jacobian is not written is 0.
         """
         held, rubs, count = self.touching.held, self.touching.rubs, len(self.apart)
-        turned, plane = place.turned.take(held), place.plane
-        arms = self.points * turned
-        first, second = plane.take(self.touching.bodies) + arms[:, :count]
-        d = second - first
-        along = self.normal * place.turned.take(self.side)
-        across, beside = 1j * along, along.conj() * d
+        turned, plane = place.turned, place.plane
+        arms = self.points * turned.take(held)
+        ends = plane.take(self.touching.bodies)
+        ends += arms[:, :count]
+        d = ends[1] - ends[0]
+        along = self.normal * turned.take(self.side)
+        beside = along.conj() * d
         gap, off = beside.real, beside.imag  # how far it has slipped along a side
-        if self.sign is not None:
-            along, across, gap, off = self._of_round(d, self.sign, along, gap, off)
+        across = 1j * along
+        if self.rounds is not None:
+            self._of_round(d, (gap, off, along, across))
         if self.curved:
             rows = gap, off, along, across
-            follow_curves(self.curved, (plane, place.turned), arms[:, :count], rows)
+            follow_curves(self.curved, (plane, turned), arms[:, :count], rows)
             arms[:, count:] = arms[:, rubs]
-        rolled = self.rolls * place.angle.take(held[:, count:])
-        total[:count], total[count:] = gap, off.take(rubs) + rolled[0] + rolled[1]
-        way = FROM_TO * np.concatenate((along, across.take(rubs)))
+        total[:count], ways, leans = gap, along, off
+        if len(rubs):
+            slipped, rolled = off.take(rubs), self.rolls * place.angle.take(held[:, count:])
+            total[count:] = slipped + rolled[0] + rolled[1]
+            ways = np.concatenate((along, across.take(rubs)))
+            leans = np.concatenate((off, -gap.take(rubs)))
+        way = FROM_TO * ways
         spin = (way * arms.conj()).imag
-        spin += self.owns * np.concatenate((off, -gap.take(rubs)))
-        spin[:, count:] += self.rolls
+        spin += self.owns * leans
+        if len(rubs):
+            spin[:, count:] += self.rolls
         partials = np.concatenate((way.view(float).ravel(), spin.ravel()))
         jacobian.reshape(-1)[self.touching.into] = partials
 
-    def _of_round(
-        self, d: Plane, sign: Array, along: Plane, gap: Array, off: Array
-    ) -> tuple[Plane, Plane, Array, Array]:
-        """Return which way lies along a gap, and across, its size, and how far it has slipped.
-
-        The same as on a side, where nothing is round: (k,) each.
-        """
-        is_round, size, first = sign != 0, np.abs(d), np.abs(self.apart)
-        along = np.where(is_round, sign * d / size, along)
-        gap = np.where(is_round, sign * size, gap)
-        turn = np.angle(d / np.where(is_round, self.apart, d))
-        off = np.where(is_round, sign * first * turn, off)
-        return along, 1j * along * np.where(is_round, first / size, 1.0), gap, off
+    def _of_round(self, d: Plane, rows: tuple[Array, Array, Plane, Plane]) -> None:
+        """Put in what is round: the gaps and slips, and how they change with d, (k,) each."""
+        gap, slip, along, across = rows
+        rounds, sign = self.rounds, self.sign
+        d, apart = d[rounds], self.apart[rounds]
+        size, first = np.abs(d), np.abs(apart)
+        toward, turned = sign * d / size, d / apart
+        gap[rounds], along[rounds] = sign * size, toward
+        slip[rounds] = sign * first * np.arctan2(turned.imag, turned.real)
+        across[rounds] = 1j * toward * (first / size)
 
     def moved(self, place: Coordinates) -> "Features":
         """Return the same where the drift begins elsewhere."""
         held = self.touching.held
         first, second = (place.plane[held] + self.points * place.turned[held])[:, : len(self.apart)]
-        return replace(self, apart=second - first)
+        there = copy(self)
+        there.apart = second - first
+        return there
 
 
 def features(
@@ -232,17 +242,20 @@ def features(
     where, turned = place.plane.take(bodies), place.turned.take(bodies)
     is_round, center = outlines.round(where, turned, n, middle)
     owns = outlines.faces(out * turned.conj())
-    owns[0] &= ~(owns[1] & touching.yields)
-    owns[1] &= ~owns[0]
+    if outlines.sided:
+        owns[0] &= ~(owns[1] & touching.yields)
+        owns[1] &= ~owns[0]
     curved = tuple(on_curves(figures, bodies, n, surfaces, (place.plane, place.turned)))
     is_round, center = _with_curves(curved, place, is_round, center, owns)
     corners, corner = _corners(outlines, is_round, owns)
     core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
-    sign = None
+    sign: Array | None = None
+    rounds: slice | Integers | None = None
     if corner is not None:
         sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
+        rounds = slice(None) if corner.all() else np.flatnonzero(corner)
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)
@@ -252,7 +265,8 @@ def features(
         side=side,
         normal=n * place.turned.take(side).conj(),
         owns=owns.take(touching.rows, axis=1).astype(float),
-        sign=sign,
+        rounds=rounds,
+        sign=np.zeros(0) if sign is None else sign[rounds],
         rolls=rolls,
         apart=d,
         curved=tuple(one for one in curved if corner is not None and corner[one.point]),
@@ -297,6 +311,8 @@ def _corners(
     corner = ~(owns[0] | owns[1])
     if not np.count_nonzero(corner):
         return None, None
+    if not np.count_nonzero(outlines.sharp):
+        return None, corner
     sharp = corner & outlines.sharp & ~is_round.any(axis=0)
     if not np.count_nonzero(sharp):
         return None, corner
@@ -315,9 +331,11 @@ def _rolls(touching: Touching, is_round: Booleans, owns: Booleans, sign: Array |
     owns
         (2, k), whose the side is.
     sign
-        As of `Features`.
+        (k,), s above, and 0 where there is a side; None if there is one everywhere.
     """
     outlines, rubs = touching.outlines, touching.rubs
+    if not len(rubs):
+        return np.zeros((2, 0))
     if sign is None:
         radius = np.where(is_round, outlines.radius, 0.0).take(rubs, axis=1)
         return np.where(owns.take(rubs, axis=1), radius[::-1], -radius)

@@ -6,8 +6,9 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.newton import solve_rows
 from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, planes
+from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes
 from sandbox.physics.joints.exact.shake import TAUT
 
 ROUNDING = 1e-9
@@ -103,6 +104,18 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
             low, high = (share, high) if work <= 0 else (low, share)
         impulse, _ = rebound(low)
     return came + impulse @ kick.response, impulse
+
+
+def told(kick: Kick, left: Array, pushes: Array) -> Impacts:
+    """Return what impacts did, with impulses (r,), after which velocities were (3 N,)."""
+    places = order(kick.response.shape[1] // 3 - 1)
+    jump = (pushes @ kick.response)[places]
+    reached = np.zeros(len(jump), dtype=bool)
+    for rows, _, _ in kick.layout.islands:
+        if pushes[rows].any():
+            reached |= kick.response[rows][:, places].any(axis=(0, 2))
+    jump = np.where(reached[:, None], jump, 0.0)
+    return Impacts(reached, jump, left[places], np.zeros(len(jump)))
 
 
 def impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:

@@ -1,6 +1,7 @@
 """What is known of a kick before it is solved."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -19,7 +20,7 @@ LIFTS = 1e-8
 other point of its side, l away, slip alike to w² / l."""
 
 
-@dataclass(slots=True)  # not frozen: made in every step
+@dataclass  # not frozen: made in every step
 class Kick:
     """The rows of a kick; r of them, N bodies with the plane.
 
@@ -86,11 +87,18 @@ class Kick:
 
     def moved(self, place: Coordinates) -> "Kick":
         """Return the same elsewhere, where bodies push along other directions."""
-        kick = self._on(self.features.moved(place), place)
-        pairs = np.arange(len(self.contacts.bodies))  # the first points of all come first
-        columns = 2 * self.contacts.bodies[:, 1:] + (0, 1)
+        kick, contacts = self._on(self.features.moved(place), place), self.contacts
+        pairs = np.arange(len(contacts.bodies))  # the first points of all come first
+        columns = 2 * contacts.bodies[:, 1:] + (0, 1)
         direction = kick.here.jacobian[self.layout.gaps][pairs[:, None], columns]
-        return replace(kick, contacts=self.contacts._replace(direction=direction))
+        kick.contacts = contacts._replace(direction=direction)
+        return kick
+
+    def between(self, place: Coordinates, before: Array, after: Array) -> "Kick":
+        """Return the same elsewhere, before a drift between other lengths of the joints: (m,)."""
+        kick = self.moved(place)
+        kick.before, kick.after = before, after
+        return kick
 
     def leaning(self, moved: Array, forces: Array) -> "Kick | None":
         """Return the same with friction where sides press that lift their first point.
@@ -104,7 +112,7 @@ class Kick:
             The velocities after the kick, (3 N,) [m/s, rad/s], and its forces, (r,) [N].
         """
         first, gaps = self.layout.gaps.start, self.layout.gaps
-        one, other = self.layout.problem.friction.contact.T
+        one, other = self.layout.problem.friction.contact
         bears = (forces[one] <= 0) & (other >= 0) & (forces[other] > 0)
         if not np.count_nonzero(bears):
             return None
@@ -119,8 +127,19 @@ class Kick:
     def _on(self, found: Features, place: Coordinates) -> "Kick":
         """Return the same with other points, or elsewhere."""
         here = rows_at(place, self.joints, found)
-        response = here.jacobian * self.joints.inverse
-        return replace(self, features=found, place=place, here=here, response=response)
+        return Kick(
+            self.joints,
+            self.contacts,
+            self.layout,
+            found,
+            place,
+            here,
+            here.jacobian * self.joints.inverse,
+            self.runs,
+            self.before,
+            self.after,
+            self.closes,
+        )
 
     def rows(self, way: Array) -> Rows:
         """Return the rows after a way, (3 N,): joints as what is left of what they keep."""
@@ -144,12 +163,12 @@ class Kick:
             wanted[self.layout.gaps] += np.where(self.ahead, closed, 0.0)
         return wanted
 
-    @property
+    @cached_property
     def ahead(self) -> Booleans:
         """Which gaps are yet to close: (k,)."""
         return np.asarray(self.layout.touching.pair >= len(self.contacts.bodies) - self.closes)
 
-    @property
+    @cached_property
     def blur(self) -> float:
         """How well velocities are known that are chosen by places [m/s]."""
         return PLACES * float(np.abs(self.place.values).max()) / abs(self.joints.drift)

@@ -8,6 +8,7 @@ the rest, where they touch. Neither gives energy, and nobody has to be lifted.
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -16,8 +17,8 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.parts import Pair
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.strangers import Pair
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -44,6 +45,7 @@ def land(
     foresight: Foresight,
     kick: Kick,
     motion: Array,
+    pairs: Sequence[Pair],
     near: Callable[[Array], Sequence[Pair]],
     meeting: Callable[[Kick, Contacts], Kick],
     *,
@@ -57,18 +59,19 @@ def land(
         Knows what meets.
     kick, motion
         The kick, and the velocities after it, (3 N,) [m/s, rad/s].
+    pairs
+        Those that do not touch and might meet within the drift.
     near
-        Returns the pairs that do not touch and might meet within the drift, with such velocities.
+        Returns them for other velocities, (3 N,).
     meeting
         Returns a kick with rows for what meets within the drift.
     driven
         Whether surfaces that run, or kinematic bodies, may give energy.
     """
     found: Landed | None = None
+    moved = motion
     for _ in range(LOOKS):
-        moved = found.moved if found else motion
-        pairs = near(moved)
-        ahead = foresight.look(kick, moved, pairs) if found or pairs else None
+        ahead = foresight.look(kick, moved, pairs)
         if ahead is None:
             break
         kick = meeting(kick, ahead)
@@ -76,11 +79,16 @@ def land(
             found = _stopped(kick, motion, driven=driven)
         except (JointFailure, NoForces):
             break  # found where the drift ends it is in the way no longer
+        moved = found.moved
+        pairs = near(moved)
     return found
 
 
 def _stopped(kick: Kick, motion: Array, *, driven: bool) -> Landed:
-    """Return what stops what comes down."""
+    """Return what stops what comes down; what does not hang together with it goes on as it did."""
+    comes = np.zeros(len(kick.response), dtype=bool)
+    comes[kick.layout.gaps] = kick.ahead
+    kick = replace(kick, layout=kick.layout.around(comes))
     impulse, moved, active = hold(kick, motion, _guess(kick), driven=driven)
     leaning = kick.leaning(moved, impulse)
     if leaning is not None:
@@ -91,7 +99,8 @@ def _stopped(kick: Kick, motion: Array, *, driven: bool) -> Landed:
 
 def _guess(kick: Kick) -> tuple[Array, Active]:
     """Return no impulses, and that joints hold and what comes down."""
-    problem, gaps = kick.layout.problem, kick.layout.gaps
-    on = problem.free.copy()
-    on[gaps] = kick.ahead
-    return np.zeros(len(on)), Active(on, np.zeros(len(problem.friction.row), dtype=np.intp))
+    layout, on = kick.layout, np.zeros(len(kick.response), dtype=bool)
+    on[layout.gaps] = kick.ahead
+    for rows, _, problem in layout.islands:
+        on[rows] |= problem.free
+    return np.zeros(len(on)), Active(on, np.zeros(len(layout.touching.rubs), dtype=np.intp))

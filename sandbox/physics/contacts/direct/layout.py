@@ -104,6 +104,21 @@ class Layout:
         return replace(self, problem=problem, islands=parts)
 
     @cached_property
+    def alone(self) -> Integers:
+        """The rows of joints that have to do with no others."""
+        lone = [one.rows[0] for one in self.islands if _is_alone(one)]
+        return np.array(lone, dtype=np.intp)
+
+    @cached_property
+    def together(self) -> list[Island]:
+        """The islands but for those rows."""
+        return [one for one in self.islands if not _is_alone(one)]
+
+    def around(self, some: Booleans) -> "Layout":
+        """Return the same rows, of which only those hang together with some, (r,), to be solved."""
+        return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
+
+    @cached_property
     def smooth(self) -> "Layout":
         """Return the same rows without friction."""
         none = np.zeros(len(self.touching.rubs))
@@ -157,8 +172,45 @@ def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: 
     )
 
 
+class Layouts:
+    """Lays out the rows of a step, or takes those of the last if the same bodies touch.
+
+    Parameters
+    ----------
+    joints, surfaces, moves
+        See `lay_out`.
+    """
+
+    def __init__(self, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> None:
+        self._joints, self._surfaces, self._moves = joints, surfaces, moves
+        self._last: tuple[Contacts, int, Layout] | None = None
+
+    def forget(self) -> None:
+        """Begin anew: there are other joints."""
+        self._last = None
+
+    def of(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts, and remember them."""
+        count = len(self._joints.added)
+        if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
+            self._last = contacts, count, self.anew(contacts)
+        return self._last[2]
+
+    def anew(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts; those that are remembered stay so."""
+        return lay_out(contacts, self._joints, self._surfaces, self._moves)
+
+
+def _alike_in(one: Contacts, other: Contacts) -> bool:
+    """Return whether the same bodies touch, and where they touch twice."""
+    return all(
+        a is b or np.array_equal(a, b)
+        for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
+    )
+
+
 def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
-    """Return the gaps of each side that rubs: (r, 2), its points, and −1 where it has but one.
+    """Return the gaps of each side that rubs: (2, r), its points, and −1 where it has but one.
 
     Parameters
     ----------
@@ -171,7 +223,7 @@ def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
     """
     partner = np.full(count, -1)
     partner[seconds] = count + np.arange(len(seconds))
-    return np.stack((rubs, partner[rubs]), axis=1)
+    return np.stack((rubs, partner[rubs]))
 
 
 def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
@@ -198,6 +250,10 @@ def _alike(joints: Integers, whole: int) -> Integers | None:
     return np.concatenate((joints, np.arange(len(joints), whole)))
 
 
+def _is_alone(island: Island) -> bool:
+    return len(island.rows) == 1 and bool(island.problem.free[0])
+
+
 def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
     """Return what some rows ask for, numbered by themselves."""
     if len(rows) == len(problem.free):
@@ -207,7 +263,7 @@ def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
     old = problem.friction
     friction = Friction(
         number[old.row[slips]],
-        number[old.contact[slips]],
+        number[old.contact[:, slips]],
         old.sticks[slips],
         old.slips[slips],
     )

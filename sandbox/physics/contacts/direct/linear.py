@@ -19,6 +19,11 @@ FEASIBLE = 1e-12
 """What is left of one, where limits contradict each other: rounding."""
 
 
+def most(values: Array) -> float:
+    """Return the size of the largest number; 0 of none."""
+    return float(np.maximum.reduce(np.abs(values), initial=0.0))
+
+
 def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
     """Solve a linear system; return whether rows repeat each other, too: then it is the least.
 
@@ -31,7 +36,7 @@ def solved(matrix: Array, wanted: Array) -> tuple[Array, bool]:
         found, probe = np.linalg.solve(matrix, np.array((wanted, _probe(len(wanted)))).T).T
     except np.linalg.LinAlgError:
         probe = found = np.full(1, np.inf)
-    if np.abs(probe).max() < REPEATS:
+    if most(probe) < REPEATS:
         return np.asarray(found), False
     least = _least(matrix, wanted)
     return least + _least(matrix, wanted - matrix @ least), True

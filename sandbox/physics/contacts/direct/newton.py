@@ -6,10 +6,11 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve
+from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.layout import Layout
 from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT
 from sandbox.physics.state.errors import JointFailure, NoForces
@@ -99,20 +100,38 @@ def solve_rows(
     """
     found, blur = np.zeros(len(rate)), kick.blur
     on, slip = np.zeros(len(rate), dtype=bool), np.zeros(len(active.slip), dtype=np.intp)
-    for rows, slips, problem in layout.islands:
-        whole = len(rows) == len(rate)
-        part = slice(None) if whole else rows
-        guess = active if whole else Active(active.on[rows], active.slip[slips])
-        delassus, free = jacobian[part].dot(kick.response[part].T), rate[part]
+    if len(alone := layout.alone):
+        found[alone], on[alone] = _solve_alone(kick, alone, jacobian, rate, impulse, lets), True
+    for rows, slips, problem in layout.together:
+        across = kick.response.take(rows, axis=0).T
+        delassus, free = jacobian.take(rows, axis=0).dot(across), rate.take(rows)
         if impulse is not None:
-            free = free - delassus.dot(impulse[part])
+            free -= delassus.dot(impulse.take(rows))
+        guess = Active(active.on.take(rows), active.slip.take(slips))
         try:
-            found[part], held = solve(problem, delassus, free, guess, blur, lets)
+            found[rows], held = solve(problem, delassus, free, guess, blur, lets)
         except (Unsolvable, np.linalg.LinAlgError) as error:
             row = error.row if isinstance(error, Unsolvable) else 0
             raise lost(kick, int(rows[row])) from None
-        on[part], slip[slips] = held
+        on[rows], slip[slips] = held
     return found, Active(on, slip)
+
+
+def _solve_alone(
+    kick: Kick, rows: Integers, jacobian: Array, rate: Array, impulse: Array | None, lets: float
+) -> list[float]:
+    """Solve joints that have to do with nothing else, each by itself; see `solve_rows`."""
+    own = np.vecdot(jacobian.take(rows, axis=0), kick.response.take(rows, axis=0))
+    free = rate.take(rows)
+    if impulse is not None:
+        free -= own * impulse.take(rows)
+    found, blur = [], kick.blur
+    for row, delassus, wrong in zip(rows, own.tolist(), free.tolist(), strict=True):
+        try:
+            found.append(solve_one(delassus, wrong, blur, lets))
+        except Unsolvable:
+            raise lost(kick, int(row)) from None
+    return found
 
 
 def lost(kick: Kick, row: int) -> JointFailure | NoForces:

@@ -93,6 +93,7 @@ class Figures:
             self.inner[body],
             self._normals[body],
             np.asarray(((self.radius[body] == 0) & (self.rounding[body] <= SHARP)).all(axis=0)),
+            not np.isnan(self._normals[body]).all(),
         )
 
 
@@ -109,6 +110,8 @@ class Outlines(NamedTuple):
         (2, k), whether they are round, if not all the way.
     sharp
         (k,), whether both have corners.
+    sided
+        Whether any has sides.
     """
 
     figures: Figures
@@ -119,9 +122,12 @@ class Outlines(NamedTuple):
     inner: Array
     normals: Plane
     sharp: Booleans
+    sided: bool
 
     def faces(self, direction: Plane) -> Booleans:
         """Return whether they have a side that faces there, along their own axes: (2, k)."""
+        if not self.sided:
+            return np.zeros(direction.shape, dtype=bool)
         off = np.abs(self.normals - direction[..., None])
         return np.asarray((off < PARALLEL).any(axis=-1))
 

@@ -19,7 +19,7 @@ class Friction:
     row
         (f,), which rows.
     contact
-        (f, 2), the rows whose impulses bound them, added up; −1 for none.
+        (2, f), the rows whose impulses bound them, added up; −1 for none.
     sticks, slips
         (f,), the coefficients while it sticks and while it slips.
     """
@@ -31,19 +31,18 @@ class Friction:
 
     @cached_property
     def there(self) -> Booleans:
-        """Whether there is such a contact: (f, 2)."""
+        """Whether there is such a contact: (2, f)."""
         return np.asarray(self.contact >= 0)
 
     @cached_property
     def shares(self) -> tuple[Array, Array]:
-        """The coefficients of each contact while it sticks, and while it slips: (f, 2) each."""
-        sticks, slips = (share[:, None] * self.there for share in (self.sticks, self.slips))
-        return sticks, slips
+        """The coefficients of each contact while it sticks, and while it slips: (2, f) each."""
+        return self.sticks * self.there, self.slips * self.there
 
 
 NO_FRICTION = Friction(
     np.zeros(0, dtype=np.intp),
-    np.zeros((0, 2), dtype=np.intp),
+    np.zeros((2, 0), dtype=np.intp),
     np.zeros(0),
     np.zeros(0),
 )

@@ -17,6 +17,7 @@ in three parts: to the step, with what rests and what is joined; the impact, all
 velocities, with Newton's law of restitution; and on from the step.
 """
 
+from functools import partial
 from math import nan
 
 import numpy as np
@@ -25,25 +26,23 @@ from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.belief import Belief
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.dividing import Divided, through
 from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
 from sandbox.physics.contacts.direct.holding import hold
 from sandbox.physics.contacts.direct.kick import Kick
 from sandbox.physics.contacts.direct.landing import land
-from sandbox.physics.contacts.direct.layout import Layout, Surfaces, lay_out
+from sandbox.physics.contacts.direct.layout import Layouts, Surfaces
 from sandbox.physics.contacts.direct.parting import Parting
+from sandbox.physics.contacts.direct.parts import Pair
 from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.stages import Stage, Taken, with_landing
-from sandbox.physics.contacts.direct.strangers import Pair
+from sandbox.physics.contacts.direct.stages import Stage, Taken, halves, with_landing
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts, Integers
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
-
-Key = tuple[Integers, Integers, int]
-"""What a layout depends on: the bodies, where they touch twice, and the number of joints' rows."""
 
 
 class Direct:
@@ -75,6 +74,10 @@ class Direct:
     kicked
         (n, 3), the velocities that the kick ended with, if what meets in the drift after it has
         changed them since; else None [m/s, rad/s].
+    divided
+        The drift after the kick, if it is taken in parts; else None.
+    drifted
+        The same of the drift before it.
     """
 
     def __init__(
@@ -98,7 +101,7 @@ class Direct:
         self._lead, self._starts = 0.0, True
         self._until = 0.0
         self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
-        self._laid: tuple[Key, Layout] | None = None
+        self._layouts = Layouts(joints, surfaces, self._moves)
         self._known = WarmStart()
         self._belief, self._corners = Belief(query), CornerPairs()
         self._foresight = Foresight(query.bodies, surfaces, self._moves)
@@ -108,6 +111,8 @@ class Direct:
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
         self.kicked: Array | None = None
+        self.divided: Divided | None = None
+        self.drifted: Divided | None = None
         self._given = self._calm.impulse  # (n,), by which bodies were stopped since the last kick
         self._solved: tuple[Kick, Array] | None = None  # the last kick with contacts, its impulses
 
@@ -129,9 +134,13 @@ class Direct:
         start
             Whether this is the first kick, which begins with the velocities at its step.
         """
-        self._begun, self._acceleration = self._batch.velocity(), acceleration
+        self._begun, self._acceleration = self.velocity(), acceleration
         self._starts = start
         self._lead = 0.0 if start else self._joints.kick - self._dt / 2
+
+    def velocity(self) -> Array:
+        """Return the velocities that a kick here begins with: (n, 3) [m/s, rad/s]."""
+        return self.divided.begun if self.divided else self._batch.velocity()
 
     def solve(self, until: float) -> None:
         """Find the impulses of a kick, and give the bodies their velocities after it.
@@ -150,15 +159,17 @@ class Direct:
         self._pushed = None
         self.last, self.stages, self._solved = self._calm, (), None
         self._shift = self._calm.jump
+        self.kicked, self.drifted, self.divided = None, self.divided, None
         self._follow(until)
         if len(self._contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
             self._solve_joints(until)
-        after = self._batch.velocity()
         given, self._given = self._given, self._calm.impulse
-        self._land(after)
+        after = self.divided.left if self.divided else self._batch.velocity()
+        if not self.divided:
+            self._land(after)
         self._change = (after - self._begun) * (self._dt / self._joints.kick)
         if self.last is not self._calm:
             struck = self.last.struck[:, None]
@@ -189,8 +200,10 @@ class Direct:
 
     def relay(self) -> None:
         """Begin anew with other joints, where bodies are."""
-        self._laid, self._until = None, nan
+        self._layouts.forget()
+        self._until = nan
         self._known.forget()
+        self.divided = None
         self._change = self._calm.jump
 
     def forget(self) -> None:
@@ -198,6 +211,7 @@ class Direct:
         self._belief.forget()
         self._corners.forget()
         self._known.forget()
+        self.divided = None
         self._change = self._shift = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
@@ -220,7 +234,14 @@ class Direct:
     def _solve_all(self) -> None:
         self._joints.check()
         rates = self._spread(self._begun, self._acceleration, self._change)
-        taken = self._take(self._look(rates[0] * self._dt), rates)
+        kick = self._look(rates[0] * self._dt)
+        try:
+            taken = self._take(kick, rates)
+        except (JointFailure, NoForces):
+            if not self._divides(kick):
+                raise
+            self._divide(kick, rates)
+            return
         for _ in range(LOOKS):
             ahead = self._foresight.look(taken.kick, taken.moved, ())
             if ahead is None:
@@ -237,9 +258,25 @@ class Direct:
         self._known.note(taken.kick, taken.forces, taken.active)
         self._report(taken.kick, taken.total, taken.active)
 
+    def _divides(self, kick: Kick) -> bool:
+        """Whether a drift can be taken in parts: nothing drives bodies, and it is a whole one."""
+        joints = self._joints
+        whole = not self._starts and joints.kick == joints.drift == self._dt
+        return whole and not (self._driven() or np.count_nonzero(kick.joint_rates()))
+
+    def _divide(self, kick: Kick, rates: Array) -> None:
+        """Take the drift after a kick in parts."""
+        found = through(kick, rates[1], self._until, partial(self._take, rates=rates))
+        first = found.first
+        self.last = first.impacts
+        left, begun, way = (of[self._order] for of in (found.left, found.begun, found.way))
+        self.divided, self.kicked = Divided(found.parts, left, begun), left
+        self._batch.set_velocity(way / self._joints.drift)
+        self._known.note(first.kick, first.forces, first.active)
+        self._report(first.kick, first.total, first.active)
+
     def _land(self, velocity: Array) -> None:
         """Let come down what does within the drift after a kick; (n, 3), the velocities then."""
-        self.kicked = None
         drift = self._joints.drift
         if self._starts:
             return
@@ -248,29 +285,24 @@ class Direct:
         def near(moved: Array) -> list[Pair]:
             return self._foresight.strangers.near(self._contacts, place, drift * moved)
 
-        if not near(motion.values):
+        pairs = near(motion.values)
+        if not pairs:
             return
         kick, total = self._solved or (
             self._kick_at(place),
             self._joints.tension * self._joints.kick,
         )
         landed = land(
-            self._foresight, kick, motion.values, near, self._meeting, driven=self._driven()
+            self._foresight, kick, motion.values, pairs, near, self._meeting, driven=self._driven()
         )
         if landed is None:
             return
         after = landed.moved[self._order]
-        parts = self.stages or self._halves(kick, total, velocity)
-        last = self._stage(landed.kick, 0.0, after, landed.impulse)
+        parts = self.stages or halves(kick, total, self._begun, velocity)
+        last = Stage.of(landed.kick, 0.0, after, landed.impulse)
         self.stages = with_landing(parts, last, after - velocity)
         self.kicked, self._given = velocity, last.normal(len(velocity))
         self._batch.set_velocity(after)
-
-    def _halves(self, kick: Kick, total: Array, after: Array) -> tuple[Stage, ...]:
-        """Return a kick without impacts as two alike: its impulses, (r,), and (n, 3) after it."""
-        half, middle = self._joints.kick / 2, (self._begun + after) / 2
-        first = self._stage(kick, half, middle, total / 2)
-        return first, first._replace(velocity=after)
 
     def _take(self, kick: Kick, rates: Array) -> Taken:
         """Return what becomes of a kick.
@@ -293,23 +325,23 @@ class Direct:
             came, before = impacts.come(kick, at_step, strikes)
             begun, pushes = impacts.bounce(kick, came, strikes)
             stages = (
-                self._stage(kick, lead, came[self._order], before),
-                self._stage(kick, 0, begun[self._order], pushes),
+                Stage.of(kick, lead, came[self._order], before),
+                Stage.of(kick, 0, begun[self._order], pushes),
             )
             total = before + pushes
-            told = self._tell(kick, begun, pushes)
+            told = impacts.told(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if stages:
-            stages = *stages, self._stage(kick, rest, moved[self._order], impulse)
+            stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
         return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
 
     def _meeting(self, kick: Kick, ahead: Contacts) -> Kick:
         """Return the same kick with rows for what meets within the drift."""
         contacts = kick.contacts.and_(ahead)
-        layout = lay_out(contacts, self._joints, self._surfaces, self._moves)
+        layout = self._layouts.anew(contacts)
         running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
         return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
 
@@ -338,17 +370,10 @@ class Direct:
         """Return the rows of all that touches or is joined, where the bodies are."""
         joints = self._joints
         self._contacts = self._corners.steady(self._contacts, place, joints.origin)
-        layout, running = self._lay_out(), self._surfaces.running
+        layout, running = self._layouts.of(self._contacts), self._surfaces.running
         kick = Kick.at(place, joints, self._contacts, layout, running, self._lengths)
         self._corners.note(kick)
         return kick
-
-    def _lay_out(self) -> Layout:
-        contacts, joints = self._contacts, self._joints
-        key = contacts.bodies, contacts.touches, len(joints.added)
-        if self._laid is None or not _same(self._laid[0], key):
-            self._laid = key, lay_out(contacts, joints, self._surfaces, self._moves)
-        return self._laid[1]
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""
@@ -364,21 +389,6 @@ class Direct:
         """Whether surfaces that run, or kinematic bodies, may give energy."""
         running = bool(self._surfaces.running.any())
         return running or bool(self._begun[~self._moves].any())
-
-    def _stage(self, kick: Kick, lasts: float, ended: Array, impulse: Array) -> Stage:
-        """Return what a part of the kick did, which ended with velocities (n, 3) [m/s, rad/s]."""
-        return Stage(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
-
-    def _tell(self, kick: Kick, left: Array, pushes: Array) -> Impacts:
-        """Return what impacts did."""
-        jump = (pushes @ kick.response)[self._order]
-        reached = np.zeros(len(jump), dtype=bool)
-        for rows, _, _ in kick.layout.islands:
-            if pushes[rows].any():
-                response = kick.response[rows][:, self._order]
-                reached |= response.any(axis=(0, 2))
-        jump = np.where(reached[:, None], jump, 0.0)
-        return Impacts(reached, jump, left[self._order], np.zeros(len(jump)))
 
     def _report(self, kick: Kick, total: Array, active: Active) -> None:
         """Tell joints and contacts the impulses of the whole kick, (r,), and what held."""
@@ -397,15 +407,6 @@ class Direct:
             return np.zeros((2, 0, 3))
         kick, impulse = self._solved
         return kick.wrenches(impulse, body)
-
-
-def _same(one: Key, other: Key) -> bool:
-    """Return whether a layout serves again; arrays that are the same need no look."""
-    return one[2] == other[2] and _alike(one[0], other[0]) and _alike(one[1], other[1])
-
-
-def _alike(one: Integers, other: Integers) -> bool:
-    return one is other or np.array_equal(one, other)
 
 
 def _calm(count: int) -> Impacts:

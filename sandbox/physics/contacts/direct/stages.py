@@ -32,6 +32,11 @@ class Stage(NamedTuple):
     pulls: Array
     contacts: Contacts
 
+    @classmethod
+    def of(cls, kick: Kick, lasts: float, ended: Array, impulse: Array) -> "Stage":
+        """Return what impulses, (r,), did in a part of a kick; for the others see above."""
+        return cls(lasts, ended, impulse[kick.layout.joints], kick.pushing(impulse))
+
     def normal(self, count: int) -> Array:
         """Return what pushed each of so many bodies, whichever way: (n,) [N s]."""
         both = self.contacts.bodies.T.ravel()
@@ -67,6 +72,20 @@ class Taken(NamedTuple):
     total: Array
     impacts: Impacts
     stages: tuple[Stage, ...] = ()
+
+
+def halves(kick: Kick, total: Array, begun: Array, after: Array) -> tuple[Stage, ...]:
+    """Return a kick without impacts as two alike.
+
+    Parameters
+    ----------
+    total
+        (r,), its impulses.
+    begun, after
+        (n, 3), the velocities before it and after it [m/s, rad/s].
+    """
+    first = Stage.of(kick, kick.joints.kick / 2, (begun + after) / 2, total / 2)
+    return first, first._replace(velocity=after)
 
 
 def with_landing(parts: Sequence[Stage], landing: Stage, jump: Array) -> tuple[Stage, ...]:

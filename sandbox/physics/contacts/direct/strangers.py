@@ -12,15 +12,13 @@ import pymunk
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.direct.layout import Surfaces
-from sandbox.physics.contacts.direct.parts import LEAST, Shapes
+from sandbox.physics.contacts.direct.parts import Pair, Shapes
+from sandbox.physics.contacts.direct.spots import LEAST
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 
 MOST = 6
 """How many times as far as the coordinate that goes furthest two bodies may go together."""
-
-Pair = tuple[int, int]
-"""Two bodies, the lower number first."""
 
 
 class Strangers:
@@ -80,20 +78,24 @@ class Strangers:
 
     def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
         """Look at all pairs that may have come close."""
+        first = self._seen is None
         if self._seen is not None:
             went = (place.values - self._seen) * self._weights
             self._room -= self._between(went)
         self._seen, self._touch = place.values, contacts.bodies
         ahead = self._between(way)
-        touch = {(min(pair), max(pair)) for pair in contacts.bodies.tolist()}
+        touch, here = set(contacts.pairs), self._shapes.at(place)
         room, found = self._room.copy(), []
         for row in np.flatnonzero(self._room < ahead).tolist():
             pair = int(self._first[row]), int(self._second[row])
             if pair in touch:
                 self._room[row], room[row] = 0.0, np.inf  # it is looked at once they part
                 continue
-            self._room[row] = room[row] = self._gap(pair, place)
-            if LEAST < ahead[row] >= room[row]:
+            gap = self._shapes.gap(pair, here)
+            if (first or gap <= ahead[row]) and self._never_meet(pair):
+                gap = np.inf
+            self._room[row] = room[row] = gap
+            if LEAST < ahead[row] >= gap:
                 found.append(pair)
         self._calm = float(room.min())
         return found
@@ -105,11 +107,10 @@ class Strangers:
         first, second = self._first, self._second
         return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
 
-    def _gap(self, pair: Pair, place: Coordinates) -> float:
-        """Return how far two are apart; those that never meet have no end between them [m]."""
+    def _never_meet(self, pair: Pair) -> bool:
+        """Return whether two bodies go through each other, or are parts of one solid."""
         one, other = (self._bodies[body] for body in pair)
-        apart = not meets(one, other) or _are_one(one, other)
-        return np.inf if apart else self._shapes.gap(pair, place)
+        return not meets(one, other) or _are_one(one, other)
 
 
 def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:

@@ -79,7 +79,7 @@ class WarmStart:
         if not len(slip):
             return impulse, Active(np.concatenate((taut, on)), slip)
         contact, first = kick.layout.problem.friction.contact, kick.layout.gaps.start
-        presses = (on[contact - first * (contact >= 0)] & (contact >= 0)).any(axis=1)
+        presses = (on[contact - first * (contact >= 0)] & (contact >= 0)).any(axis=0)
         slip = np.where(presses, slip, 0)
         return impulse, Active(np.concatenate((taut, on, presses & (slip == 0))), slip)
 

@@ -109,9 +109,9 @@ class Reaches:
 
     def measure(self, place: Coordinates) -> tuple[Array, Array]:
         """Return what the rows add up to somewhere, and the entries of their Jacobian there."""
-        ends = place.plane[..., self._body]
+        ends = place.plane.take(self._body, axis=-1)
         if self._turns:
-            arm = self._point * place.turned[..., self._body]
+            arm = self._point * place.turned.take(self._body, axis=-1)
             ends += arm
             length, unit = self._measure(ends[..., self._half :] - ends[..., : self._half])
             both = np.concatenate((-unit, unit), axis=-1)

@@ -44,7 +44,7 @@ def test_every_contact_pushes_sticks_or_slips(
     normals, slips = np.arange(count), count + np.arange(count)
     pushes = np.arange(2 * count) < count
     both = np.full(count, mu)
-    friction = Friction(slips, np.stack((normals, np.full(count, -1)), axis=1), both, both)
+    friction = Friction(slips, np.stack((normals, np.full(count, -1))), both, both)
     problem = Problem(np.zeros(2 * count, dtype=bool), pushes, friction)
     guess = Active(np.append(rate[:count] < 0, np.zeros(count, dtype=bool)), np.zeros(count, int))
     impulse, _ = solve(problem, matrix, rate, guess)
@@ -79,7 +79,7 @@ def test_friction_is_shared_as_far_as_each_contact_holds() -> None:
     """
     free, pushes = np.zeros(4, dtype=bool), np.array([True, True, False, False])
     sticks = np.array([0.1, 1.5])
-    friction = Friction(np.array([2, 3]), np.array([[0, -1], [1, -1]]), sticks, sticks)
+    friction = Friction(np.array([2, 3]), np.array([[0, 1], [-1, -1]]), sticks, sticks)
     guess = Active(np.ones(4, dtype=bool), np.zeros(2, dtype=np.intp))
     same = np.arange(4) // 2
     matrix = np.equal.outer(same, same).astype(float)
