@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from sandbox.model.catalog import find
 from sandbox.model.expressions import Array, Values
+from sandbox.model.happenings import tied
 from sandbox.model.joints import Own, is_exact
 from sandbox.model.level import Instant, Level, Stepping
 from sandbox.model.loading import choose, load
@@ -201,14 +202,15 @@ class _Runs:
 def naive(level: Level) -> Level:
     """Return a level with stock pymunk: its scheme, at the level's own rate, and its joints.
 
-    What pymunk lacks (strings over pegs, wires, rails, lengths that change with time) stays exact,
-    and with it the other joints of that level: the two ways cannot hold one body.
+    What pymunk lacks (strings over pegs, wires, rails, lengths that change with time, joints that
+    events tie) stays exact, and with it the other joints of that level: the two ways cannot hold
+    one body.
     """
     stepping = Stepping(rate=level.stepping.rate, scheme="symplectic-euler")
     exact = [joint for joint in level.joints.values() if is_exact(joint)]
     own = all(isinstance(joint, Own) and "t" not in names_in(joint) for joint in exact)
     joints = level.joints
-    if own and not level.effects.sticking:
+    if own and not (level.effects.sticking or tied(level.events)):
         joints = {
             name: joint.model_copy(update={"exact": False}) if isinstance(joint, Own) else joint
             for name, joint in joints.items()

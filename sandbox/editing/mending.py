@@ -16,7 +16,7 @@ COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coeffici
 ROUNDS = 20
 """How often it is looked for what has lost its meaning; each time another part may."""
 
-_LISTS = ("pairs", "located", "bodies", "cut", "on", "off")
+_LISTS = ("pairs", "located", "bodies", "cut", "tie", "on", "off")
 """What effects and events name parts in, of which one may go and leave the others."""
 
 

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 from sandbox.model.effects.contact import Contact
 from sandbox.model.effects.contract import Book
+from sandbox.model.happenings import tied
 from sandbox.model.joints import Joint, Spring, bodies_of
 from sandbox.model.level import Level
 from sandbox.model.parts import names_in
@@ -35,13 +36,22 @@ def works(level: Level) -> tuple[str, ...]:
 
 
 def losses(level: Level) -> tuple[str, ...]:
-    """Return what takes energy for good; a rope that is jerked taut counts as an impact."""
+    """Return what takes energy for good.
+
+    A rope that is jerked taut counts as an impact, and so does a joint that catches.
+    """
     found, joints = [*_effects(level, "loss"), *_forces(level, "loss")], level.joints.values()
-    if any(joint.kind.goes_slack for joint in joints):
+    if any(joint.kind.goes_slack for joint in joints) or _catches(level):
         found.append(Contact.effect.booked)
     if any(isinstance(joint, Spring) and damps(joint) for joint in joints):
         found.append("damping")
     return tuple(dict.fromkeys(found))
+
+
+def _catches(level: Level) -> bool:
+    """Whether an event ties a joint that holds exactly, which stops what moves."""
+    held = (level.joints.get(name) for name in tied(level.events))
+    return any(joint is not None and not joint.kind.force for joint in held)
 
 
 def outside(level: Level) -> tuple[str, ...]:

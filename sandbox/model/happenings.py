@@ -1,7 +1,7 @@
-"""What happens once in a run and changes what acts: a body is let go, a string cut, a force set in.
+"""What happens once in a run and changes what acts: a string is cut, a hook catches, a force acts.
 
-A joint is there until it is cut, or until it breaks. A force that some event switches on is off
-until then; any other is on from the start.
+A joint is there until it is cut, or until it breaks. One that some event ties is open until then. A
+force that some event switches on is off until then; any other is on from the start.
 """
 
 from collections.abc import Iterator, Mapping
@@ -11,9 +11,9 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import Load
-from sandbox.model.expressions import Expression, Values
+from sandbox.model.expressions import Expression, Fraction, Values
 from sandbox.model.instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
-from sandbox.model.joints import Joint
+from sandbox.model.joints import AngleStop, Joint, Stop
 from sandbox.model.mention import ForceNames, JointNames
 
 Direction = Literal["up", "down", "either", "beyond"]
@@ -39,6 +39,8 @@ class Event(Model):
     """a time [s], or when a quantity crosses a value for the first time"""
     cut: JointNames = ()
     """the joints that let go"""
+    tie: JointNames = ()
+    """the joints that catch, and hold what they find; they are open until then"""
     on: ForceNames = ()
     """the effects, or the named forces, that set in; they are off until then"""
     off: ForceNames = ()
@@ -54,10 +56,11 @@ class Crossing(NamedTuple):
 
 
 class Happening(NamedTuple):
-    """What happens once: what it waits for, and what it cuts and switches."""
+    """What happens once: what it waits for, and what it cuts, ties and switches."""
 
     waits: Crossing
     cut: tuple[str, ...] = ()
+    tie: tuple[str, ...] = ()
     on: tuple[str, ...] = ()
     off: tuple[str, ...] = ()
 
@@ -67,7 +70,7 @@ def happenings(
 ) -> dict[str, Happening]:
     """Return what happens in a level by itself: its events, and the joints that break."""
     found = {
-        name: Happening(_crossing(event.at, values), event.cut, event.on, event.off)
+        name: Happening(_crossing(event.at, values), event.cut, event.tie, event.on, event.off)
         for name, event in events.items()
     }
     for joint, load in loads(joints, values).items():
@@ -108,3 +111,15 @@ def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[s
     """Return the joints that some event cuts, or that break."""
     named = {name for event in events.values() for name in event.cut}
     return frozenset(named.union(name for name, _ in breakable(joints)))
+
+
+def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
+    """Yield the stops that give back speed, and how much of it."""
+    for name, joint in joints.items():
+        if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
+            yield name, joint.restitution
+
+
+def tied(events: Mapping[str, Event]) -> frozenset[str]:
+    """Return the joints that some event ties, which are open until then."""
+    return frozenset(name for event in events.values() for name in event.tie)

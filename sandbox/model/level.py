@@ -6,7 +6,7 @@ A `Level` is frozen: it describes a scene and never changes. What moves lives in
 
 from cmath import rect
 from collections.abc import Mapping
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import ceil
 from typing import Annotated, Literal, Self, cast
 
@@ -39,7 +39,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
-from sandbox.model.happenings import MOST_EVENTS, Event, breakable, cut
+from sandbox.model.happenings import MOST_EVENTS, Event, bouncing, breakable, cut, tied
 from sandbox.model.instants import (
     ApexEvent as ApexEvent,
 )
@@ -304,7 +304,7 @@ class Level(Model):
     joints: Annotated[Mapping[Name, Joint], Field(max_length=2000)] = {}
     """what ties bodies together"""
     events: Annotated[Mapping[Name, Event], Field(max_length=MOST_EVENTS)] = {}
-    """what happens on the way and changes what acts: something is cut, or switched"""
+    """what happens on the way and changes what acts: something is cut, tied, or switched"""
     stepping: Stepping = Stepping()
     """how time advances"""
     duration: Duration = Duration(10)
@@ -344,8 +344,9 @@ class Level(Model):
 
     @property
     def happens(self) -> bool:
-        """Whether anything happens by itself on the way: an event, or that a joint breaks."""
-        return bool(self.events) or any(True for _ in breakable(self.joints))
+        """Whether anything happens on the way: an event, or that a joint breaks, or bounces."""
+        of_joints = chain(breakable(self.joints), bouncing(self.joints))
+        return bool(self.events) or any(True for _ in of_joints)
 
     @property
     def defaults(self) -> Values:
@@ -373,11 +374,13 @@ def is_direct(level: Level) -> bool:
 def is_alone(name: str, level: Level) -> bool:
     """Whether a joint is a plain string that shares no body that moves with another exact joint.
 
-    Where contacts are solved directly none is alone, nor is one that some event cuts or that may
-    break.
+    Where contacts are solved directly none is alone, nor is one that some event cuts or ties, or
+    that may break.
     """
     joint = level.joints[name]
-    if not isinstance(joint, Pulley) or is_direct(level) or name in cut(level.events, level.joints):
+    if not isinstance(joint, Pulley) or is_direct(level):
+        return False
+    if name in cut(level.events, level.joints) | tied(level.events):
         return False
     first, *pegs, last = points(joint)
     if any(isinstance(end, Held) for end in (first, last)) or any(body_of(peg) for peg in pegs):

@@ -2,16 +2,18 @@
 
 from collections.abc import Iterator, Mapping
 
-from sandbox.model.happenings import cut
+from sandbox.model.happenings import cut, tied
 from sandbox.model.level import Level
 
 
 def switched(level: Level) -> Mapping[str, bool]:
     """Return the forces of a level that events switch, and whether they are on at the start.
 
-    Springs that are cut, or that may break, are among them.
+    Springs that are cut or tied, or that may break, are among them.
     """
-    found = dict.fromkeys(cut(level.events, level.joints) & _springs(level), True)
+    springs = _springs(level)
+    found = dict.fromkeys(cut(level.events, level.joints) & springs, True)
+    found.update(dict.fromkeys(tied(level.events) & springs, False))
     for event in level.events.values():
         found.update((name, True) for name in event.off if name not in found)
     found.update((name, False) for event in level.events.values() for name in event.on)

@@ -101,7 +101,7 @@ def _silenced(level: Level, found: list[Fault]) -> Level:
             field: tuple(
                 part for i, part in enumerate(getattr(event, field)) if (name, field, i) not in gone
             )
-            for field in ("cut", "on", "off")
+            for field in ("cut", "tie", "on", "off")
         }
         if any(left.values()):
             events[name] = event.model_copy(update=left)

@@ -241,6 +241,25 @@ def test_every_joint_is_drawn(pen: Pen, tie: dict[str, object], color: Color) ->
     assert count(draw(session, stage), color) >= 5
 
 
+def test_a_joint_that_is_still_to_catch_is_drawn_as_two_open_hooks(pen: Pen) -> None:
+    """Each is a ring that is open towards the other; the rod is there once it is tied."""
+    rod = {"type": "rod", "ends": [[-4, 2], "ball"]}
+    events = {"click": {"at": 0.1, "tie": ["tie"]}}
+    session = Session(scenes.level(joints={"tie": rod}, ghosts={}, events=events))
+    stage = Stage(pen, (400, 300))
+    stage.use(session.world)
+    stage.fit()
+    open_ = draw(session, stage)
+    x, y = stage.camera.to_screen((-4, 2))
+    around = open_.subsurface(pygame.Rect(int(x) - 10, int(y) - 10, 20, 20))
+    for _ in range(12):
+        session.step()
+
+    assert count(around, theme.STRING) >= 20
+    assert count(open_, theme.SURFACE_EDGE) < 20
+    assert count(draw(session, stage), theme.SURFACE_EDGE) >= 20
+
+
 def test_a_joint_without_a_look_of_its_own_is_seen(
     pen: Pen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -7,7 +7,7 @@ must that of its compositions.
 import numpy as np
 import pytest
 
-from sandbox.model import catalog
+from sandbox.model import catalog, happenings
 from sandbox.model.accounts import losses, works
 from sandbox.model.joints import Rope
 from sandbox.model.level import Level
@@ -81,6 +81,8 @@ def conservative(level: Level) -> bool:
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
         and not any(isinstance(joint, Rope) for joint in level.joints.values())
+        and not happenings.tied(level.events)
+        and all(e(values) == 1 for _, e in happenings.bouncing(level.joints))
     )
 
 

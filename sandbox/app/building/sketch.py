@@ -91,6 +91,7 @@ class Sketch:
         }
         self.bodies = dict(_drawn(specs, self.values))
         self.joints = dict(_tied(_mapping(document, "joints"), specs, self.values))
+        self._open = _open(_mapping(document, "events"))
         self.view = _view(json.dumps(document.get("view", {})))
 
     def body_at(self, point: XY, margin: float) -> str | None:
@@ -131,8 +132,11 @@ class Sketch:
         grid.draw_scale_bar(surface, camera, pen)
 
     def _draw_joints(self, surface: pygame.Surface, camera: Camera, *, in_front: bool) -> None:
-        for joint in self.joints.values():
-            if isinstance(joint.spec, joints.IN_FRONT) is in_front:
+        for name, joint in self.joints.items():
+            if name in self._open:
+                if in_front:
+                    joints.draw_open(surface, camera, joint.path)
+            elif isinstance(joint.spec, joints.IN_FRONT) is in_front:
                 joints.draw_joint(surface, camera, joint.spec, joint.path, slack=False)
 
     def _middle(self, camera: Camera) -> XY:
@@ -205,6 +209,13 @@ def _tied(
                 yield name, Tied(joint, tuple(_path(joint, specs, values)))
         except (SandboxError, ArithmeticError, LookupError):  # or an end at no body
             continue
+
+
+def _open(events: Mapping[str, Any]) -> frozenset[str]:
+    """Return the joints that some event ties, as far as events can be read."""
+    lists = [event.get("tie") for event in events.values() if isinstance(event, Mapping)]
+    named = (name for names in lists if isinstance(names, list) for name in names)
+    return frozenset(name for name in named if isinstance(name, str))
 
 
 def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:

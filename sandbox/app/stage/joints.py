@@ -37,6 +37,8 @@ TEETH = 10
 COG = 9.0  # px, how large a wheel with teeth is
 WALL = 14.0  # px, how far a stop reaches to either side
 RAY = 30.0  # px, how far from its pin a stop of an angle is seen
+HOOK = 7.0  # px, the radius of a hook that is open
+GAPE = 0.9  # rad, how far it is open to either side
 SAG = 0.12
 """How far a slack rope hangs down, of its length on the screen."""
 
@@ -48,6 +50,18 @@ def draw_joint(
     corners = camera.path(path)
     if lines.near(corners):
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
+
+
+def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
+    """Draw what has not caught yet: a hook at each end, open towards the other."""
+    begin, *_, end = camera.path(path)
+    if not lines.near((begin, end)):
+        return
+    for (x, y), other in ((begin, end), (end, begin)):
+        ahead = atan2(other[1] - y, other[0] - x)
+        turns = [ahead + GAPE + (tau - 2 * GAPE) * i / 16 for i in range(17)]
+        hook = [(x + HOOK * cos(turn), y + HOOK * sin(turn)) for turn in turns]
+        lines.path(surface, theme.STRING, hook, 3)
 
 
 def _plain(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None:

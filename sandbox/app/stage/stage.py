@@ -223,6 +223,8 @@ class Stage:
         springs = world.scene.joints.springs
         for name, joint in world.level.joints.items():
             there = world.scene.joints.holds(name, float(snapshot.t))
+            if in_front and not there:
+                self._draw_open(surface, name)
             if isinstance(joint, joints.IN_FRONT) is not in_front or not there:
                 continue
             spring = springs.get(name)
@@ -241,6 +243,15 @@ class Stage:
                 path = joints.rays(joint, path[1], angle, world.values)
             slack = world.scene.joints.tension(name, snapshot) == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
+
+    def _draw_open(self, surface: pygame.Surface, name: str) -> None:
+        """Draw a joint that is open, if it is still to catch."""
+        world = self.view.world
+        latches = world.scene.joints.latches
+        if latches and latches.is_open(name, float(world.snapshot.t)):
+            places = [anchor.look(world.snapshot)[0] for anchor in world.scene.joints.paths[name]]
+            path = [(float(place.real), float(place.imag)) for place in places]
+            joints.draw_open(surface, self.camera, path)
 
     def _far_along(self, rail: Rail, through: Plane) -> list[Plane]:
         """Return two points of a rail so far apart that the picture shows none of them [m]."""

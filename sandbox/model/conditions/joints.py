@@ -10,6 +10,7 @@ from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
+from sandbox.model.happenings import tied
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -37,7 +38,8 @@ NEAR = 1e-9
 
 
 def conditions(level: Level) -> Iterator[Condition]:
-    """Yield what must hold of a level's joints."""
+    """Yield what must hold of a level's joints, at the start of those that no event ties."""
+    later = tied(level.events)
     for name, joint in level.joints.items():
         if isinstance(joint, Wire):
             continue
@@ -45,7 +47,8 @@ def conditions(level: Level) -> Iterator[Condition]:
         used = names_in((joint, *((b.position, b.angle) for b in held)))
         names = frozenset(used & level.parameters.keys())
         last = "ends" if joint.kind.points_meet else "length"
-        yield Condition(("joints", name, last), names, partial(_span_fault, joint, level))
+        fault = _later_fault if name in later else _span_fault
+        yield Condition(("joints", name, last), names, partial(fault, joint, level))
         if isinstance(joint, Spring) and joint.law:
             yield Condition(("joints", name, "law"), names, partial(_law_fault, joint, level))
         yield Condition(("joints", name), frozenset(), partial(_turning_fault, joint, level))
@@ -93,15 +96,25 @@ def _span_fault(joint: Joint, level: Level, values: Values) -> str | None:
     return None
 
 
+def _later_fault(joint: Joint, _level: Level, values: Values) -> str | None:
+    """Say what is wrong with a joint that an event ties, wherever its ends are by then."""
+    return _direction_fault(joint, values) if isinstance(joint, Rail | Stop | Rack) else None
+
+
+def _direction_fault(joint: Rail | Stop | Rack, values: Values) -> str | None:
+    if abs(complex(*evaluate(joint.direction, values))) > NEAR:
+        return None
+    return f"a {joint.type} needs a 'direction' that is not [0, 0]"
+
+
 def _way_fault(joint: Rail | Stop | AngleStop | Rack, level: Level, values: Values) -> str | None:
     """Say what is wrong with the way along which a joint lets its ends go."""
     if isinstance(joint, AngleStop):
         return _angle_fault(joint, level, values)
+    fault = _direction_fault(joint, values)
+    if fault or isinstance(joint, Rack):
+        return fault
     way = complex(*evaluate(joint.direction, values))
-    if not abs(way) > NEAR:
-        return f"a {joint.type} needs a 'direction' that is not [0, 0]"
-    if isinstance(joint, Rack):
-        return None
     first, second = (place(end, level.bodies, values) for end in joint.ends)
     beyond = (first - second) * way.conjugate() / abs(way)
     return (

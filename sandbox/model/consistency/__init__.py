@@ -46,6 +46,8 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     bodies.rise_and_fall,
     joints.something_to_hold,
     joints.own_apart,
+    joints.ties_fit,
+    joints.stops_bounce,
     surfaces.sensors_untouched,
     surfaces.apart_fits,
     surfaces.sticking_fits,

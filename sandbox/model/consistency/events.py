@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import brief
+from sandbox.model.happenings import breakable
 from sandbox.model.instants import CrossingEvent
 from sandbox.model.level import Level
 from sandbox.model.locating import Path
@@ -46,8 +47,11 @@ def events_act(level: Level) -> Iterator[Fault]:
     """Events do something, and what they wait for can be seen at every instant."""
     for name, event in level.events.items():
         path = ("events", name)
-        if not (event.cut or event.on or event.off):
-            yield Fault(path, "does nothing: say what it is to 'cut', or to switch 'on' or 'off'")
+        if not (event.cut or event.tie or event.on or event.off):
+            rule = "say what it is to 'cut' or to 'tie', or to switch 'on' or 'off'"
+            yield Fault(path, f"does nothing: {rule}")
+        for joint in sorted({*event.cut} & {*event.tie}):
+            yield Fault((*path, "tie"), f"'{brief(joint)}' is cut and tied at once")
         for force in sorted({*event.on} & {*event.off}):
             yield Fault((*path, "off"), f"'{brief(force)}' is switched on and off at once")
         if isinstance(event.at, CrossingEvent):
@@ -64,11 +68,19 @@ def _seen(name: str, path: Path, level: Level) -> Iterator[Fault]:
         yield Fault(path, f"'{brief(name)}' {rule}")
 
 
+def _what(level: Level) -> str:
+    """Return what happens in a level between two steps."""
+    if level.events:
+        return "'events'"
+    breaks = any(True for _ in breakable(level.joints))
+    return "joints that break ('breaks_at')" if breaks else "stops with a 'restitution'"
+
+
 def drifts_cut_once(level: Level) -> Iterator[Fault]:
     """Nothing else happens where impacts, or ends of slipping, cut a drift as well."""
     if not level.happens:
         return
-    what = "'events'" if level.events else "joints that break ('breaks_at')"
+    what = _what(level)
     effects, rule = level.effects, f"cannot be had together with {what}; leave out one"
     for effect in (effects.contact, effects.friction):
         if effect and effect.located is not None:

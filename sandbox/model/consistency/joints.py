@@ -4,9 +4,12 @@ from collections.abc import Iterator
 
 from sandbox.model.consistency.mentions import bodies_of_flows
 from sandbox.model.errors import brief
+from sandbox.model.happenings import bouncing, tied
 from sandbox.model.joints import (
     Joint,
     Own,
+    Rod,
+    Spring,
     Wire,
     bodies_of,
     body_of,
@@ -58,6 +61,44 @@ def own_apart(level: Level) -> Iterator[Fault]:
             yield Fault(path, rule)
         if level.effects.in_sequence:
             yield Fault(path, "impacts in 'sequence' need exact joints; leave out 'exact'")
+
+
+def ties_fit(level: Level) -> Iterator[Fault]:
+    """Joints that an event ties hold what they find: nothing else is said of it."""
+    names = sorted(tied(level.events) & level.joints.keys())
+    for name in names:
+        for field, rule in _untied(level.joints[name]):
+            yield Fault(("joints", name, field), rule)
+    contact, exact = level.effects.contact, any(is_exact(level.joints[name]) for name in names)
+    if contact and contact.solver == "iterative" and exact:
+        rule = "a joint that an event ties needs contacts that are solved directly; leave it out"
+        yield Fault(("effects", "contact", "solver"), rule)
+
+
+def stops_bounce(level: Level) -> Iterator[Fault]:
+    """Contacts are solved directly where stops give back speed."""
+    contact = level.effects.contact
+    if contact and contact.solver == "iterative":
+        for name, _ in bouncing(level.joints):
+            rule = "needs contacts that are solved directly; leave one out, or their 'solver'"
+            yield Fault(("joints", name, "restitution"), rule)
+
+
+def _untied(joint: Joint) -> Iterator[tuple[str, str]]:
+    """Yield the fields of a joint that does not fit an event which ties it, and why."""
+    then = "a joint that an event ties"
+    if isinstance(joint, Wire):
+        yield "type", f"{then} cannot be a wire; tie a rail, or let a body start on its wire"
+    if isinstance(joint, Rod) and joint.length is not None:
+        yield "length", f"{then} is as long as it is found; leave out 'length'"
+    if isinstance(joint, Spring) and joint.length is None:
+        yield "length", f"{then} must say the 'length' at which it is slack, if it is a spring"
+    if getattr(joint, "exact", True) is False:
+        yield "exact", f"{then} must be exact; leave out 'exact'"
+    if getattr(joint, "breaks_at", None) is not None:
+        yield "breaks_at", f"{then} does not break; leave it out, or cut the joint by an event"
+    if getattr(joint, "restitution", None) is not None:
+        yield "restitution", f"{then} cannot bounce; leave out 'restitution'"
 
 
 def not_too_many_wires(level: Level) -> Iterator[Fault]:

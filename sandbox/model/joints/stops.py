@@ -4,16 +4,16 @@ from typing import ClassVar, Literal
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import Angle, Travel
+from sandbox.model.expressions import Fraction
 from sandbox.model.joints.contract import Kind
 from sandbox.model.joints.ends import End
 from sandbox.model.shapes import Point
 
 
 class Stop(Model):
-    """Stops on a straight way: what runs into one stays there as long as it presses.
+    """Stops on a straight way: what runs into one stays there as long as it presses, or bounces.
 
-    It is the blow of a body that does not bounce. It pushes along the way and holds nothing across
-    it, as a rail does.
+    It pushes along the way and holds nothing across it, as a rail does.
     """
 
     kind: ClassVar[Kind] = Kind(goes_slack=True, points_meet=True, pull="push of the stop")
@@ -25,10 +25,13 @@ class Stop(Model):
     """[x, y], along which it is counted, of any length; it does not turn"""
     range: tuple[Travel, Travel]
     """[from, to] in m, how far along the first end may be from the second"""
+    restitution: Fraction | None = None
+    """the speed with which it is left, of that with which it is run into; it takes all if left
+    out"""
 
 
 class AngleStop(Model):
-    """Stops of an angle, as of a knee, a door or a ratchet; what turns into one does not bounce."""
+    """Stops of an angle, as of a knee, a door or a ratchet."""
 
     kind: ClassVar[Kind] = Kind(
         goes_slack=True, turns=True, points_meet=True, quantities={"torque": "N·m"}
@@ -39,3 +42,6 @@ class AngleStop(Model):
     """what the angle is counted from, a body or the plane, and the body that is stopped"""
     range: tuple[Angle, Angle]
     """[from, to] in rad, between which the angle of the second is, less that of the first"""
+    restitution: Fraction | None = None
+    """the rate with which it is left, of that with which it is turned into; it takes all if left
+    out"""

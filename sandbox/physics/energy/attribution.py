@@ -12,11 +12,13 @@ from sandbox.physics.energy.entries import Entries
 from sandbox.physics.energy.jerks import reached
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.events.jolts import Jolt
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.turning import given
 from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.joints.pulls import Pulls
+from sandbox.physics.state.motion import Instant
 
 
 class Attribution:
@@ -55,9 +57,11 @@ class Attribution:
         change: Array,
         pulls: Pulls,
         contacts: Contacts,
-        slack: Booleans,
+        slack: Booleans | None,
     ) -> None:
         """Book a kick that changes velocities so, (n, 3), and which ropes were slack before it.
+
+        None of that is told where bodies have stuck to each other in it.
 
         A rope that is caught stops all that it reaches at once. What keeps its length and what
         touches there work on each other within the kick; what they take together is the loss.
@@ -72,12 +76,28 @@ class Attribution:
         rest -= self._own(kick, rest, contacts)
         rest -= self._hand(step, kick, rest, contacts)
         lost = self._touch(kick, rest, kick.work(jump), contacts)
-        if len(slack) < len(works):
+        if slack is None:
             self._entries.lose("sticking", float(works.sum()))
         else:
             moves = kick.inertia[:, 0] > 0
             lost += float(works[reached(pulls, contacts, slack, moves)].sum())
         if lost:
+            self._entries.lose("impacts", lost)
+
+    def jolt(self, jolt: Jolt) -> None:
+        """Book an impact of joints at one instant: what these take is lost."""
+        kick = Kick(
+            jolt.t,
+            0.0,
+            Instant.at(jolt.t, jolt.place, jolt.begun),
+            jolt.place[:, :2],
+            (jolt.begun + jolt.after) / 2,
+            self._mass,
+        )
+        impulses, works = self._joints(kick, jolt.pulls)
+        rest = kick.inertia * (jolt.after - jolt.begun) - impulses
+        lost = float(works.sum()) + self._touch(kick, rest, 0.0, jolt.contacts)
+        if not jolt.elastic:
             self._entries.lose("impacts", lost)
 
     def force(self, law: Law, kick: Kick) -> Array:

@@ -117,13 +117,12 @@ class Ledger:
         self._carry(t, before, after)
         pulls = pulls_of(self._scene.joints, len(self._mass))
         begun, slack = before, pulls.slack_before(*self._pulls)
+        stuck = not step.acted and bool(pulls.new(self._pulls[0]).any())
         for lasts, ended, tension, contacts in self._stages(after, pulls.tension):
             kick = moment._replace(length=lasts, mean=(begun + ended) / 2)
             held = pulls._replace(tension=tension)
-            self._causes.book(step, kick, ended - begun, held, contacts, slack)
-            begun = ended
-            if len(slack) == len(tension):
-                slack = slack | (tension <= 0)
+            self._causes.book(step, kick, ended - begun, held, contacts, None if stuck else slack)
+            begun, slack = ended, slack | (tension <= 0)
         self._pulls = pulls, self._pulls[0]
         self._velocity, self._end = after, self._middle(0.5, after)
         self._store(self._end)
@@ -287,6 +286,8 @@ class Ledger:
                 self._entries.impulses[law.effect.name] += pushed
             rest = rest - pushed
         self._entries.support(rest)
+        for jolt in happened.jolts:
+            self._causes.jolt(jolt)
         return happened.begun
 
     def _go_on(self, begun: Array, lifted: float) -> None:

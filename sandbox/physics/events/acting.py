@@ -6,7 +6,7 @@ to the end of the drift.
 """
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -14,6 +14,9 @@ from sandbox.model.expressions import Array
 from sandbox.model.happenings import Crossing
 from sandbox.physics.forces.law import Law
 from sandbox.physics.state.motion import Instant, momentum
+
+if TYPE_CHECKING:
+    from sandbox.physics.events.jolts import Jolt
 
 BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
@@ -41,9 +44,12 @@ class Part(NamedTuple):
 
     def at(self, time: float) -> Instant:
         """Return the motion so long after its beginning [s]."""
+        return Instant.at(self.t + time, *self.state(time))
+
+    def state(self, time: float) -> tuple[Array, Array]:
+        """Return places and velocities so long after its beginning [s]: (n, 3) each."""
         velocity = self.velocity + self.acceleration * time
-        place = self.place + (self.velocity + velocity) * (time / 2)
-        return Instant.at(self.t + time, place, velocity)
+        return self.place + (self.velocity + velocity) * (time / 2), velocity
 
 
 class Acted(NamedTuple):
@@ -68,6 +74,8 @@ class Acted(NamedTuple):
         How much more energy there is in the middle of the drift for nothing but another
         acceleration [J]: along a parabola there is a force's F a dt²/8 more than in the middle of
         the chord.
+    jolts
+        The impacts of joints in it.
     """
 
     begun: Array
@@ -76,6 +84,7 @@ class Acted(NamedTuple):
     pushed: Sequence[Array]
     given: Array
     lifted: float
+    jolts: "Sequence[Jolt]" = ()
 
 
 def crosses(crossing: Crossing, before: float, now: float) -> bool:
@@ -141,6 +150,22 @@ def acted(
     pull = first.smooth * first.acceleration - last.smooth * last.acceleration
     lifted = float(np.sum(inertia * pull)) * half * half / 2
     return Acted(begun, switched, worked, pushed, given, lifted)
+
+
+def acted_at_a_step(begun: Array, laws: Sequence[Law], switched: float) -> Acted:
+    """Return the same where all of it happened at the step that a drift begins with.
+
+    Parameters
+    ----------
+    begun
+        (n, 3), the velocities after it [m/s, rad/s].
+    laws
+        None of them has worked by then.
+    switched
+        The energy that is stored at once, or gone [J].
+    """
+    nothing = np.zeros(3)
+    return Acted(begun, switched, [0.0] * len(laws), [nothing] * len(laws), nothing, 0.0)
 
 
 class _Share(NamedTuple):

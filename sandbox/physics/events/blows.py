@@ -19,8 +19,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.happenings import breaking
-from sandbox.physics.joints.cutting import let_go
 from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.ties import let_go
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.kick import Kick, Work
 

@@ -4,7 +4,7 @@ A plain string over pegs that shares no body with another exact joint is solved 
 five times as fast. All other exact joints are solved together. pymunk solves what is not exact.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
 from typing import cast
 
@@ -14,6 +14,7 @@ import pymunk
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Formula, Values
+from sandbox.model.happenings import bouncing, tied
 from sandbox.model.joints import (
     AngleStop,
     End,
@@ -54,23 +55,30 @@ from sandbox.physics.joints.exact.angles import (
     stops,
     turn,
     weld,
+    where,
     winding,
 )
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.exact.sizes import refuse_too_many
+from sandbox.physics.joints.exact.system import JointSystem
 from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.latches import Latches
 from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
 from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.errors import JointFailure
 
 Lengths = Rod | Rope | Pulley | Rail | Stop
 Turning = Pivot | Weld | Motor | Winding | AngleStop | Gear | Rack
 
 DRAWN = 200
 """How many pieces of a wire are shown."""
+
+NEAR = 1e-9
+"""m or rad, by which a rope may be too short, or a stop passed, where it is tied."""
 
 FAR = 1e4
 """m from the plane's origin, beyond which exact joints count places from among their bodies: there,
@@ -127,21 +135,45 @@ class _Assembly:
             touches=touches,
             weld=self._weld_where_they_are,
         )
+        self._open = tied(level.events)
+        if self._open:
+            self._joints.latches = Latches(self._open, self._tie)
+        self._origin = _origin(bodies)
 
     def joints(self, batch: Batch) -> Joints:
         """Return all joints."""
         joints, level = self._joints, self._level
         self._take_own()
-        origin = _origin(self._bodies)
-        rows, others = self._take_ours(origin)
-        if rows or others or level.effects.sticking or is_direct(level):
+        rows, others = self._take_ours()
+        later = bool(self._open - joints.springs.keys()) or any(bouncing(level.joints))
+        if rows or others or later or level.effects.sticking or is_direct(level):
             inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
             refuse_too_many((*rows, *others), inverse_mass[0])
-            joints.together = ExactJoints(rows, others, batch, *inverse_mass, origin)
-        assert joints.solids
-        for name, a, b in _welded(level):
-            joints.solids.join(a, b, name)
+            joints.together = ExactJoints(rows, others, batch, *inverse_mass, self._origin)
+        for name in level.joints:
+            if name not in self._open:
+                self._make_one(name)
+        joints.elastic = self._elastic(batch)
         return joints
+
+    def _elastic(self, batch: Batch) -> JointSystem | None:
+        """Return the sides of the stops that give back speed, if there are any."""
+        level, start = self._level, _coordinates(self._bodies, self._origin)
+        names = [name for name, _ in bouncing(level.joints)]
+        made = [self._equations(name, level.joints[name], start) for name in names]
+        rows = [row for some, _ in made for row in some]
+        others = [other for _, some in made for other in some]
+        if not (rows or others):
+            return None
+        inverse_mass = self._inverse_mass[:, 0], self._inverse_mass[:, 2]
+        return JointSystem(rows, others, batch, *inverse_mass, self._origin)
+
+    def _make_one(self, name: str) -> None:
+        """Make two bodies one that a joint welds, if it does."""
+        joint, solids = self._level.joints[name], self._joints.solids
+        assert solids
+        if isinstance(joint, Weld) and len(held := tuple(bodies_of(joint))) == 2:
+            solids.join(held[0], held[1], name)
 
     def _weld_where_they_are(self, a: str, b: str) -> None:
         together = self._joints.together
@@ -149,31 +181,64 @@ class _Assembly:
         ends = Anchor(self._index[a]), Anchor(self._index[b])
         together.add(*self._weld(f"{a} and {b}", *ends, together.place()))
 
-    def _take_ours(self, origin: complex) -> tuple[list[Row], list[Equation]]:
+    def _tie(self, name: str, t: float) -> None:
+        """Let an open joint hold what there is at a time [s]; its impact is still to come.
+
+        Raises
+        ------
+        JointFailure
+            If it is a rope that is too short for that, or a stop that is passed already.
+        """
+        joints, spec = self._joints, self._level.joints[name]
+        together = joints.together
+        assert together
+        start = together.place()
+        if isinstance(spec, Pivot | Motor):
+            a, b = _from(self._origin, joints.paths[name])
+            there = Anchor(a.body, where(a, b, start))
+            joints.paths[name] = _from(-self._origin, (there, b))
+        together.add(*self._equations(name, spec, start))
+        given = isinstance(spec, Stop | AngleStop) or getattr(spec, "length", None) is not None
+        if not given:
+            together.keep(t)
+        elif (beyond := together.beyond(t)) > NEAR:
+            rule = f"'{name}' is tied where what it holds is {beyond:.3g} beyond its bounds already"
+            raise JointFailure(name, rule)
+        self._make_one(name)
+
+    def _take_ours(self) -> tuple[list[Row], list[Equation]]:
         """Make the joints that pymunk does not solve, and return what is to be solved together."""
         level, values, joints, lengths = self._level, self._values, self._joints, self._lengths
         rows: list[Row] = []
         others: list[Equation] = []
-        start = _coordinates(self._bodies, origin)
+        start = _coordinates(self._bodies, self._origin)
         for name, spec in _ours(level).items():
             _require_made(spec)
-            path = _from(origin, joints.paths[name])
-            if isinstance(spec, Wire):
-                curve = course(spec, values) - origin
-                joints.wires[name] = WireEquation(name, joints.paths[name][0], curve)
-                joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
-                others.append(joints.wires[name])
-            elif isinstance(spec, Spring):
+            if isinstance(spec, Spring):
                 joints.springs[name] = _spring(spec, joints.paths[name], lengths[name], values)
             elif isinstance(spec, Pulley) and is_alone(name, level):
                 joints.strings[name] = _string(name, spec, self._bodies, lengths[name], values)
-            elif isinstance(spec, Lengths):
-                rows += _rows(name, spec, path, lengths[name], values)
-            else:
-                new_rows, new_others = self._turning(name, spec, path, start)
+            elif name not in self._open and getattr(spec, "restitution", None) is None:
+                new_rows, new_others = self._equations(name, spec, start)
                 rows += new_rows
                 others += new_others
         return rows, others
+
+    def _equations(
+        self, name: str, spec: Joint, start: Coordinates
+    ) -> tuple[list[Row], Sequence[Equation]]:
+        """Return the equations of a joint that is solved with others, from where bodies are."""
+        joints, values = self._joints, self._values
+        path = _from(self._origin, joints.paths[name])
+        if isinstance(spec, Lengths):
+            return _rows(name, spec, path, self._lengths[name], values), ()
+        if isinstance(spec, Turning):
+            return self._turning(name, spec, path, start)
+        assert isinstance(spec, Wire)
+        wire = WireEquation(name, path[0], course(spec, values) - self._origin)
+        joints.wires[name] = wire
+        joints.paths[name] = tuple(Anchor(None, p) for p in along(spec, values, DRAWN))
+        return [], (wire,)
 
     def _take_own(self) -> None:
         """Make the joints that pymunk solves, and put them into the space of their bodies."""
@@ -253,13 +318,6 @@ def _anchor(end: End, index: Mapping[str, int], values: Values) -> Anchor:
     if isinstance(end, Held):
         return Anchor(index[end.body], complex(*evaluate(end.at, values)))
     return Anchor(None, complex(*evaluate(end, values)))
-
-
-def _welded(level: Level) -> Iterator[tuple[str, str, str]]:
-    """Yield the joints that weld two bodies from the start, and these."""
-    for name, joint in level.joints.items():
-        if isinstance(joint, Weld) and len(held := tuple(bodies_of(joint))) == 2:
-            yield name, held[0], held[1]
 
 
 def _string(

@@ -8,7 +8,6 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.state.motion import Motion
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -16,7 +15,9 @@ if TYPE_CHECKING:
     from sandbox.physics.forces.spring import SpringForce
     from sandbox.physics.joints.composites import Solids, Touches
     from sandbox.physics.joints.exact.shake import ExactJoints
+    from sandbox.physics.joints.exact.system import JointSystem
     from sandbox.physics.joints.exact.wire import WireEquation
+    from sandbox.physics.joints.latches import Latches
     from sandbox.physics.joints.native import OwnJoint
     from sandbox.physics.joints.pulley import PulleyString
     from sandbox.physics.state.anchor import Anchor
@@ -36,24 +37,19 @@ class Joints:
         The names of rods, ropes and strings, which swing across when they are taut.
     wires
         What keeps bodies on wires, by name.
-    springs
-        Those that are force laws, by name.
-    strings
-        Those that are solved by themselves, by name.
-    own
-        Those that pymunk solves, by name.
-    together
-        All other exact ones; None if there are none.
+    springs, strings, own, together
+        Those that are force laws, are solved by themselves, and are solved by pymunk, by name; all
+        other exact ones, None if there are none.
     radii
         Of the circles on which strings are wound, by name [m].
     twists
         Whether any holds bodies against turning.
     solids
         Who is welded or stuck to whom; None if nobody can be.
-    touches
-        Tells which of the pairs that stick have met; None if none do.
-    weld
-        Welds two bodies, by name, where they are.
+    touches, weld
+        Tells which of the pairs that stick have met, None if none do; welds two, by name.
+    elastic, latches
+        The sides of stops that give back speed, and what ties open joints; None if there are none.
     cut
         When joints were cut, by name [s].
     """
@@ -70,20 +66,14 @@ class Joints:
     solids: "Solids | None" = None
     touches: "Touches | None" = None
     weld: Callable[[str, str], None] | None = None
+    elastic: "JointSystem | None" = None
+    latches: "Latches | None" = None
     cut: dict[str, float] = field(default_factory=dict)
 
     @property
     def joined(self) -> Integers:
         """(k, 2), who is part of one solid with whom, as numbers."""
         return self.solids.pairs if self.solids else NO_PAIRS
-
-    def _stick(self, _kick: Kick) -> None:
-        """Weld those that have just met where they are."""
-        assert self.touches and self.solids and self.weld  # noqa: PT018 (all come together)
-        self.touches.end_step()
-        for a, b in self.touches.latest:
-            if self.solids.join(a, b):
-                self.weld(a, b)
 
     def length(self, name: str, motion: Motion) -> Array:
         """Return how long a joint is, from end to end, or as far as it is not wound [m]."""
@@ -92,21 +82,6 @@ class Joints:
         distance = length(self.paths[name], motion)
         radius = self.radii.get(name)
         return distance if radius is None else np.sqrt(distance**2 - radius**2)
-
-    def solvers(self, *, alone: bool) -> list[Work]:
-        """Return what must run after pymunk's solver.
-
-        Parameters
-        ----------
-        alone
-            Whether the exact joints are solved without contacts, and therefore here.
-        """
-        work: list[Work] = [string.solve for string in self.strings.values()]
-        if self.touches:
-            work.append(self._stick)
-        if alone and (together := self.together):
-            work.append(lambda kick: together.solve(kick.until))
-        return work
 
     def time(self, kick: float, drift: float) -> None:
         """Set how long the next kicks last, and the drift that follows each [s]."""
@@ -128,7 +103,8 @@ class Joints:
 
     def holds(self, name: str, t: float) -> bool:
         """Whether a joint is there at a time [s]."""
-        return not t >= self.cut.get(name, np.inf)
+        is_open = self.latches is not None and self.latches.is_open(name, t)
+        return not (is_open or t >= self.cut.get(name, np.inf))
 
     def parting(self) -> tuple[str, float]:
         """Return which of those solved together is furthest off, and by how much [m, rad]."""

@@ -1,5 +1,6 @@
 """What exact joints did in a kick, for whoever keeps books of it."""
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
@@ -38,11 +39,28 @@ class Pulls(NamedTuple):
     def slack_before(self, last: "Pulls", first: "Pulls") -> Booleans:
         """Return which of these did not pull in one of two kicks before: (m,).
 
-        What has been cut since is left out. Where some are new, only those that were there in the
-        last kick are told of: fewer than m.
+        Of what was not there then it is not known.
         """
-        now, then = (one.tension[np.isin(one.joints, self.joints)] <= 0 for one in (last, first))
-        return now | then if len(now) == len(then) else now
+        if all(np.array_equal(one.joints, self.joints) for one in (last, first)):
+            return np.asarray((last.tension <= 0) | (first.tension <= 0))
+        slack = {row for one in (last, first) for row in one.numbered(one.tension <= 0)}
+        return np.array([row in slack for row in self.numbered()], dtype=bool)
+
+    def new(self, last: "Pulls") -> Booleans:
+        """Return which of these were not there in the last kick: (m,)."""
+        if np.array_equal(last.joints, self.joints):
+            return np.zeros(len(self.joints), dtype=bool)
+        there = set(last.numbered())
+        return np.array([row not in there for row in self.numbered()], dtype=bool)
+
+    def numbered(self, which: Booleans | None = None) -> list[tuple[str, int]]:
+        """Return the joint of each, or of some of them, and the how many-th of that it is."""
+        counts: Counter[str] = Counter()
+        found = []
+        for name in self.joints.tolist():
+            found.append((name, counts[name]))
+            counts[name] += 1
+        return found if which is None else [found[i] for i in np.flatnonzero(which)]
 
 
 def pulls_of(joints: Joints, count: int) -> Pulls:

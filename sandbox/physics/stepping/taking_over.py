@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.joints.cutting import let_go
+from sandbox.physics.joints.ties import catch, let_go
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
@@ -30,11 +30,11 @@ def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
     steps
         How many it has taken: time goes on from there.
     before
-        That of the old one: what has been welded, cut or switched since its start stays so.
+        That of the old one: what has been welded, tied, cut or switched since its start stays so.
     """
     setup.scene.batch.set_state(_states(now))
     _weld(setup, before)
-    _happen(setup, before)
+    _happen(setup, before, steps)
     _begin_at(setup, steps)
 
 
@@ -77,14 +77,26 @@ def _begin_at(setup: Setup, steps: int) -> None:
         scene.direct.go_on(clock.after(0))
 
 
-def _happen(setup: Setup, before: Scene) -> None:
-    """Cut and switch what events have cut and switched before."""
+def _happen(setup: Setup, before: Scene, steps: int) -> None:
+    """Tie, cut and switch what events have tied, cut and switched before."""
     scene = setup.scene
     scene.happened.update(before.happened)
+    _catch(scene, before, steps * setup.kicks.clock.dt)
     for name, t in before.joints.cut.items():
         let_go(scene.joints, name, t)
     for name, switch in before.switches.items():
         scene.switches[name].thrown[:] = switch.thrown
+
+
+def _catch(scene: Scene, before: Scene, now: float) -> None:
+    """Tie what events have tied before, where it is now; that was no impact."""
+    latches, old = scene.joints.latches, before.joints.latches
+    if latches is None or old is None:
+        return
+    for name, t in old.tied.items():
+        if catch(scene.joints, name, now) and scene.joints.together:
+            scene.joints.together.calm()
+        latches.tied[name] = t
 
 
 def _weld(setup: Setup, before: Scene) -> None:

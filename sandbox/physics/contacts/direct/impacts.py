@@ -64,7 +64,7 @@ def come(kick: Kick, motion: Array, strikes: Booleans) -> tuple[Array, Array]:
     out = np.zeros(len(kick.response), dtype=bool)
     out[kick.layout.joints] = kick.joints.added
     out[kick.layout.gaps] = strikes | kick.ahead
-    impulse = _impulses(kick, motion, np.zeros(len(kick.response)), out)
+    impulse = impulses(kick, motion, np.zeros(len(kick.response)), out)
     return motion + impulse @ kick.response, impulse
 
 
@@ -91,7 +91,7 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     runs[layout.slips] += kick.runs
 
     def rebound(share: float) -> tuple[Array, float]:
-        impulse = _impulses(kick, came, share * leaves, none)
+        impulse = impulses(kick, came, share * leaves, none)
         after = runs + jacobian @ (impulse @ kick.response)
         return impulse, float(impulse[touch] @ (runs + after)[touch]) / 2
 
@@ -118,8 +118,18 @@ def told(kick: Kick, left: Array, pushes: Array) -> Impacts:
     return Impacts(reached, jump, left[places], np.zeros(len(jump)))
 
 
-def _impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
-    """Return the impulses at which velocities obey all rows but those that are out: (r,)."""
+def impulses(kick: Kick, motion: Array, leaves: Array, out: Booleans) -> Array:
+    """Return the impulses at which velocities obey all rows but those that are out: (r,).
+
+    Parameters
+    ----------
+    motion
+        (3 N,), the velocities without them [m/s, rad/s].
+    leaves
+        (r,), how fast each row is left with them, as a negative rate [m/s, rad/s].
+    out
+        (r,), which rows do not count.
+    """
     layout, joints = kick.layout, kick.layout.joints
     rate = kick.here.jacobian @ motion + leaves
     rate[joints] += kick.joint_rates()

@@ -186,6 +186,18 @@ class Direct:
         """Begin at a time, and not at the start [s]."""
         self._lengths = self._joints.lengths(t), self._joints.lengths(t)
 
+    def standing(self, lengths: tuple[Array, Array]) -> Kick:
+        """Return the rows of all that touches or is joined where bodies are, between two steps.
+
+        Parameters
+        ----------
+        lengths
+            What the joints keep before and after a drift from there, (m,) each [m, rad].
+        """
+        self.relay()
+        self._lengths = lengths
+        return self._kick_at(self._joints.place())
+
     def relay(self) -> None:
         """Begin anew with other joints, where bodies are."""
         self._layouts.forget()

@@ -126,10 +126,14 @@ def pin(name: str, a: Anchor, b: Anchor) -> list[Row]:
 
 def weld(name: str, a: Anchor, b: Anchor, start: Coordinates) -> tuple[list[Row], list[Equation]]:
     """Return the equations that keep b where it is from a, and at its angle to it."""
+    return pin(name, Anchor(a.body, where(a, b, start)), b), [turn(name, a, b, start)]
+
+
+def where(a: Anchor, b: Anchor, start: Coordinates) -> complex:
+    """Return where the point b is on the body of a, along its axes [m]."""
     first, second = number(a), number(b)
     point = start.plane[second] + b.point * exp(1j * start.angle[second])
-    there = (point - start.plane[first]) * exp(-1j * start.angle[first])
-    return pin(name, Anchor(a.body, complex(there)), b), [turn(name, a, b, start)]
+    return complex((point - start.plane[first]) * exp(-1j * start.angle[first]))
 
 
 def meshed(name: str, end: Anchor, wheel: Anchor, radius: float, way: complex) -> Meshed:

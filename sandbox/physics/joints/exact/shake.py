@@ -99,6 +99,22 @@ class ExactJoints(JointSystem):
         self._lay_out((*old.rows, *rows), (*old.others, *others))
         self._struck = True
 
+    def keep(self, t: float) -> None:
+        """Let what has joined since the last kick keep what there is at a time [s]."""
+        self.length[self.added] += self._off(t)
+
+    def beyond(self, t: float) -> float:
+        """Return by how much what has joined is too long for what it keeps at a time [m, rad]."""
+        return float(self._off(t).max(initial=0.0))
+
+    def _off(self, t: float) -> Array:
+        return (self.look(self.place()).total - self.lengths(t))[self.added]
+
+    def calm(self) -> None:
+        """Take what has joined for what has held all along: its impact is over."""
+        self.added = np.zeros_like(self._taut)
+        self._past, self._struck = [], False
+
     def drop(self, name: str) -> None:
         """Let go of what a joint holds."""
         stay = np.array([joint != name for joint in self._joints], dtype=bool)

@@ -4,6 +4,8 @@ from collections.abc import Sequence
 from functools import partial
 
 from sandbox.model.happenings import loads
+from sandbox.physics.joints.joints import Joints
+from sandbox.physics.joints.ties import stick
 from sandbox.physics.state.kick import Kick, Work
 from sandbox.physics.stepping.stage import Setup, Stage
 
@@ -13,10 +15,28 @@ def make(setup: Setup) -> Stage:
     scene = setup.scene
     joints, touching = scene.joints, setup.level.effects.contact is not None
     before = [string.warm_start for string in joints.strings.values()] if touching else []
-    after = _all(joints.solvers(alone=scene.direct is None))
+    after = _all(_solvers(joints, alone=scene.direct is None))
     if after and scene.direct is None:
         after = bearing(setup, after)
     return Stage(in_kick=_all(before), after_kick=after, refit=joints.refit)
+
+
+def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
+    """Return what must run after pymunk's solver.
+
+    Parameters
+    ----------
+    joints
+        Of the scene.
+    alone
+        Whether the exact joints are solved without contacts, and therefore here.
+    """
+    work: list[Work] = [string.solve for string in joints.strings.values()]
+    if joints.touches:
+        work.append(partial(stick, joints))
+    if alone and (together := joints.together):
+        work.append(lambda kick: together.solve(kick.until))
+    return work
 
 
 def bearing(setup: Setup, solve: Work) -> Work:

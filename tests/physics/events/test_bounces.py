@@ -1,0 +1,252 @@
+"""Stops that give back speed: when they are met, what they take, and who rests on them."""
+
+from math import asin, pi, radians, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.level import Level
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.run import build
+from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.world import World
+from tests.physics.scenes import GRAVITY, G, box, disc, level
+
+
+def booked(this: Level, seconds: float) -> tuple[World, Ledger]:
+    world = build(this)
+    books = Ledger(world)
+    for _ in range(round(seconds * this.stepping.rate)):
+        world.advance()
+        books.note()
+    return world, books
+
+
+def slider(
+    e: float, speed: float = 3.3, rate: float = 60, mass: float = 1, **more: object
+) -> Level:
+    """A puck between two walls, 1.8 m apart."""
+    stop = {
+        "type": "stop",
+        "ends": ["puck", [0, 0]],
+        "direction": [1, 0],
+        "range": [-0.7, 1.1],
+        "restitution": e,
+    }
+    puck = disc(velocity=[speed, 0.4], mass=mass)
+    return level({"puck": puck}, more, joints={"stop": stop}, stepping={"rate": rate})
+
+
+def ball(e: float, height: float = 1, rate: float = 60, mass: float = 1) -> Level:
+    stop = {
+        "type": "stop",
+        "ends": ["ball", [0, 0]],
+        "direction": [0, 1],
+        "range": [0, 9],
+        "restitution": e,
+    }
+    return level(
+        {"ball": disc((0, height), mass=mass)},
+        GRAVITY,
+        joints={"stop": stop},
+        stepping={"rate": rate},
+    )
+
+
+def clapper(e: float, rate: float = 240, spin: float = 6) -> Level:
+    """A hammer on a spring of 3 N m/rad, between stops at 20° to either side."""
+    hammer = box((0, -0.7), size=(0.12, 1.4), velocity=[0.7 * spin, 0], angular_velocity=spin)
+    end = {"body": "hammer", "at": [0, 0.7]}
+    return level(
+        {"hammer": hammer},
+        {"rotation": {}, "torsion": [{"body": "hammer", "stiffness": 3}]},
+        joints={
+            "pin": {"type": "pivot", "ends": [[0, 0], end]},
+            "stop": {
+                "type": "angle_stop",
+                "ends": [[0, 0], end],
+                "range": ["-20*deg", "20*deg"],
+                "restitution": e,
+            },
+        },
+        stepping={"rate": rate},
+    )
+
+
+@given(st.floats(0, 1), st.floats(0.5, 20), st.sampled_from([30, 60, 240]), st.floats(0.01, 100))
+@settings(deadline=None, max_examples=12)
+def test_a_puck_loses_the_share_of_its_energy_that_newton_says(
+    e: float, speed: float, rate: float, mass: float
+) -> None:
+    """It meets the wall after 1.1 m; what it goes on with is e v, and not across."""
+    world, books = booked(slider(e, speed, rate, mass), 1.1 / speed + 2 / rate)
+    beyond = world.snapshot.t - 1.1 / speed
+
+    assert world.snapshot.position[0, 0] == pytest.approx(1.1 - e * speed * beyond, abs=1e-11)
+    assert world.snapshot.velocity[0] == pytest.approx([-e * speed, 0.4], abs=1e-11)
+    lost = mass * speed**2 * (1 - e**2) / 2
+    assert books.balance.loss["impacts"] == pytest.approx(lost, rel=1e-9, abs=1e-12 * mass)
+    assert abs(books.balance.unexplained) < 1e-12 * mass * speed**2
+
+
+def test_an_elastic_stop_takes_nothing_in_fifty_blows() -> None:
+    world, books = booked(slider(1), 30)
+
+    assert abs(world.snapshot.velocity[0, 0]) == pytest.approx(3.3, rel=1e-13)
+    assert abs(books.balance.unexplained) < 1e-13
+
+
+def test_a_ball_bounces_on_an_elastic_stop_for_good() -> None:
+    """With gravity alone the parabolas between the blows are exact."""
+    period = 2 * sqrt(2 / G)
+    world, books = booked(ball(1, rate=60), 15)
+    phase = world.snapshot.t % period
+
+    assert world.snapshot.position[0, 1] == pytest.approx(
+        1 - G * min(phase, period - phase) ** 2 / 2, abs=1e-9
+    )
+    assert abs(books.balance.unexplained) < 1e-12
+
+
+@pytest.mark.parametrize("e", [0, 0.3, 0.8, 0.95])
+def test_a_ball_that_bounces_lower_and_lower_comes_to_rest_on_the_stop(e: float) -> None:
+    world, books = booked(ball(e), 18)
+
+    assert world.snapshot.position[0, 1] == pytest.approx(0, abs=1e-12)
+    assert world.snapshot.tension[0] == pytest.approx(G, rel=1e-9)
+    assert books.balance.loss["impacts"] == pytest.approx(G, rel=1e-9)
+    assert abs(books.balance.unexplained) < 1e-10
+
+
+def test_who_rests_on_a_stop_is_lifted_off_it_freely() -> None:
+    pull = [{"body": "ball", "force": [0, "20*t"]}]
+    this = ball(0.5, 0)
+    data = this.model_copy(
+        update={"effects": level({"ball": disc()}, {**GRAVITY, "force": pull}).effects}
+    )
+    world, _ = booked(data, 1)
+    leaves = G / 20
+
+    expected = 20 * (1 - leaves) ** 3 / 6
+    assert world.snapshot.position[0, 1] == pytest.approx(expected, rel=2e-3)
+    assert world.snapshot.tension[0] == 0
+
+
+@pytest.mark.parametrize("mass", [0.001, 1, 1000])
+def test_the_rebound_does_not_know_the_mass(mass: float) -> None:
+    world, _ = booked(ball(0.6, mass=mass), sqrt(2 / G) * 1.6 - 1e-9)
+
+    assert world.snapshot.position[0, 1] < 0.37
+    assert world.snapshot.position[0, 1] == pytest.approx(0.36, abs=2e-3)
+
+
+def test_the_period_between_two_elastic_stops_is_that_of_the_closed_form() -> None:
+    """ω T = 4 asin(ω α / Ω), shorter than that of the free swing."""
+
+    def off(rate: float) -> float:
+        this = clapper(1, rate)
+        moment = 0.7**2 + (0.12**2 + 1.4**2) / 12
+        omega = sqrt(3 / moment)
+        period = 4 * asin(omega * radians(20) / 6) / omega
+        world, _ = booked(this, 4)
+        crossed = world.snapshot.t % period
+        quarter = period / 4
+        phase = np.interp(crossed, [0, quarter, 3 * quarter, period], [0, 1, -1, 0]) * quarter
+        assert period < 2 * pi / omega / 3
+        return float(abs(world.snapshot.angle[0] - 6 / omega * np.sin(omega * phase)))
+
+    coarse, fine = off(240), off(960)
+    assert fine < 3e-4  # seen: 1.3e-4, of second order
+    assert coarse / fine > 12
+
+
+def test_the_energy_of_a_pendulum_between_elastic_stops_does_not_drift() -> None:
+    """It stays within what a step is too coarse for, however often it strikes: seen, 2e-5 of it."""
+    world, books = booked(clapper(1), 10)
+
+    assert abs(books.balance.unexplained) < 1e-3
+    assert books.balance.loss["impacts"] == 0
+    assert abs(world.snapshot.angle[0]) <= radians(20) + 1e-9
+
+
+def test_a_stop_between_two_bodies_gives_momentum_from_one_to_the_other() -> None:
+    stop = {
+        "type": "stop",
+        "ends": ["slider", "frame"],
+        "direction": [1, 0],
+        "range": [-1, 1],
+        "restitution": 0.5,
+    }
+    bodies = {"frame": disc(mass=3), "slider": disc(velocity=[2, 0])}
+    world, books = booked(level(bodies, {}, joints={"stop": stop}), 1.2)
+
+    apart = -0.5 * 2
+    assert world.snapshot.velocity[:, 0] == pytest.approx([0.5 - apart / 4, 0.5 + 0.75 * apart])
+    assert books.balance.loss["impacts"] == pytest.approx(0.75 / 2 * 4 * 0.75, rel=1e-12)
+    assert np.abs(books.balance.unexplained_impulse).max() < 1e-12
+
+
+def test_two_stops_so_near_that_a_step_meets_both_keep_what_is_between_them() -> None:
+    stop = {
+        "type": "stop",
+        "ends": ["puck", [0, 0]],
+        "direction": [1, 0],
+        "range": [-0.01, 0.01],
+        "restitution": 1,
+    }
+    this = level({"puck": disc(velocity=[3, 0])}, {}, joints={"stop": stop})
+    world, _ = booked(this, 1)
+
+    assert abs(world.snapshot.position[0, 0]) <= 0.01 + 1e-12
+    assert abs(world.snapshot.velocity[0, 0]) == pytest.approx(3, rel=1e-12)
+
+
+def test_contacts_take_part_in_the_blow() -> None:
+    """A block that pushes another one into a stop: both come to terms in the same instant."""
+    stop = {
+        "type": "stop",
+        "ends": ["front", [0, 0]],
+        "direction": [1, 0],
+        "range": [-5, 1],
+        "restitution": 1,
+    }
+    bodies = {
+        "front": box((0, 0), velocity=[2, 0]),
+        "back": box((-0.5, 0), velocity=[2, 0]),
+    }
+    world, books = booked(level(bodies, {"contact": {}}, joints={"stop": stop}), 1)
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx([-2, -2], abs=1e-9)
+    assert abs(books.balance.unexplained) < 1e-9
+
+
+def test_a_branch_goes_on_between_the_same_stops() -> None:
+    world, _ = booked(clapper(0.9), 0.5)
+    branched = branch(world, world.values)
+
+    ahead, behind = world.advance(60), branched.advance(60)
+    assert behind.angle == pytest.approx(ahead.angle, abs=1e-4)
+
+
+@pytest.mark.parametrize("scheme", ["symplectic-euler", "explicit-euler"])
+def test_eulers_schemes_bounce_at_the_step_that_finds_them_beyond(scheme: str) -> None:
+    this = slider(1)
+    stepping = this.stepping.model_copy(update={"scheme": scheme})
+    world, books = booked(this.model_copy(update={"stepping": stepping}), 5)
+
+    assert abs(world.snapshot.velocity[0, 0]) == pytest.approx(3.3, rel=1e-12)
+    assert -0.7 - 3.3 / 60 <= world.snapshot.position[0, 0] <= 1.1 + 3.3 / 60
+    assert abs(books.balance.unexplained) < 1e-12
+
+
+def test_contacts_that_take_turns_are_refused() -> None:
+    with pytest.raises(LevelError, match="needs contacts that are solved directly"):
+        slider(1, contact={"solver": "iterative"})
+
+
+def test_a_restitution_beyond_one_is_told() -> None:
+    with pytest.raises(LevelError, match="between 0 and 1"):
+        slider(1.2)

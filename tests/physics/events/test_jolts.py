@@ -1,0 +1,252 @@
+"""Joints that catch: what they hold from then on, and what the impact of that takes."""
+
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sandbox.model.errors import LevelError
+from sandbox.model.level import Level
+from sandbox.physics.energy.ledger import Ledger
+from sandbox.physics.run import build
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.branching import branch
+from sandbox.physics.stepping.world import World
+from tests.physics.scenes import GRAVITY, box, disc, level
+
+MEET = {"event": "crossing", "quantity": "hook.length", "value": 1.2, "direction": "down"}
+
+
+def booked(this: Level, seconds: float) -> tuple[World, Ledger]:
+    world = build(this)
+    books = Ledger(world)
+    for _ in range(round(seconds * this.stepping.rate)):
+        world.advance()
+        books.note()
+    return world, books
+
+
+def wagons(
+    m1: float = 2, m2: float = 3, v: float = 4, rate: float = 60, kind: str = "weld", **more: object
+) -> Level:
+    bodies = {
+        "first": disc(mass=m1, velocity=[v, 0]),
+        "second": disc((3.017, 0), mass=m2),
+    }
+    joints = {"hook": {"type": kind, "ends": ["first", "second"], **more}}
+    events = {"click": {"at": MEET, "tie": ["hook"]}}
+    return level(bodies, {}, joints=joints, events=events, stepping={"rate": rate})
+
+
+@given(
+    st.floats(0.01, 100),
+    st.floats(0.01, 100),
+    st.floats(0.5, 50),
+    st.sampled_from([30, 60, 240]),
+    st.sampled_from(["weld", "rod", "pivot"]),
+)
+@settings(deadline=None, max_examples=12)
+def test_a_coupling_takes_the_energy_of_the_motion_against_each_other_and_no_momentum(
+    m1: float, m2: float, v: float, rate: float, kind: str
+) -> None:
+    world, books = booked(wagons(m1, m2, v, rate, kind), 1.817 / v + 0.2)
+    balance = books.balance
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx(m1 * v / (m1 + m2), rel=1e-12)
+    assert balance.loss["impacts"] == pytest.approx(m1 * m2 / (m1 + m2) * v**2 / 2, rel=1e-9)
+    assert abs(balance.unexplained) < 1e-12 * m1 * v**2
+    assert np.abs(balance.unexplained_impulse).max() < 1e-11 * m1 * v
+    assert world.scene.happened["click"] == pytest.approx(1.817 / v, rel=1e-12)
+
+
+def test_it_holds_the_distance_at_which_it_was_tied_whatever_the_step() -> None:
+    for rate in (30, 47, 240):
+        world, _ = booked(wagons(rate=rate), 1)
+        assert np.diff(world.snapshot.position[:, 0]) == pytest.approx(1.2, abs=1e-12)
+
+
+def test_open_it_holds_nothing_and_pulls_at_nothing() -> None:
+    world, _ = booked(wagons(), 0.3)
+
+    assert world.snapshot.velocity[:, 0].tolist() == [4, 0]
+    assert world.snapshot.tension[0] == 0
+
+
+@pytest.mark.parametrize("kind", ["weld", "pivot", "rod", "rope"])
+@pytest.mark.parametrize("effects", [{}, {"contact": {}}])
+def test_what_is_caught_off_its_centre_turns_and_keeps_its_angular_momentum(
+    kind: str, effects: dict[str, object]
+) -> None:
+    """Boxes that pass at some distance: the system has m1 v y of angular momentum, for good."""
+    bodies = {"first": box((0, 1.1), mass=2, velocity=[4, 0]), "second": box((3.017, 0), mass=3)}
+    ends = [{"body": "first", "at": [0, -0.2]}, {"body": "second", "at": [0.1, 0]}]
+    event = {**MEET, "value": 1.3}
+    this = level(
+        bodies,
+        {**effects, "rotation": {}},
+        joints={"hook": {"type": kind, "ends": ends}},
+        events={"click": {"at": event, "tie": ["hook"]}},
+        stepping={"rate": 480},
+    )
+    world, books = booked(this, 1.5)
+    now, moment = world.snapshot, world.scene.moment
+    mass = np.array([2.0, 3.0])
+    turning = now.position[:, 0] * now.velocity[:, 1] - now.position[:, 1] * now.velocity[:, 0]
+
+    assert "click" in world.scene.happened
+    assert np.sum(mass * turning + moment * now.angular_velocity) == pytest.approx(-8.8, rel=1e-12)
+    assert mass @ now.velocity == pytest.approx([8, 0], abs=1e-12)
+    assert abs(books.balance.unexplained) < 1e-4
+    assert np.abs(books.balance.unexplained_impulse).max() < 1e-6
+
+
+def test_a_hook_at_the_wall_stops_what_it_catches_and_the_wall_takes_the_momentum() -> None:
+    this = level(
+        {"cart": disc(velocity=[3, 0])},
+        {},
+        joints={"hook": {"type": "rod", "ends": ["cart", [4, 0]]}},
+        events={"caught": {"at": {**MEET, "value": 1}, "tie": ["hook"]}},
+    )
+    world, books = booked(this, 2)
+
+    assert world.snapshot.position[0, 0] == pytest.approx(3, abs=1e-12)
+    assert books.balance.loss["impacts"] == pytest.approx(4.5, rel=1e-12)
+    assert books.balance.impulse["supports"][0] == pytest.approx(-3, rel=1e-12)
+
+
+def test_a_spring_that_latches_is_slack_at_its_length_and_stores_from_there() -> None:
+    """A cart that runs into an open spring is turned back with its speed, and pulled on by it."""
+    spring = {"type": "spring", "ends": ["cart", [4, 0]], "stiffness": 40, "length": 1.5}
+    this = level(
+        {"cart": disc(velocity=[3, 0])},
+        {},
+        joints={"hook": spring},
+        events={"caught": {"at": {**MEET, "value": 1.5}, "tie": ["hook"]}},
+        stepping={"rate": 960},
+    )
+    world, books = booked(this, 2.5 / 3 + pi / sqrt(40) / 2)
+
+    assert world.snapshot.position[0, 0] == pytest.approx(2.5 + 3 / sqrt(40), rel=1e-4)
+    assert books.balance.potential["spring"] == pytest.approx(4.5, rel=1e-3)
+    assert books.balance.work["events"] == pytest.approx(0, abs=1e-12)
+    assert abs(books.balance.unexplained) < 1e-4
+
+
+def test_a_spring_that_is_tied_stretched_brings_its_energy_and_that_is_told() -> None:
+    spring = {"type": "spring", "ends": ["cart", [4, 0]], "stiffness": 40, "length": 1}
+    this = level(
+        {"cart": disc(velocity=[3, 0])},
+        {},
+        joints={"hook": spring},
+        events={"caught": {"at": {**MEET, "value": 1.5}, "tie": ["hook"]}},
+        stepping={"rate": 960},
+    )
+    _, books = booked(this, 1.2)
+
+    assert books.balance.work["events"] == pytest.approx(40 * 0.5**2 / 2, rel=1e-9)
+    assert abs(books.balance.unexplained) < 1e-4 * 5
+
+
+def test_what_has_caught_can_be_cut_again() -> None:
+    bodies = {"first": disc(velocity=[4, 0]), "second": disc((3, 0))}
+    events = {
+        "early": {"at": 0.1, "cut": ["hook"]},
+        "click": {"at": MEET, "tie": ["hook"]},
+        "open": {"at": 0.7, "cut": ["hook"]},
+    }
+    push = [{"name": "push", "body": "second", "force": [2, 0]}]
+    joints = {"hook": {"type": "rod", "ends": ["first", "second"]}}
+    world, _ = booked(level(bodies, {"force": push}, joints=joints, events=events), 1)
+
+    apart = np.diff(world.snapshot.velocity[:, 0])
+    latches = world.scene.joints.latches
+    assert latches
+    assert latches.tied["hook"] < 0.7
+    assert apart == pytest.approx(2 * 0.3, rel=1e-9)
+    assert world.snapshot.tension[0] == 0
+
+
+def test_welded_wagons_and_all_that_hangs_on_them_take_part_at_once() -> None:
+    """The momentum goes through a train of rods; a body on a slack rope is not in it."""
+    bodies = {
+        "first": disc(velocity=[6, 0]),
+        **{f"w{i}": disc((3 + i, 0)) for i in range(3)},
+        "trailer": disc((8, 0)),
+    }
+    joints = {
+        "hook": {"type": "weld", "ends": ["first", "w0"]},
+        "a": {"type": "rod", "ends": ["w0", "w1"]},
+        "b": {"type": "rod", "ends": ["w1", "w2"]},
+        "slack": {"type": "rope", "ends": ["w2", "trailer"], "length": 5},
+    }
+    events = {"click": {"at": MEET, "tie": ["hook"]}}
+    world, books = booked(level(bodies, {}, joints=joints, events=events), 0.5)
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx([1.5, 1.5, 1.5, 1.5, 0], abs=1e-9)
+    assert books.balance.loss["impacts"] == pytest.approx(18 - 4.5, rel=1e-9)
+
+
+def test_a_branch_knows_what_has_caught() -> None:
+    world, _ = booked(wagons(kind="rod"), 0.6)
+    branched = branch(world, world.values)
+
+    ahead, behind = world.advance(30), branched.advance(30)
+    assert branched.scene.happened == world.scene.happened
+    assert behind.position == pytest.approx(ahead.position, rel=1e-12)
+
+
+def test_a_dog_that_is_leashed_beyond_its_leash_is_told() -> None:
+    this = wagons(kind="rope", length=1)
+    with pytest.raises(SimulationError, match=r"'hook' is tied where what it holds is 0\.2 beyond"):
+        booked(this, 1)
+
+
+@pytest.mark.parametrize("scheme", ["symplectic-euler", "explicit-euler"])
+def test_eulers_schemes_catch_at_a_step_and_keep_the_momentum(scheme: str) -> None:
+    this = wagons()
+    stepping = this.stepping.model_copy(update={"scheme": scheme})
+    world, books = booked(this.model_copy(update={"stepping": stepping}), 1)
+
+    assert world.snapshot.velocity[:, 0] == pytest.approx(1.6, rel=1e-9)
+    assert books.balance.loss["impacts"] == pytest.approx(9.6, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("joint", "told"),
+    [
+        ({"type": "rod", "length": 2}, "is as long as it is found; leave out 'length'"),
+        ({"type": "rod", "exact": False}, "must be exact; leave out 'exact'"),
+        ({"type": "rod", "breaks_at": 9}, "does not break"),
+        ({"type": "spring", "stiffness": 9}, "must say the 'length' at which it is slack"),
+    ],
+)
+def test_what_does_not_fit_a_joint_that_is_tied_is_told(
+    joint: dict[str, object], told: str
+) -> None:
+    hook = {"ends": ["first", "second"], **joint}
+    bodies = {"first": disc(), "second": disc((2, 0))}
+    events = {"click": {"at": 1, "tie": ["hook"]}}
+    with pytest.raises(LevelError, match=told):
+        level(bodies, GRAVITY, joints={"hook": hook}, events=events)
+
+
+def test_contacts_that_take_turns_are_refused() -> None:
+    with pytest.raises(LevelError, match="solved directly; leave it out"):
+        level(
+            {"first": disc(), "second": disc((2, 0))},
+            {**GRAVITY, "contact": {"solver": "iterative"}},
+            joints={"hook": {"type": "rod", "ends": ["first", "second"]}},
+            events={"click": {"at": 1, "tie": ["hook"]}},
+        )
+
+
+def test_a_joint_that_repeats_another_is_refused_as_it_is_tied() -> None:
+    joints = {
+        "rod": {"type": "rod", "ends": [[0, 0], "bob"]},
+        "hook": {"type": "rod", "ends": [[0, 0], "bob"]},
+    }
+    events = {"click": {"at": 0.3, "tie": ["hook"]}}
+    with pytest.raises(SimulationError, match="hook"):
+        booked(level({"bob": disc((0, -1))}, GRAVITY, joints=joints, events=events), 1)
