@@ -62,8 +62,8 @@ def animation(trace: Trace) -> Animation:
         If it cannot be: PyAV and Pillow make the film, which the extra `film` brings.
     """
     from sandbox.app.film import film
-    from sandbox.app.runfile import run_of
-    from sandbox.app.session import Session
+    from sandbox.app.runs.runfile import run_of
+    from sandbox.app.runs.session import Session
 
     level = trace.level.model_copy(update={"stepping": trace.stepping})
     session = Session(level, trace.values)

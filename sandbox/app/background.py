@@ -13,7 +13,8 @@ from multiprocessing.reduction import ForkingPickler
 from threading import Thread, Timer
 from typing import Any
 
-from sandbox.app import language, theme
+from sandbox.app.drawing import theme
+from sandbox.app.words import language
 
 LIMIT = 120.0  # s, how long a process may live
 POLITE = 5  # by how much its priority is lower, where there are priorities

@@ -4,13 +4,14 @@ from math import inf
 
 import pygame
 
-from sandbox.app import language, theme, wording
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
 from sandbox.app.panels import messages
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.runs.session import Session
+from sandbox.app.words import language, wording
+from sandbox.app.words.language import later, say
 from sandbox.physics.state.errors import SimulationError
 
 NOTE = 5.0  # s, how long a passing note is shown

@@ -3,9 +3,9 @@
 import pygame
 
 from sandbox.app.keys import CONTROL, PLAYING, SHOWING, WINDOW, Binding
-from sandbox.app.language import say, say_in
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS
+from sandbox.app.words.language import say, say_in
 
 BINDINGS: tuple[Binding, ...] = (
     *PLAYING,

@@ -8,10 +8,11 @@ import re
 from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
-from sandbox.app import commands, keys, theme
+from sandbox.app import commands, keys
 from sandbox.app.building import fields
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
+from sandbox.app.drawing import theme
 from sandbox.app.load import Load
 from sandbox.app.pages.register import PAGES
 from sandbox.app.stage.overlays.register import OVERLAYS

@@ -7,10 +7,10 @@ from sandbox.app.building.offering import recover
 from sandbox.app.command_table import CommandTable
 from sandbox.app.commands import command
 from sandbox.app.keys import WHILE_TYPING
-from sandbox.app.language import say
 from sandbox.app.pages.build import PAGE as BUILD_PAGE
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.parameters import Change
+from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.editing.recovery import Recoverable
 from sandbox.model.errors import SandboxError

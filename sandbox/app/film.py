@@ -8,8 +8,8 @@ from math import ceil
 from pathlib import Path
 from typing import Literal
 
-from sandbox.app.language import later, say
-from sandbox.app.runfile import Run
+from sandbox.app.runs.runfile import Run
+from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 
@@ -70,9 +70,9 @@ def _frames(run: Run, size: tuple[int, int]) -> Iterator[tuple[float, bytes]]:
     """Yield how much of a run is done, and the picture there: rows of red, green and blue bytes."""
     import pygame
 
-    from sandbox.app.runfile import session_of
+    from sandbox.app.drawing.text import Pen
+    from sandbox.app.runs.runfile import session_of
     from sandbox.app.stage.stage import Stage
-    from sandbox.app.text import Pen
 
     pygame.font.init()
     session = session_of(run)

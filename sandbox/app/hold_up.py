@@ -11,9 +11,9 @@ from time import perf_counter
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.language import say
+from sandbox.app.drawing import theme
 from sandbox.app.panels import messages
+from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
 from sandbox.physics.state.cancellation import cancellable

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import lines, signs, theme
-from sandbox.app.language import say
+from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.page import Row
-from sandbox.app.text import Pen
+from sandbox.app.words.language import say
 
 CORNER = 44, 62  # px, clear of the ruler and of a banner of one line
 GAP = 8  # px, below a banner of more lines

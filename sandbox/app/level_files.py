@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from sandbox.app.listed import entry
+from sandbox.app.files.listed import entry
+from sandbox.app.files.recent import Recent
 from sandbox.app.panels import levels
-from sandbox.app.recent import Recent
 
 
 class LevelFiles:

@@ -2,11 +2,13 @@
 
 import pygame
 
-from sandbox.app import legend, probe, theme
+from sandbox.app import legend
+from sandbox.app.drawing import theme
+from sandbox.app.measuring import probe
 from sandbox.app.pages.register import page, runs_beside
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.panels import messages
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.workspace import Workspace
 
 

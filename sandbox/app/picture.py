@@ -7,18 +7,21 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import graph, legend, level_words, theme, wording
+from sandbox.app import legend
 from sandbox.app.cards.checks import checks
 from sandbox.app.cards.energy import energy
-from sandbox.app.companions import Changes
-from sandbox.app.language import say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import graph
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.level.card import clock, header, settings
 from sandbox.app.pages.race import race
 from sandbox.app.pages.register import runs_beside
-from sandbox.app.session import Session
+from sandbox.app.runs.companions import Changes
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.files import write_atomically
 from sandbox.model.level import Level

@@ -11,8 +11,8 @@ from math import log2
 import numpy as np
 import pygame
 
-from sandbox.app.blows import Blow
-from sandbox.app.language import say
+from sandbox.app.observing.blows import Blow
+from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 

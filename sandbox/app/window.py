@@ -7,11 +7,11 @@ import pygame
 
 from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
+from sandbox.app.files.watching import FileWatch
 from sandbox.app.hold_up import HoldUp
 from sandbox.app.painting import paint
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds
-from sandbox.app.watching import FileWatch
 from sandbox.app.workspace import SIZE, Workspace
 
 RATE = 60  # frames a second

@@ -5,23 +5,24 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import language, level_words, theme
-from sandbox.app.advising import Advising
 from sandbox.app.banner import Banner
-from sandbox.app.hand import Hand
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen, legible
+from sandbox.app.files.preferences import Comfort
 from sandbox.app.level_files import LevelFiles
 from sandbox.app.load import Load
+from sandbox.app.measuring.hand import Hand
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
 from sandbox.app.panels.panels import Panels
-from sandbox.app.preferences import Comfort
-from sandbox.app.session import Session
+from sandbox.app.runs.advising import Advising
+from sandbox.app.runs.session import Session
+from sandbox.app.runs.undoing import Undoing
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen, legible
-from sandbox.app.undoing import Undoing
+from sandbox.app.words import language, level_words
+from sandbox.app.words.language import later, say
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level, Stepping

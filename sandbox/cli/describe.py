@@ -6,7 +6,7 @@ from math import isfinite
 import numpy as np
 import typer
 
-from sandbox.app.describing import describe as words
+from sandbox.app.observing.describing import describe as words
 from sandbox.cli import usage
 from sandbox.model.loading import choose
 from sandbox.physics.measuring.grading import grade

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import typer
 from rich.console import Console
 
-from sandbox.app import wording
+from sandbox.app.words import wording
 from sandbox.cli import usage, varying
 from sandbox.cli.columns import aligned
 from sandbox.model.errors import SandboxError

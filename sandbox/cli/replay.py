@@ -4,7 +4,7 @@ from pathlib import Path
 
 import typer
 
-from sandbox.app import runfile
+from sandbox.app.runs import runfile
 from sandbox.cli import usage
 from sandbox.physics.measuring.grading import grade
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
-from sandbox.app import wording as telling
+from sandbox.app.words import wording as telling
 from sandbox.cli import usage, varying, verdicts
 from sandbox.cli.accuracy import Choice, asking, settled
 from sandbox.cli.varying import Varied, vary

@@ -10,8 +10,8 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.app import language
 from sandbox.app.declared import shown_keys, words
+from sandbox.app.words import language
 from sandbox.extras import needed_for
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
@@ -26,7 +26,7 @@ FOLDER = Path("sandbox") / "app"
 """In the project's sources: the window, which says all of it."""
 
 KEYWORDS = {"say": None, "later": None, "plural": (1, 2), "say_in": ((1, "c"), 2)}
-"""The functions of `sandbox.app.language`, and which of their arguments are messages."""
+"""The functions of `sandbox.app.words.language`, and which of their arguments are messages."""
 
 
 def main() -> int:

@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sandbox.app import wording
+from sandbox.app.words import wording
 from sandbox.cli.columns import aligned
 from sandbox.cli.usage import UsageError
 from sandbox.model import variants

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from sandbox.app import wording
+from sandbox.app.words import wording
 from sandbox.cli.columns import aligned
 from sandbox.model.expressions import Expression
 from sandbox.physics.measuring.goals import attempt

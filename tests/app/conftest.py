@@ -13,12 +13,14 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import language, preferences, progress, recent, theme
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files import preferences, progress, recent
+from sandbox.app.files.listed import Entry
 from sandbox.app.home import pictures
-from sandbox.app.listed import Entry
 from sandbox.app.panels import levels
-from sandbox.app.text import Pen
 from sandbox.app.window import Window
+from sandbox.app.words import language
 from sandbox.editing import recovery
 from tests.app.person import Person
 

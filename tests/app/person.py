@@ -8,7 +8,7 @@ from typing import TypeVar
 import pygame
 
 from sandbox.app.panels.side import SidePanel
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
 from sandbox.model.shapes import XY
 

@@ -3,7 +3,7 @@
 import json
 from typing import Any
 
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 

@@ -11,10 +11,10 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton
 
-from sandbox.app import language
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.widgets.field import Field
+from sandbox.app.words import language
 from tests.app.person import Person
 
 WORD = re.compile(r"[a-zäöüß]{2,}")

@@ -6,9 +6,9 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton
 
-from sandbox.app import runfile
 from sandbox.app.pages.level.panel import LevelPage
-from sandbox.app.session import Session
+from sandbox.app.runs import runfile
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError

@@ -15,7 +15,8 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 
-from sandbox.app import declared, language
+from sandbox.app import declared
+from sandbox.app.words import language
 from sandbox.cli import texts
 from sandbox.model import accounts, catalog
 from sandbox.model.loading import load

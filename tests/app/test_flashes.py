@@ -5,10 +5,10 @@ from collections.abc import Sequence
 import pygame
 import pytest
 
-from sandbox.app.blows import FAINTEST, MOST, Blow
+from sandbox.app.observing.blows import FAINTEST, MOST, Blow
 from sandbox.app.pages.settings.panel import SettingsPage
-from sandbox.app.playback import FADING
-from sandbox.app.session import Session
+from sandbox.app.runs.playback import FADING
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person

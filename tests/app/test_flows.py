@@ -3,11 +3,11 @@
 import numpy as np
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.session import Session
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
 from sandbox.model import catalog
 from sandbox.model.loading import load
 

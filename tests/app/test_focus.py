@@ -6,7 +6,7 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels import focus

@@ -5,7 +5,7 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.stage.forces import Arrow, Forces
 from sandbox.model import catalog
 from sandbox.model.loading import load

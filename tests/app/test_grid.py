@@ -3,9 +3,9 @@
 import pygame
 import pytest
 
-from sandbox.app.camera import Camera
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import grid
-from sandbox.app.text import Pen
 
 SIZE = (370, 540)
 

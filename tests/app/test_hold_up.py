@@ -7,7 +7,8 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import hold_up, theme
+from sandbox.app import hold_up
+from sandbox.app.drawing import theme
 from sandbox.model.crowds import crowd
 from tests.app import scenes
 from tests.app.person import FRAME, Person

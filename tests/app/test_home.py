@@ -8,13 +8,14 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import progress, theme
 from sandbox.app.banner import NOTE
 from sandbox.app.building.editor import Editor
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files import progress
 from sandbox.app.home import pictures, strip
 from sandbox.app.home.home import Home
 from sandbox.app.home.pictures import SIZE
-from sandbox.app.text import Pen
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recovery, recoverable

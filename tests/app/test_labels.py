@@ -2,11 +2,11 @@
 
 import pygame
 
-from sandbox.app.session import Session
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.scenes import play

@@ -4,11 +4,11 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
-from sandbox.app.session import Session
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.landscape import turning_points
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
 from sandbox.model.shapes import XY
 from tests.app import scenes
 

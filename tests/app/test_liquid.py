@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from tests.app.person import Person
 
 

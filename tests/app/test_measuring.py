@@ -5,8 +5,8 @@ from math import hypot
 import pygame
 import pytest
 
-from sandbox.app import probe
-from sandbox.app.protractor import Protractor
+from sandbox.app.measuring import probe
+from sandbox.app.measuring.protractor import Protractor
 from tests.app.person import Person
 
 

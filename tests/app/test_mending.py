@@ -7,9 +7,9 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
 from sandbox.app.cards.mistakes import excerpt, groups
-from sandbox.app.text import Pen
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.model.errors import LevelError, Mistake
 from sandbox.model.loading import parse
 from sandbox.model.watching import PAUSE

@@ -5,10 +5,10 @@ import pytest
 from pygame_gui import UIManager
 from pygame_gui.elements import UIScrollingContainer
 
-from sandbox.app import theme
 from sandbox.app.cards.card import COLUMNS, INDENT, Card
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.panels.layout import divide
-from sandbox.app.text import Pen
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import BAR, MARGIN
 from sandbox.model import catalog

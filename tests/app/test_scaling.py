@@ -7,11 +7,11 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton, UITextEntryLine
 
-from sandbox.app import preferences
-from sandbox.app.language import NAMES, Name
+from sandbox.app.files import preferences
+from sandbox.app.files.preferences import SIZES
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels.layout import divide
-from sandbox.app.preferences import SIZES
+from sandbox.app.words.language import NAMES, Name
 from tests.app.person import Person
 from tests.app.scenes import falling
 from tests.sample import thinned

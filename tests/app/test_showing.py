@@ -7,9 +7,9 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app.session import Session
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
 from sandbox.model.loading import parse

@@ -4,13 +4,13 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import lines, theme
-from sandbox.app.session import Session
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
 from sandbox.app.stage import joints, strings
 from sandbox.app.stage.outline import outlines
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
 from sandbox.model import catalog
 from sandbox.model.joints import Rod
 from sandbox.model.loading import choose, load

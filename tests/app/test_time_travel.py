@@ -3,7 +3,7 @@
 import pygame
 import pytest
 
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person

@@ -8,8 +8,8 @@ import pytest
 
 from sandbox.app.cards.card import Card
 from sandbox.app.cards.energy import ledger
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.physics.advising.remedies import Advice

@@ -8,12 +8,12 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
 from sandbox.app.panels.foot import counted
 from sandbox.app.panels.layout import divide
-from sandbox.app.text import Pen
 from sandbox.model import catalog
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build

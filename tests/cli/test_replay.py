@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from sandbox.app import runfile
-from tests.app.test_runfile import played
+from sandbox.app.runs import runfile
+from tests.app.runs.test_runfile import played
 from tests.cli.helpers import Run
 
 

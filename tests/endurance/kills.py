@@ -28,7 +28,7 @@ import typer
 
 from sandbox import interrupts
 from sandbox.app import picture  # noqa: F401 (imported before anything is forked)
-from sandbox.app.progress import Progress
+from sandbox.app.files.progress import Progress
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)
 from sandbox.experiments import conduct, storage  # noqa: F401 (as above)

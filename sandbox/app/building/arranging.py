@@ -6,7 +6,7 @@ from typing import Literal
 
 from sandbox.app.building.act import Act
 from sandbox.app.building.work import Work
-from sandbox.app.language import later, say
+from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.mirroring import mirror
 from sandbox.editing.edits.transforms import Side

@@ -5,7 +5,7 @@ from contextlib import suppress
 from itertools import chain, count
 from pathlib import Path
 
-from sandbox.app import own_files
+from sandbox.app.files import own_files
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable, Recovery, recoverable
 from sandbox.model import catalog

@@ -20,10 +20,10 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.building.trial import Trial
 from sandbox.app.building.work import Work
-from sandbox.app.language import say
-from sandbox.app.session import Session
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
+from sandbox.app.words.language import say
 from sandbox.editing.draft import Draft
 from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY

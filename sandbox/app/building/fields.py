@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
-from sandbox.app.language import say
+from sandbox.app.words.language import say
 from sandbox.editing.layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects

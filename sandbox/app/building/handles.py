@@ -6,9 +6,9 @@ from math import hypot
 
 import pygame
 
-from sandbox.app import lines, theme
 from sandbox.app.building.sketch import Drawn
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
 from sandbox.model.shapes import XY, Arc, Box, Curve
 
 SIZE = 4  # px, half a handle

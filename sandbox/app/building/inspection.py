@@ -9,7 +9,7 @@ from sandbox.app.building.act import Act
 from sandbox.app.building.examples import example
 from sandbox.app.building.fields import Entry, Row
 from sandbox.app.building.work import Work
-from sandbox.app.language import later, plural, say
+from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost

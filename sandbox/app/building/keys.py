@@ -10,7 +10,7 @@ from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
 from sandbox.app.building.work import Work
 from sandbox.app.keys import CONTROL
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 
 ARROWS: Mapping[int, tuple[int, int]] = {
     pygame.K_LEFT: (-1, 0),

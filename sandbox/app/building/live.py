@@ -6,8 +6,8 @@ and keeps it among its actions, so that it can be taken again, shared, and taken
 
 from sandbox.app.building.spot import Part
 from sandbox.app.building.work import Work
-from sandbox.app.language import later, say
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.present import MOVES, as_it_stands
 from sandbox.model.errors import SandboxError

@@ -4,11 +4,11 @@ from functools import partial
 from time import localtime, strftime
 from typing import NamedTuple
 
-from sandbox.app import level_words
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
-from sandbox.app.language import plural, say
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words
+from sandbox.app.words.language import plural, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.recovery import Recoverable
 

@@ -5,15 +5,15 @@ from math import sqrt
 
 import pygame
 
-from sandbox.app import lines, theme
 from sandbox.app.building import preview
 from sandbox.app.building.sketch import Sketch
 from sandbox.app.building.spot import Part
 from sandbox.app.building.work import Work
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.grid import RULER
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
 from sandbox.model.shapes import XY
 
 WIDE = 2.0  # px, of the line around what is selected

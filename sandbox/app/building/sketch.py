@@ -16,12 +16,12 @@ import numpy as np
 import pygame
 from pydantic import TypeAdapter, ValidationError
 
-from sandbox.app import lines
 from sandbox.app.building.readings import Readings
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import bodies, grid, joints
 from sandbox.app.stage.outline import Outline, outlined
-from sandbox.app.text import Pen
 from sandbox.model.constants import let_use
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Expression, Values

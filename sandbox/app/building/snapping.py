@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 from typing import Protocol
 
 from sandbox.app.building.spot import Snapped
-from sandbox.app.camera import Camera
-from sandbox.app.language import later, say
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.words.language import later, say
 from sandbox.editing import snapping
 from sandbox.editing.snapping import Kind
 from sandbox.model.errors import SandboxError

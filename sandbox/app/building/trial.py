@@ -4,9 +4,9 @@ import json
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sandbox.app.actions import Action
 from sandbox.app.building.live import Live
-from sandbox.app.session import Session
+from sandbox.app.runs.actions import Action
+from sandbox.app.runs.session import Session
 from sandbox.model.expressions import Values
 
 MOST = 50

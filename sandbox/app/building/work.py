@@ -7,8 +7,8 @@ from typing import Any, TypeVar
 from sandbox.app.building.sketch import Sketch
 from sandbox.app.building.snapping import Snapping
 from sandbox.app.building.spot import Part, Snapped
-from sandbox.app.camera import Camera
-from sandbox.app.language import later, say
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.words.language import later, say
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits import bodies, copying, grouping, transforms
 from sandbox.editing.edits.made import Made

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 
 GAP = 3  # px
 INDENT = 24  # px

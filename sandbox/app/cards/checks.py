@@ -4,13 +4,14 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.grading import Reading
-from sandbox.app.language import later, say
-from sandbox.app.level_words import Say, title
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.grading import Reading
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
+from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check
 from sandbox.physics.accuracy.study import Split
 

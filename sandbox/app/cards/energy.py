@@ -4,12 +4,14 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import graph, theme, wording
-from sandbox.app.books import Energies
 from sandbox.app.cards.card import GAP, Card, bar
-from sandbox.app.language import later, say, say_in
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing import graph
+from sandbox.app.observing.books import Energies
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say, say_in
 from sandbox.physics.energy.balance import Balance
 
 LABEL = 108  # px, left of a bar; more where a name needs it

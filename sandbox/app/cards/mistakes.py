@@ -5,10 +5,10 @@ from itertools import pairwise
 
 import pygame
 
-from sandbox.app import theme
 from sandbox.app.cards.card import Card
-from sandbox.app.language import say
-from sandbox.app.text import Pen, legible
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen, legible
+from sandbox.app.words.language import say
 from sandbox.model.errors import Mistake
 from sandbox.model.locating import TOKEN
 

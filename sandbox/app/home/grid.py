@@ -6,8 +6,8 @@ from itertools import groupby
 
 from pygame import Rect
 
-from sandbox.app.language import say
-from sandbox.app.listed import Entry
+from sandbox.app.files.listed import Entry
+from sandbox.app.words.language import say
 
 MARGIN = 24  # px, around all
 GAP = 16  # px, between two cards

@@ -6,15 +6,15 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files.listed import Entry
+from sandbox.app.files.progress import Progress
 from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
 from sandbox.app.home.preview import Preview
 from sandbox.app.home.strip import Strip
 from sandbox.app.home.thumbnails import Thumbnails
-from sandbox.app.language import say
-from sandbox.app.listed import Entry
-from sandbox.app.progress import Progress
-from sandbox.app.text import Pen
+from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable, recoverable
 from sandbox.model import catalog
 

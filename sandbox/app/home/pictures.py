@@ -12,10 +12,12 @@ from typing import NamedTuple
 import platformdirs
 import pygame
 
-from sandbox.app import language, picture, theme
-from sandbox.app.session import Session
+from sandbox.app import picture
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
+from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, write_atomically
 from sandbox.model.loading import MAX_BYTES, load

@@ -10,10 +10,10 @@ from time import thread_time
 
 import pygame
 
+from sandbox.app.drawing.text import Pen
 from sandbox.app.home.pictures import DRAWN
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.loading import MAX_BYTES, load

@@ -5,9 +5,9 @@ from time import localtime, strftime
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.language import say
-from sandbox.app.text import Pen
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable
 
 MOST = 3

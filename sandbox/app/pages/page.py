@@ -6,13 +6,13 @@ from typing import NamedTuple, Protocol, TypeVar, runtime_checkable
 
 import pygame
 
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.files.preferences import Comfort
 from sandbox.app.keys import Binding
 from sandbox.app.load import Load
-from sandbox.app.preferences import Comfort
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
 from sandbox.app.widgets.sheet import Panel, Sheet, below
 from sandbox.model.level import Level
 

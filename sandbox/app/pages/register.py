@@ -19,7 +19,7 @@ from sandbox.app.pages import (
     table,
 )
 from sandbox.app.pages.page import Page, Row
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.model.level import Level
 
 PAGES: tuple[Page, ...] = (

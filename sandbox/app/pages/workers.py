@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from sandbox.app.pages.page import OnStage, Page, W, Worker, worker
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 
 
 class Workers:

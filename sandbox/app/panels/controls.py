@@ -7,13 +7,14 @@ from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme, wording
 from sandbox.app.commands import tip
-from sandbox.app.language import later, say
-from sandbox.app.session import Session
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import press
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
 
 HEIGHT = 34  # px, of a button
 GAP = 6  # px

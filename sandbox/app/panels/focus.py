@@ -7,7 +7,7 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED, UIManager
 from pygame_gui.core import UIElement
 from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContainer
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.panels.layout import Layout
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.gui import scroll, scrolled

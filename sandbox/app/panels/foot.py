@@ -9,13 +9,13 @@ from pygame_gui import UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton, UIImage
 
-from sandbox.app import graph
 from sandbox.app.cards.energy import energy, ledger, total
 from sandbox.app.commands import tip
-from sandbox.app.language import later, plural, say
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import graph
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import MARGIN, Sheet
+from sandbox.app.words.language import later, plural, say
 from sandbox.physics.measuring.grading import Verdict
 
 View = Literal["graph", "bars", "total"]

@@ -13,14 +13,14 @@ from pygame_gui import (
 from pygame_gui.core import ObjectID, UIContainer, UIElement
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
-from sandbox.app import theme
 from sandbox.app.commands import tip
-from sandbox.app.language import plural, say
-from sandbox.app.listed import Entry, entry
-from sandbox.app.progress import Progress
-from sandbox.app.text import Pen
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files.listed import Entry, entry
+from sandbox.app.files.progress import Progress
 from sandbox.app.widgets.field import LONGEST, Field
 from sandbox.app.widgets.gui import press, scroll, scrolled
+from sandbox.app.words.language import plural, say
 from sandbox.model import catalog
 
 ROW = 28  # px

@@ -8,12 +8,12 @@ from pygame_gui import UIManager
 from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme
 from sandbox.app.commands import BINDINGS
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.keys import MOUSE
-from sandbox.app.language import say, say_in
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.words.language import say, say_in
 
 PADDING = 12  # px
 OFFER = 220, 38  # px

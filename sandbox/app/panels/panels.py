@@ -8,9 +8,11 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.core import UIContainer
 
-from sandbox.app import language, theme
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files.listed import Entry
+from sandbox.app.files.preferences import Comfort
 from sandbox.app.home.home import Home
-from sandbox.app.listed import Entry
 from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
@@ -21,12 +23,11 @@ from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
 from sandbox.app.panels.side import SidePanel
-from sandbox.app.preferences import Comfort
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.manager import Manager
 from sandbox.app.widgets.opening import OpenDialog
+from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
 
 if TYPE_CHECKING:

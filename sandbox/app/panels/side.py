@@ -6,15 +6,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
 from pygame_gui.elements import UIButton
 
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files.preferences import Comfort
 from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Zoomed
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels.foot import FOLDED, Foot, View
 from sandbox.app.panels.tabs import GAP, TOP, Tabs
-from sandbox.app.preferences import Comfort
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.gui import scroll, scrolled
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import MARGIN, Panel, Sheet

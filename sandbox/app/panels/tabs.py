@@ -9,10 +9,10 @@ from pygame_gui.core import ObjectID
 from pygame_gui.elements import UIButton
 
 from sandbox.app.commands import tip
-from sandbox.app.language import say
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.page import Page
-from sandbox.app.text import Pen
 from sandbox.app.widgets.gui import press, stretched
+from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a tab
 GAP = 4  # px, between two

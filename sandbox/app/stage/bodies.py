@@ -5,10 +5,10 @@ from math import ceil, cos, dist, sin
 
 import pygame
 
-from sandbox.app import lines, theme
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.outline import RIM, Outline
-from sandbox.app.theme import Color
 from sandbox.model.shapes import XY
 
 FEW = 200

@@ -6,10 +6,10 @@ from math import ceil, cos, floor, hypot, sin
 
 import pygame
 
-from sandbox.app import lines, theme
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
 from sandbox.app.stage.outline import Outline
-from sandbox.app.wording import nice
+from sandbox.app.words.wording import nice
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World
 

@@ -8,12 +8,12 @@ from math import copysign, hypot
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
-from sandbox.app.camera import Camera
-from sandbox.app.language import say
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.labels import Labels
-from sandbox.app.text import Pen
-from sandbox.app.wording import MINUS, number
+from sandbox.app.words.language import say
+from sandbox.app.words.wording import MINUS, number
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effects.force import Force
 from sandbox.model.expressions import Array, Values

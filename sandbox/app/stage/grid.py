@@ -4,10 +4,10 @@ from math import ceil, floor
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.camera import Camera
-from sandbox.app.text import Pen
-from sandbox.app.wording import MINUS, nice
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.wording import MINUS, nice
 
 MINOR = 22  # px, the least distance of two lines
 LABELLED = 75  # px, the least distance of two numbers

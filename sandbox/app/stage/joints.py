@@ -6,8 +6,8 @@ from math import acos, atan2, cos, hypot, pi, sin, tau
 
 import pygame
 
-from sandbox.app import lines, theme
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
 from sandbox.app.stage import strings
 from sandbox.model.expressions import Values
 from sandbox.model.joints import (

@@ -6,10 +6,10 @@ from math import ceil, floor
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
-from sandbox.app.camera import Camera
-from sandbox.app.text import Pen
-from sandbox.app.wording import nice, number, quantity
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.wording import nice, number, quantity
 from sandbox.model.expressions import Array
 from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import XY, evaluate

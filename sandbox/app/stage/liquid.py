@@ -4,8 +4,8 @@ from math import ceil
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.camera import Camera
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.camera import Camera
 from sandbox.physics.stepping.world import World
 
 SHARE = 0.14  # of its colour, in what lies behind it

@@ -6,15 +6,15 @@ from math import copysign, hypot, isfinite
 import numpy as np
 import pygame
 
-from sandbox.app import lines, signs, theme
-from sandbox.app.camera import Camera
-from sandbox.app.level_words import Say
-from sandbox.app.milestones import Milestone
+from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.milestones import Milestone
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
-from sandbox.app.wording import nice, number
+from sandbox.app.words.level_words import Say
+from sandbox.app.words.wording import nice, number
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.shapes import XY

@@ -8,8 +8,8 @@ from math import cos, hypot, pi, sin
 
 import numpy as np
 
-from sandbox.app import lines, theme
-from sandbox.app.theme import Color
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.theme import Color
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import XY, Arc, Curve, Disc, Hoop, Polyline, Segment

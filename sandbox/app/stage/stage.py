@@ -5,10 +5,12 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import level_words, lines, theme
-from sandbox.app.camera import Camera
-from sandbox.app.companions import Companion
-from sandbox.app.milestones import Milestone
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.trail import Trail
+from sandbox.app.runs.companions import Companion
 from sandbox.app.stage import bodies, flows, grid, joints, liquid, marks, texts
 from sandbox.app.stage.forces import Arrow
 from sandbox.app.stage.labels import Labels
@@ -17,8 +19,7 @@ from sandbox.app.stage.outline import Outline
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.overlays.register import OVERLAYS, at_first
 from sandbox.app.stage.view import View
-from sandbox.app.text import Pen
-from sandbox.app.trail import Trail
+from sandbox.app.words import level_words
 from sandbox.model.joints import AngleStop, Rail, Stop, Winding, body_of
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.state.anchor import Plane

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app.drawing import lines, theme
 from sandbox.model.shapes import XY
 
 WHEEL = 13.0  # px, the largest radius

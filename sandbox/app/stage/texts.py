@@ -4,8 +4,9 @@ from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app import level_words, lines
+from sandbox.app.drawing import lines
 from sandbox.app.stage.view import View
+from sandbox.app.words import level_words
 from sandbox.model.expressions import Values
 from sandbox.model.joints import End, Held, body_of
 from sandbox.model.shapes import evaluate

@@ -6,20 +6,20 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pygame
 
-from sandbox.app.camera import Camera
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.app.stage import marks
 from sandbox.app.stage.forces import Forces
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline, outlines
-from sandbox.app.text import Pen
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.app.blows import Flash
-    from sandbox.app.looking import Looking
-    from sandbox.app.trail import Trail
+    from sandbox.app.observing.blows import Flash
+    from sandbox.app.observing.looking import Looking
+    from sandbox.app.observing.trail import Trail
 
 NAMED = 12
 """Up to so many moving bodies carry their name, an arrow and a trail."""

@@ -4,7 +4,7 @@ import pygame
 from pygame_gui.core.utility import clipboard_paste
 from pygame_gui.elements import UITextEntryLine
 
-from sandbox.app.text import typed
+from sandbox.app.drawing.text import typed
 
 LONGEST = 100
 """Letters: as much as anybody looks for."""

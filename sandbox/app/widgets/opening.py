@@ -15,9 +15,9 @@ from pygame_gui import (
 )
 from pygame_gui.windows import UIFileDialog
 
-from sandbox.app.language import say
-from sandbox.app.text import legible
+from sandbox.app.drawing.text import legible
 from sandbox.app.widgets.field import Field
+from sandbox.app.words.language import say
 
 SIZE = 560, 460  # px, if there is room
 SMALLEST = 260, 300  # px, as pygame_gui asks for

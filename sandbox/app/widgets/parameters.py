@@ -8,11 +8,12 @@ import pygame
 from pygame_gui import UI_HORIZONTAL_SLIDER_MOVED, UI_TEXT_ENTRY_FINISHED, UIManager
 from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContainer
 
-from sandbox.app import theme, wording
-from sandbox.app.level_words import Say
-from sandbox.app.rounding import rounded, step
-from sandbox.app.text import Pen
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.field import Field
+from sandbox.app.words import wording
+from sandbox.app.words.level_words import Say
+from sandbox.app.words.rounding import rounded, step
 from sandbox.model.expressions import Values
 from sandbox.model.level import Parameter
 

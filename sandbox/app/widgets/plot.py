@@ -7,9 +7,10 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app import lines, signs, theme, wording
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.words import wording
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 

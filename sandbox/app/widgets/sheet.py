@@ -7,7 +7,7 @@ from pygame_gui import UIManager
 from pygame_gui.core import ObjectID, UIContainer
 from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 
-from sandbox.app.text import Pen
+from sandbox.app.drawing.text import Pen
 from sandbox.app.widgets.parameters import Parameters
 
 MARGIN = 16  # px

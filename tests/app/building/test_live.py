@@ -3,9 +3,9 @@
 import pygame
 import pytest
 
-from sandbox.app import runfile
 from sandbox.app.pages.build import content
-from sandbox.app.runfile import Run
+from sandbox.app.runs import runfile
+from sandbox.app.runs.runfile import Run
 from sandbox.model.loading import parse
 from tests.app.building.builder import Builder
 from tests.app.person import until

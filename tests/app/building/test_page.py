@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.pages.build import content
 from tests.app.building.builder import Builder
 

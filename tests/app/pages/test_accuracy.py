@@ -6,13 +6,14 @@ from pathlib import Path
 import pygame
 import pytest
 
-from sandbox.app import theme, wording
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.load import FRAME, Load
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.accuracy.studying import Studying
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
 from sandbox.physics.accuracy import cache, study
 from sandbox.physics.accuracy.study import Here, Point
 from sandbox.physics.accuracy.trust import surviving

@@ -2,10 +2,10 @@
 
 import pygame
 
+from sandbox.app.files.progress import Progress
 from sandbox.app.pages.challenge.card import NONE
 from sandbox.app.pages.challenge.panel import ChallengePage
 from sandbox.app.panels.levels import LevelList
-from sandbox.app.progress import Progress
 from tests.app.person import Person
 
 LEVEL = "challenges/stop-dead"

@@ -6,11 +6,12 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import legend, theme
+from sandbox.app import legend
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.panel import EffectsPage
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.model.catalog import find
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import load, parse

@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.pages.experiment.card import nearest, span_of
 from sandbox.app.pages.experiment.exploring import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage

@@ -6,14 +6,15 @@ from math import hypot
 import pygame
 import pytest
 
-from sandbox.app import looking, theme
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import looking
 from sandbox.app.pages.forces import card, diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.overlays import accelerations, center, forces
-from sandbox.app.text import Pen
 from sandbox.physics.measuring.free_body import FRICTION, NORMAL, Acting, FreeBody
 from tests.app import scenes
 from tests.app.person import Person

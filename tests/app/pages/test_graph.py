@@ -7,17 +7,19 @@ import pygame
 import pytest
 from pygame_gui.elements import UIButton
 
-from sandbox.app import own_files, theme, wording
-from sandbox.app.history import History
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files import own_files
+from sandbox.app.observing.history import History
+from sandbox.app.observing.trail import CAPACITY
 from sandbox.app.pages.graph.card import graphs, measured, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.pages.graph.zoom import NOTCH, Zoom
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.trail import CAPACITY
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
+from sandbox.app.words import wording
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.trust import Trust

@@ -4,13 +4,13 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.momentum import card
 from sandbox.app.pages.momentum.card import LABEL, MOST, bodies, given, momentum
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
 from sandbox.app.stage.overlays.momenta import OVERLAY
-from sandbox.app.text import Pen
 from sandbox.model.catalog import find
 from sandbox.model.loading import load
 from tests.app import scenes

@@ -9,14 +9,14 @@ import pygame
 import pytest
 
 from sandbox.app.cards.card import Card
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.predict import card, neglected
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.panel import PredictPage
 from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, read, when
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.runs.session import Session
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.variants import Variation
 from sandbox.physics.run import simulate

@@ -6,11 +6,11 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import theme
+from sandbox.app.drawing import theme
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.panel import RacePage
 from sandbox.app.picture import render
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.model.catalog import find
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load

@@ -7,14 +7,14 @@ import pygame
 import pytest
 
 import sandbox.app.pages
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import PANEL
 from sandbox.app.pages import register
 from sandbox.app.pages.page import Desk, Page, Row
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import tabs
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import PANEL
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Panel, Sheet
 from tests.app import scenes
 from tests.app.person import Person

@@ -7,9 +7,11 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import film, own_files, runfile
+from sandbox.app import film
+from sandbox.app.files import own_files
 from sandbox.app.pages.share.panel import KINDS, SharePage
-from sandbox.app.session import Session
+from sandbox.app.runs import runfile
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person

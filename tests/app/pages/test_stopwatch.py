@@ -5,7 +5,6 @@ from math import sqrt
 import pygame
 import pytest
 
-from sandbox.app.live_run import LiveRun
 from sandbox.app.pages.table.occasions import (
     AT_ONCE,
     BY_HAND,
@@ -17,7 +16,8 @@ from sandbox.app.pages.table.occasions import (
 )
 from sandbox.app.pages.table.panel import TablePage
 from sandbox.app.pages.table.stopwatch import Reading, Stopwatch
-from sandbox.app.session import Session
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.session import Session
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app.person import Person

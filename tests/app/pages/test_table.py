@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from sandbox.app import own_files
+from sandbox.app.files import own_files
 from sandbox.app.pages.table import card
 from sandbox.app.pages.table.panel import TablePage
 from tests.app.person import Person

@@ -2,11 +2,11 @@
 
 import pygame
 
-from sandbox.app import lines, theme
 from sandbox.app.building.spot import Part, Spot
 from sandbox.app.building.tools.tool import Bench
-from sandbox.app.language import later, say
-from sandbox.app.text import Pen
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
 from sandbox.model.level import Level
 

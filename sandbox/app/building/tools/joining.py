@@ -9,8 +9,8 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
-from sandbox.app.language import later, say
-from sandbox.app.text import Pen
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
 from sandbox.editing.edits.joints import Pick
 from sandbox.editing.edits.made import Made

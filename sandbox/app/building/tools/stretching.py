@@ -8,8 +8,8 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import STILL, Bench
-from sandbox.app.language import later, say
-from sandbox.app.text import Pen
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import later, say
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.made import Made
 from sandbox.model.level import Level

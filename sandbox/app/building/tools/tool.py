@@ -8,8 +8,8 @@ import pygame
 
 from sandbox.app.building.sketch import Sketch
 from sandbox.app.building.spot import Part, Snapped, Spot
-from sandbox.app.camera import Camera
-from sandbox.app.text import Pen
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
 from sandbox.editing.edits.made import Made
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY

@@ -7,9 +7,9 @@ import pygame
 from sandbox.app.building import preview
 from sandbox.app.building.spot import Spot
 from sandbox.app.building.tools.tool import Bench
-from sandbox.app.language import later, say
-from sandbox.app.text import Pen
-from sandbox.app.wording import number
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import later, say
+from sandbox.app.words.wording import number
 from sandbox.editing.edits import bodies
 from sandbox.editing.edits.made import Made
 from sandbox.model.level import Level

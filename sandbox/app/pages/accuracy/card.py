@@ -4,12 +4,13 @@ from collections.abc import Mapping
 
 import pygame
 
-from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.language import later, say
-from sandbox.app.level_words import Say, title
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, say
+from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.study import Here, Progress, Split
 from sandbox.physics.accuracy.trust import Trust

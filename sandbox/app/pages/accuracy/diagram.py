@@ -6,10 +6,11 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import lines, signs, theme, wording
-from sandbox.app.language import say
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.accuracy.study import Here, Point
 

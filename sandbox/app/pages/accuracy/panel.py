@@ -7,12 +7,12 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_HORIZONTAL_SLIDER_MOVED
 from pygame_gui.elements import UIButton, UIHorizontalSlider
 
 from sandbox.app.cards.card import Card
-from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.card import asked, ends, rest, status
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import later, say
 
 DIAGRAM = 158  # px, its height
 MEASURE, CANCEL = later("Measure"), later("Cancel")

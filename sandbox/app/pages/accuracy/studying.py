@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from sandbox.app import wording
 from sandbox.app.background import Background, Work
-from sandbox.app.language import say
 from sandbox.app.pages.effects import whatif
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.accuracy import study

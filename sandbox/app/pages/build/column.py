@@ -6,11 +6,11 @@ import pygame
 from pygame_gui.core import ObjectID, UIElement
 from pygame_gui.elements import UIButton
 
-from sandbox.app import theme
 from sandbox.app.building.act import Act
 from sandbox.app.cards.card import Card, heading
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet
 

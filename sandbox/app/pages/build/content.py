@@ -3,15 +3,15 @@
 from functools import partial
 from typing import NamedTuple
 
-from sandbox.app import theme
 from sandbox.app.building import fields, inspection
 from sandbox.app.building.act import Act
 from sandbox.app.building.arranging import arrangements
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.offering import offers
-from sandbox.app.language import later, say
-from sandbox.app.session import Session
-from sandbox.app.theme import Color
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
 from sandbox.model.effects import EFFECTS, Effects
 
 FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")

@@ -10,11 +10,11 @@ from pygame_gui.elements import UIButton
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
-from sandbox.app.language import later, say, say_in
 from sandbox.app.pages.build.column import GAP, HEIGHT, SIZE, SMALL, beside
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.gui import allow, press, stretched
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4
 """How many tools stand beside each other."""

@@ -13,7 +13,6 @@ from sandbox.app.building import inspection
 from sandbox.app.building.act import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.fields import Row
-from sandbox.app.language import say
 from sandbox.app.pages.build import content
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
 from sandbox.app.pages.build.content import Block
@@ -22,6 +21,7 @@ from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.words.language import say
 from sandbox.model import locating
 
 if TYPE_CHECKING:

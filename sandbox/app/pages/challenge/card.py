@@ -4,12 +4,13 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import level_words, lines, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.language import later, say
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, say
 from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 

@@ -1,8 +1,8 @@
 """Judges every run by its level's challenge, and keeps the stars."""
 
-from sandbox.app.language import later, say
-from sandbox.app.progress import Progress
-from sandbox.app.session import Session
+from sandbox.app.files.progress import Progress
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
 
 
 class Judge:

@@ -4,13 +4,13 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import level_words
-from sandbox.app.language import later, say
 from sandbox.app.pages.challenge.card import hints, standing, task
 from sandbox.app.pages.challenge.judge import Judge
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import level_words
+from sandbox.app.words.language import later, say
 
 FIRST, ANOTHER = later("A hint"), later("Another hint")
 HEIGHT = 28  # px, of the button

@@ -4,13 +4,14 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.language import later, say
-from sandbox.app.level_words import Say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, say
+from sandbox.app.words.level_words import Say
 from sandbox.physics.measuring.comparison import Difference
 
 TOUCHED_ONE = later(

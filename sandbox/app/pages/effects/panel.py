@@ -7,16 +7,16 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import level_words, wording
 from sandbox.app.cards.card import label
-from sandbox.app.companions import NONE
-from sandbox.app.grading import Ration
-from sandbox.app.language import later, say
+from sandbox.app.observing.grading import Ration
 from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
+from sandbox.app.runs.companions import NONE
 from sandbox.app.widgets.gui import allow, press
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 from sandbox.model.variants import DEFAULTS
 

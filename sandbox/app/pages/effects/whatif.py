@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sandbox.app import level_words, wording
-from sandbox.app.companions import NONE, Changes, Variant
-from sandbox.app.language import later, say
-from sandbox.app.session import Session
-from sandbox.app.theme import Color
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.companions import NONE, Changes, Variant
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, say
 from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth

@@ -5,15 +5,16 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 import pygame
 
-from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.language import later, plural, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.experiment.exploring import Chosen, Exploring
 from sandbox.app.pages.experiment.sampling import Point
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import later, plural, say
 from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
 

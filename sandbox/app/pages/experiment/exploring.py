@@ -3,10 +3,10 @@
 from typing import NamedTuple
 
 from sandbox.app.background import Background
-from sandbox.app.language import say
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, sample
 from sandbox.app.pages.graph.choice import offered
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 from sandbox.experiments import suggested
 from sandbox.model.level import Level
 

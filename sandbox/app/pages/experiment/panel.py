@@ -4,14 +4,14 @@ import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION
 from pygame_gui.elements import UISelectionList
 
-from sandbox.app import wording
 from sandbox.app.cards.card import heading
-from sandbox.app.language import say
 from sandbox.app.pages.experiment.card import curve, nearest, span_of
 from sandbox.app.pages.experiment.exploring import Exploring, measures
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 
 ROW = 20  # px, of a list

@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 

@@ -4,15 +4,16 @@ from math import hypot
 
 import pygame
 
-from sandbox.app import looking, theme
 from sandbox.app.cards.card import Card
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing import looking
 from sandbox.app.pages.forces import diagram
 from sandbox.app.pages.forces.axes import Axes, components
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
-from sandbox.app.wording import number
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
+from sandbox.app.words.wording import number
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 

@@ -5,10 +5,11 @@ from math import atan2, copysign, cos, hypot, pi, sin
 
 import pygame
 
-from sandbox.app import lines, looking, theme
-from sandbox.app.language import say
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import looking
 from sandbox.app.stage.labels import Labels
-from sandbox.app.text import Pen
+from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import Acting, FreeBody
 

@@ -4,12 +4,12 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.language import say
 from sandbox.app.pages.forces.axes import Axes
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a button
 

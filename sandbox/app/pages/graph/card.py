@@ -6,16 +6,17 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app import signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.history import History
-from sandbox.app.language import later, say
+from sandbox.app.drawing import signs, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.history import History
 from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
 from sandbox.physics.accuracy.trust import Trust

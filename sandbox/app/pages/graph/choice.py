@@ -4,10 +4,10 @@ from itertools import chain, islice
 from pathlib import Path
 
 from sandbox.app.background import Background
-from sandbox.app.language import say
 from sandbox.app.pages.graph.figure import Figure, saved
 from sandbox.app.pages.graph.zoom import WHOLE, Zoom
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 from sandbox.model.level import Level
 from sandbox.model.quantities import TIME, momentary
 

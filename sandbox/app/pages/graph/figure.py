@@ -4,12 +4,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from sandbox.app import level_words
-from sandbox.app.language import say
 from sandbox.app.pages.graph.card import closed_forms, measured
 from sandbox.app.pages.graph.zoom import Graph, Interval
-from sandbox.app.session import Session
-from sandbox.app.wording import with_unit_in_brackets
+from sandbox.app.runs.session import Session
+from sandbox.app.words import level_words
+from sandbox.app.words.language import say
+from sandbox.app.words.wording import with_unit_in_brackets
 from sandbox.extras import needed_for
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array

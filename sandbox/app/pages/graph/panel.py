@@ -12,9 +12,8 @@ from pygame_gui import (
 )
 from pygame_gui.elements import UIButton, UISelectionList
 
-from sandbox.app import theme
 from sandbox.app.cards.card import heading
-from sandbox.app.language import say
+from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.card import graphs, span_of
 from sandbox.app.pages.graph.choice import Choice, offered
@@ -24,6 +23,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.quantities import TIME
 

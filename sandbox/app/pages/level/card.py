@@ -2,10 +2,11 @@
 
 import pygame
 
-from sandbox.app import level_words, theme, wording
 from sandbox.app.cards.card import Card
-from sandbox.app.language import say
-from sandbox.app.text import Pen
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words import level_words, wording
+from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 

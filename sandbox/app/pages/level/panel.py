@@ -5,17 +5,17 @@ from typing import TYPE_CHECKING
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
-from sandbox.app import level_words
 from sandbox.app.cards.card import heading
 from sandbox.app.cards.checks import checks, unjudged
-from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import level_words
+from sandbox.app.words.language import later, say
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton

@@ -6,13 +6,14 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from sandbox.app import theme, wording
 from sandbox.app.cards.card import Card, bar
-from sandbox.app.language import plural, say
-from sandbox.app.session import Session
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
+from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.words import wording
+from sandbox.app.words.language import plural, say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
 

@@ -4,15 +4,16 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.cards.checks import TOUCHED
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
 from sandbox.app.pages.predict.questions import FACTORS, when
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
 NOTHING = later("This level states no closed form that could be predicted.")

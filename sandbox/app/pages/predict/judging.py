@@ -6,7 +6,7 @@ from math import isfinite
 
 import numpy as np
 
-from sandbox.app.language import say, say_in
+from sandbox.app.words.language import say, say_in
 from sandbox.model.level import Check
 from sandbox.physics.measuring.grading import ZERO, Result, grade_check, least_scale
 from sandbox.physics.measuring.recording import Trace

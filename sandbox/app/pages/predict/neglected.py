@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sandbox.app import wording
-from sandbox.app.companions import Changes
 from sandbox.app.pages.effects import whatif
+from sandbox.app.runs.companions import Changes
+from sandbox.app.words import wording
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level

@@ -4,14 +4,15 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
 from pygame_gui.elements import UIButton, UIImage, UISelectionList
 
-from sandbox.app import level_words, theme
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, unit_of, when
 from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import level_words
+from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
 Widget = UIImage | UIButton | Field | UISelectionList

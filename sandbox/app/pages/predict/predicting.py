@@ -3,12 +3,12 @@
 from typing import TYPE_CHECKING
 
 from sandbox.app.background import Background
-from sandbox.app.grading import Ration
-from sandbox.app.language import later, say
+from sandbox.app.observing.grading import Ration
 from sandbox.app.pages.predict.judging import Outcome, judged
 from sandbox.app.pages.predict.neglected import Trial, Trying, trials
 from sandbox.app.pages.predict.questions import questions, read, unit_of
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.level import Check
 

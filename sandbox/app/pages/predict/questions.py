@@ -4,7 +4,7 @@ import re
 from collections.abc import Mapping
 from math import pi
 
-from sandbox.app.language import later, say
+from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import (

@@ -4,14 +4,15 @@ from collections.abc import Mapping, Sequence
 
 import pygame
 
-from sandbox.app import lines, signs, theme, wording
 from sandbox.app.cards.card import GAP, Card
-from sandbox.app.language import later, say
+from sandbox.app.drawing import lines, signs, theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
 from sandbox.model.level import Scheme
 
 _REMARKS: Mapping[Scheme, str] = {

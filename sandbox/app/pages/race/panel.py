@@ -4,11 +4,11 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app.language import later, say
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.card import race_intro, standing
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 
 RACE, END = later("Race"), later("End the race")

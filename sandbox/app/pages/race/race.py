@@ -5,13 +5,14 @@ from contextlib import suppress
 from itertools import islice
 from typing import NamedTuple
 
-from sandbox.app import theme, wording
-from sandbox.app.clock import Clock
-from sandbox.app.companions import Variant, worst
-from sandbox.app.language import say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
-from sandbox.app.session import Session
-from sandbox.app.theme import Color
+from sandbox.app.runs.clock import Clock
+from sandbox.app.runs.companions import Variant, worst
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme

@@ -8,13 +8,16 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import language, preferences, sounds, theme
+from sandbox.app import sounds
 from sandbox.app.cards.card import heading, label
-from sandbox.app.language import say, say_in
+from sandbox.app.drawing import theme
+from sandbox.app.files import preferences
+from sandbox.app.files.preferences import Comfort
 from sandbox.app.pages.page import Desk
-from sandbox.app.preferences import Comfort
 from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words import language
+from sandbox.app.words.language import say, say_in
 
 HEIGHT = 28  # px, of a button
 GAP = 6  # px

@@ -2,10 +2,10 @@
 
 from sandbox.app.background import Background
 from sandbox.app.film import Kind, film
-from sandbox.app.language import say
 from sandbox.app.pages.share.saving import path_for
-from sandbox.app.runfile import run_of
-from sandbox.app.session import Session
+from sandbox.app.runs.runfile import run_of
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 
 
 class Filming:

@@ -8,15 +8,16 @@ import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 from pygame_gui.elements import UIButton
 
-from sandbox.app import own_files, theme
 from sandbox.app.cards.card import Card
-from sandbox.app.language import later, say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.files import own_files
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.share.filming import Filming
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px

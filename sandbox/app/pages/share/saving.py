@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pygame
 
-from sandbox.app import own_files, runfile
-from sandbox.app.language import say
-from sandbox.app.session import Session
+from sandbox.app.files import own_files
+from sandbox.app.runs import runfile
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import make_folder, write_atomically
 from sandbox.model.quantities import TIME

@@ -4,12 +4,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import pygame
 
-from sandbox.app import theme, wording
 from sandbox.app.cards.card import SMALLEST, Card
-from sandbox.app.language import say
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.graph.card import measured
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.physics.accuracy.trust import Trust
 
 ROWS = 24

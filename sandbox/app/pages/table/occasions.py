@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from sandbox.app.language import say
-from sandbox.app.live_run import LiveRun
-from sandbox.app.session import Session
-from sandbox.app.wording import number
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
+from sandbox.app.words.wording import number
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
 from sandbox.model.parts import measured

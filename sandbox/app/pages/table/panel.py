@@ -3,7 +3,6 @@
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
 
-from sandbox.app.language import later, say
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.pages.page import Desk
@@ -12,6 +11,7 @@ from sandbox.app.pages.table.card import values
 from sandbox.app.pages.table.stopwatch import Stopwatch
 from sandbox.app.pages.table.timing import Timing
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button

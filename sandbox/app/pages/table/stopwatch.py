@@ -5,13 +5,13 @@ from typing import NamedTuple
 
 import pygame
 
-from sandbox.app import theme
-from sandbox.app.language import say
-from sandbox.app.live_run import LiveRun
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
-from sandbox.app.session import Session
-from sandbox.app.text import Pen
-from sandbox.app.theme import Color
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import say
 
 BETWEEN = 0.01
 """The part of a step by which the time of an event is known that lies between two steps."""

@@ -5,11 +5,11 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
 from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import Card, heading, label
-from sandbox.app.language import say
 from sandbox.app.pages.table.occasions import Occasion, occasions
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.session import Session
+from sandbox.app.runs.session import Session
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.words.language import say
 
 LIST = 92  # px, how high each of the two lists is
 HEIGHT = 28  # px, of a button

@@ -5,12 +5,12 @@ from weakref import WeakKeyDictionary
 import numpy as np
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momenta
 from sandbox.app.stage.marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.app.wording import number, rounded_up
+from sandbox.app.words.wording import number, rounded_up
 
 _full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of the longest arrow
 

@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app.drawing import lines, theme
 from sandbox.app.stage import momenta
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View

@@ -5,10 +5,10 @@ from math import hypot, sqrt
 
 import pygame
 
-from sandbox.app import lines, theme
+from sandbox.app.drawing import lines, theme
+from sandbox.app.drawing.theme import Color
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.app.theme import Color
 
 LARGEST, SMALLEST = 30, 6  # px, the radius of the hardest: about that of the body that was struck
 LEAST = 0.35

@@ -2,7 +2,8 @@
 
 import pygame
 
-from sandbox.app import lines, looking, theme
+from sandbox.app.drawing import lines, theme
+from sandbox.app.observing import looking
 from sandbox.app.stage.forces import LONGEST, write_beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View

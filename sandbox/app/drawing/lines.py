@@ -1,0 +1,139 @@
+"""Lines that pygame has not: thick and smooth, dashed, with an arrow's head."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import atan2, cos, hypot, pi, sin
+
+import pygame
+
+from sandbox.app.drawing.theme import Color
+from sandbox.model.shapes import XY
+
+FAR = 5_000.0  # px; what reaches further out is cut before it is drawn
+INNER = 0.45  # of the radius of a star, where its inner corners are
+
+
+def near(points: Sequence[XY]) -> bool:
+    """Whether all pixels are close enough to be drawn without being cut."""
+    return all(abs(x) < FAR and abs(y) < FAR for x, y in points)
+
+
+def distance(a: XY, b: XY, point: XY) -> float:
+    """Return how far a point is from the piece of a line between two others."""
+    along, way = complex(*b) - complex(*a), complex(*point) - complex(*a)
+    share = (way * along.conjugate()).real / abs(along) ** 2 if along else 0.0
+    return abs(way - min(max(share, 0.0), 1.0) * along)
+
+
+def star(center: XY, radius: float) -> list[XY]:
+    """Return the corners of a star with five points, one of them up."""
+    radii = [radius if i % 2 == 0 else INNER * radius for i in range(10)]
+    return [
+        (center[0] + r * sin(pi * i / 5), center[1] - r * cos(pi * i / 5))
+        for i, r in enumerate(radii)
+    ]
+
+
+def cut(corners: Sequence[XY]) -> list[XY]:
+    """Return the part of a polygon that is close enough to be drawn (Sutherland and Hodgman)."""
+    kept = list(corners)
+    for axis in (0, 1):
+        for side in (-1.0, 1.0):
+            kept = _cut(kept, axis, side)
+    return kept
+
+
+def _cut(corners: list[XY], axis: int, side: float) -> list[XY]:
+    kept: list[XY] = []
+    for p, q in zip(corners, [*corners[1:], *corners[:1]], strict=True):
+        inside, following = side * p[axis] <= FAR, side * q[axis] <= FAR
+        if inside:
+            kept.append(p)
+        if inside != following:
+            share = (side * FAR - p[axis]) / (q[axis] - p[axis])
+            kept.append((p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share))
+    return kept
+
+
+def seen(surface: pygame.Surface, a: XY, b: XY) -> tuple[float, float]:
+    """Return where a line comes to a surface, or near it, and where it leaves it [px from a]."""
+    length = hypot(b[0] - a[0], b[1] - a[1])
+    ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    middle = (surface.width / 2 - a[0]) * ux + (surface.height / 2 - a[1]) * uy
+    reach = surface.width + surface.height
+    return max(0.0, middle - reach), min(length, middle + reach)
+
+
+def stroke(surface: pygame.Surface, color: Color, a: XY, b: XY, width: float) -> None:
+    """Draw a straight line with smooth sides."""
+    if not near((a, b)):
+        seen = pygame.FRect(-FAR, -FAR, 2 * FAR, 2 * FAR).clipline(a, b)
+        if not seen:
+            return
+        a, b = seen
+    pygame.draw.aaline(surface, color, a, b, max(round(width), 1))
+
+
+def fill(
+    surface: pygame.Surface, color: Color, corners: Sequence[XY], rim: Color | None = None
+) -> None:
+    """Fill a polygon, with smooth sides, or with a rim of another colour."""
+    if not near(corners):
+        corners = cut(corners)
+    if len(corners) > 2:
+        pygame.draw.polygon(surface, color, corners)
+        pygame.draw.aalines(surface, rim or color, True, corners)
+
+
+def path(surface: pygame.Surface, color: Color, points: Sequence[XY], width: float) -> None:
+    """Draw a broken line."""
+    for a, b in pairwise(points):
+        stroke(surface, color, a, b, width)
+
+
+def dashed(
+    surface: pygame.Surface, color: Color, points: Sequence[XY], dash: float = 6, gap: float = 5
+) -> None:
+    """Draw a dashed line through points; of what reaches far out, the part that does not."""
+    if not near(points):
+        for a, b in pairwise(points):
+            if seen := pygame.FRect(1 - FAR, 1 - FAR, 2 * FAR - 2, 2 * FAR - 2).clipline(a, b):
+                dashed(surface, color, seen, dash, gap)
+        return
+    behind = 0.0  # how far into dash and gap the last corner was
+    period = dash + gap
+    for a, b in pairwise(points):
+        length = hypot(b[0] - a[0], b[1] - a[1])
+        if not length:
+            continue
+        ux, uy = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+        at = -behind
+        while at < length:
+            start, end = max(at, 0.0), min(at + dash, length)
+            if end > start:
+                pygame.draw.aaline(
+                    surface, color,
+                    (a[0] + ux * start, a[1] + uy * start), (a[0] + ux * end, a[1] + uy * end),
+                )  # fmt: skip
+            at += period
+        behind = (behind + length) % period
+
+
+def arrow(surface: pygame.Surface, color: Color, start: XY, end: XY, width: float = 2.5) -> None:
+    """Draw an arrow; one too short for its head is left out."""
+    back = head(surface, color, start, end)
+    if back is not None:
+        stroke(surface, color, start, back, width)
+
+
+def head(surface: pygame.Surface, color: Color, start: XY, end: XY) -> XY | None:
+    """Draw the head of an arrow, and return where it begins; None if there is no room for one."""
+    length = hypot(end[0] - start[0], end[1] - start[1])
+    if length < 4 or not near((start, end)):
+        return None
+    size = min(11.0, length * 0.6)
+    turn = atan2(end[1] - start[1], end[0] - start[0])
+    back = (end[0] - size * cos(turn), end[1] - size * sin(turn))
+    x, y = -sin(turn) * size * 0.42, cos(turn) * size * 0.42
+    fill(surface, color, [end, (back[0] + x, back[1] + y), (back[0] - x, back[1] - y)])
+    return back

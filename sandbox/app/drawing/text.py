@@ -1,0 +1,176 @@
+"""Text on surfaces: Noto Sans, as it comes with pygame_gui, with what was drawn kept for reuse."""
+
+from functools import cache, lru_cache
+from importlib.resources import files
+from itertools import groupby
+from unicodedata import category, normalize
+
+import pygame
+
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
+
+NO_LETTER = "\U0010ffff"
+
+
+def legible(text: str) -> str:
+    """Return a text on one line without what has no width: SDL refuses to draw that.
+
+    Such are marks that change the direction of writing, halves of characters, and nothing at all.
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    shown = (" " if letter.isspace() else letter for letter in normalize("NFC", text))
+    return "".join(letter for letter in shown if letter.isprintable())
+
+
+def typed(text: str) -> str:
+    """Return of a text what a field takes, in which each letter has a width of its own."""
+    return "".join(letter for letter in legible(text) if category(letter) not in ("Mn", "Me"))
+
+
+class Pen:
+    """Writes text. Make one a window, after `pygame.font.init()`.
+
+    Attributes
+    ----------
+    scale
+        How many times larger than usual all is written, and what words stand in.
+    """
+
+    def __init__(self, scale: float = 1.0) -> None:
+        self.renew(scale)
+
+    def renew(self, scale: float) -> None:
+        """Write at another scale, and in the colours of the theme that is in use now."""
+        self.scale = scale
+        self._fonts = lru_cache(maxsize=32)(_font)
+        self._spare_fonts = lru_cache(maxsize=8)(_spare)
+        self.write = lru_cache(maxsize=600)(self._write)
+        self.outlined = lru_cache(maxsize=200)(self._outlined)
+
+    def px(self, length: float) -> int:
+        """Return how long at this scale is what has some length at the usual one [px]."""
+        return round(length * self.scale)
+
+    def font(self, size: int, bold: bool) -> pygame.font.Font:
+        """Return the font of a size that is meant at the usual scale."""
+        return self._fonts(self.px(size), bold)
+
+    def spare(self, size: int) -> pygame.font.Font:
+        """Return the font for what the other has not."""
+        return self._spare_fonts(self.px(size))
+
+    def _write(
+        self, text: str, size: int = 14, color: Color | None = None, bold: bool = False
+    ) -> pygame.Surface:
+        """Return a line of text on a transparent surface."""
+        font, text, color = self.font(size, bold), legible(text), color or theme.TEXT
+        if text.isascii():
+            return font.render(text, True, color)
+        runs = groupby(text, key=_lacks)
+        parts = [
+            _drawn(self.spare(size) if lacking else font, "".join(letters), color)
+            for lacking, letters in runs
+        ]
+        width = sum(part.width for part in parts)
+        line = pygame.Surface((width, font.get_height()), pygame.SRCALPHA)
+        x = 0
+        for part in parts:
+            line.blit(part, (x, (line.height - part.height) // 2))
+            x += part.width
+        return line
+
+    def _outlined(self, text: str, size: int = 12) -> pygame.Surface:
+        """Return a line of text with a rim, legible on anything."""
+        inner, rim = self.write(text, size), self.write(text, size, theme.STAGE)
+        line = pygame.Surface((inner.width + 2, inner.height + 2), pygame.SRCALPHA)
+        for place in ((0, 0), (2, 0), (0, 2), (2, 2), (1, 0), (0, 1), (2, 1), (1, 2)):
+            line.blit(rim, place)
+        line.blit(inner, (1, 1))
+        return line
+
+    def height(self, size: int = 14, bold: bool = False) -> int:
+        """Return the height of a line [px]."""
+        return self.font(size, bold).get_linesize()
+
+    def wrap(self, text: str, width: int, size: int = 14, bold: bool = False) -> list[str]:
+        """Break text into lines that are not wider than a width [px]."""
+        font = self.font(size, bold)
+        lines: list[str] = []
+        for paragraph in text.splitlines():
+            line = ""
+            for word in legible(paragraph).split(" "):
+                longer = f"{line} {word}" if line else word
+                if font.size(longer)[0] <= width:
+                    line = longer
+                    continue
+                lines += [line] if line else []
+                *whole, line = self._pieces(word, width, font)
+                lines += whole
+            lines.append(line)
+        return lines
+
+    def paragraph(
+        self,
+        text: str,
+        width: int,
+        size: int = 14,
+        color: Color | None = None,
+        bold: bool = False,
+    ) -> list[pygame.Surface]:
+        """Return the lines of a wrapped text."""
+        return [self.write(line, size, color, bold) for line in self.wrap(text, width, size, bold)]
+
+    def shorten(self, text: str, width: int, size: int = 14) -> str:
+        """Return as much of a text as fits on a line [px], with … where something was left out."""
+        font, text = self.font(size, False), legible(text)
+        if font.size(text)[0] <= width:
+            return text
+        while text and font.size(f"{text}…")[0] > width:
+            text = text[:-1]
+        return f"{text.rstrip()}…"
+
+    @staticmethod
+    def _pieces(word: str, width: int, font: pygame.font.Font) -> list[str]:
+        """Cut a word that is wider than a line."""
+        pieces = [""]
+        for letter in word:
+            if pieces[-1] and font.size(pieces[-1] + letter)[0] > width:
+                pieces.append("")
+            pieces[-1] += letter
+        return pieces
+
+
+def _drawn(font: pygame.font.Font, text: str, color: Color) -> pygame.Surface:
+    """Return a text as a font draws it; of accents alone there is nothing to be seen."""
+    if font.size(text)[0] > 0:
+        return font.render(text, True, color)
+    return pygame.Surface((0, font.get_height()), pygame.SRCALPHA)
+
+
+@lru_cache(maxsize=500)
+def _lacks(letter: str) -> bool:
+    """Whether Noto Sans draws a letter as the box that stands for all that it has not."""
+    return _shape(letter) == _box()
+
+
+@cache
+def _box() -> tuple[tuple[int, int], bytes]:
+    return _shape(NO_LETTER)
+
+
+def _shape(letter: str) -> tuple[tuple[int, int], bytes]:
+    """Return what Noto Sans draws for a letter: size and pixels."""
+    shown = _drawn(_font(16, False), letter, theme.TEXT)
+    return shown.size, shown.get_buffer().raw
+
+
+def _font(size: int, bold: bool) -> pygame.font.Font:
+    name = "NotoSans-Bold.ttf" if bold else "NotoSans-Regular.ttf"
+    return pygame.font.Font(str(files("pygame_gui") / "data" / name), size)
+
+
+def _spare(size: int) -> pygame.font.Font:
+    """Return the font for what Noto Sans has not: roots, arrows and other signs."""
+    return pygame.font.Font(str(files("pygame_gui") / "data" / "FiraCode-Regular.ttf"), size)

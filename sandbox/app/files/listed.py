@@ -1,0 +1,62 @@
+"""What is known of a level before it is opened."""
+
+import json
+from pathlib import Path
+from typing import NamedTuple
+
+from sandbox.app.drawing.text import legible
+from sandbox.app.words import level_words
+from sandbox.app.words.language import say
+
+
+class Told(NamedTuple):
+    """What a level's file says of it."""
+
+    title: str
+    summary: str = ""
+    reference: str = ""
+
+
+class Entry(NamedTuple):
+    """A level that can be chosen.
+
+    Attributes
+    ----------
+    path, chapter
+        Its file, and what it is listed under.
+    told
+        What the file says, in the language of its author.
+    title, summary
+        What is shown of that.
+    words
+        By which it is found, in small letters: those that are shown, and those of the file.
+    """
+
+    path: Path
+    chapter: str
+    told: Told
+    title: str
+    summary: str
+    words: str
+
+    def said_anew(self) -> "Entry":
+        """Return the same in the language that is in use now."""
+        return _entry(self.path, self.chapter, self.told)
+
+
+def entry(path: Path, chapter: str) -> Entry:
+    """Return the entry of a file, whatever is in it."""
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        title = legible(str(data["title"])).strip() or path.stem
+        told = Told(title, *(str(data.get(k, "")) for k in ("summary", "reference")))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        told = Told(path.stem)  # why it cannot be read is told when it is opened
+    return _entry(path, chapter, told)
+
+
+def _entry(path: Path, chapter: str, told: Told) -> Entry:
+    shown = Told(*map(level_words.shown(told, str(path)), told))
+    called = chapter, say(chapter.capitalize()), path.stem.replace("-", " ")
+    words = " ".join(dict.fromkeys((*called, *shown, *told))).casefold()
+    return Entry(path, chapter, told, shown.title, shown.summary, words)

@@ -1,0 +1,105 @@
+"""What a person has chosen for the window, kept in the user's data folder."""
+
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, TypeAdapter
+
+from sandbox.app.drawing.theme import DARK, NAMES, Name
+from sandbox.app.files import kept
+from sandbox.app.words.language import Name as Language
+from sandbox.app.words.language import of_system, say
+from sandbox.model.files import data_folder
+
+SIZES = (80, 90, 100, 110, 125, 150, 175, 200)
+"""The sizes of text, in per cent of the usual one."""
+USUAL = 100  # %
+DENSE = 2000  # px: a desktop that is as high or higher has pixels too small for the usual size
+ON_DENSE = 150  # %
+
+
+def _one_of_the_sizes(size: int | None) -> int | None:
+    if size is not None and size not in SIZES:
+        raise ValueError(f"no size of text: {size} %; there are {SIZES}")
+    return size
+
+
+class Preferences(BaseModel):
+    """The choices; what another version of the app has kept beside them is passed over."""
+
+    model_config = ConfigDict(frozen=True, extra="ignore")
+
+    theme: Name = DARK
+    size: Annotated[int | None, AfterValidator(_one_of_the_sizes)] = None
+    """of text [%]; None for what suits the screen"""
+    language: Language | None = None
+    """None for that of the system"""
+    sound: bool = False
+    """whether impacts are heard"""
+    reduced: bool = False
+    """whether nothing moves or flashes but what is simulated"""
+
+
+_KIND = TypeAdapter(Preferences)
+
+
+def file() -> Path:
+    """Return where they are kept; it need not be there."""
+    return data_folder() / "settings.json"
+
+
+def suiting(height: int) -> int:
+    """Return the size of text that suits a desktop so high [px]: more where pixels are small."""
+    return ON_DENSE if height >= DENSE else USUAL
+
+
+class Comfort:
+    """The preferences of a window; the last ones that were kept to begin with.
+
+    Attributes
+    ----------
+    chosen
+        What is chosen. Whoever has followed an earlier choice finds another object here.
+
+    Parameters
+    ----------
+    desktop
+        How high the desktop is [px]; 0 if nobody knows.
+    """
+
+    def __init__(self, desktop: int = 0) -> None:
+        self.chosen = kept.read(file(), _KIND, Preferences())
+        self._suiting = suiting(desktop)
+
+    @property
+    def size(self) -> int:
+        """The size of text [%]."""
+        return self._suiting if self.chosen.size is None else self.chosen.size
+
+    @property
+    def language(self) -> Language:
+        """The language of the window."""
+        return self.chosen.language or of_system()
+
+    @property
+    def scale(self) -> float:
+        """How many times larger than usual text is, and what it stands in."""
+        return self.size / 100
+
+    def choose(self, **changes: object) -> str:
+        """Choose, and keep that; return why it cannot be kept, if so."""
+        self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
+        why = kept.keep(file(), _KIND, self.chosen)
+        return say("the settings are not kept for the next time: {why}", why=why) if why else ""
+
+    def resize(self, direction: int) -> str:
+        """Choose the next larger size of text, or the next smaller one; see `choose`."""
+        beyond = [size for size in SIZES if (size - self.size) * direction > 0]
+        if not beyond:
+            return ""
+        return self.choose(size=min(beyond) if direction > 0 else max(beyond))
+
+    def next_theme(self) -> str:
+        """Choose the theme after this one; see `choose`."""
+        here = NAMES.index(self.chosen.theme)
+        return self.choose(theme=NAMES[(here + 1) % len(NAMES)])

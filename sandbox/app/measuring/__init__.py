@@ -1,0 +1,1 @@
+"""What a person measures with on the stage, and the hand that holds it."""

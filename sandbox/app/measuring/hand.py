@@ -1,0 +1,119 @@
+"""What the mouse does on the stage: drag bodies and forces, move the view, zoom, measure."""
+
+from enum import Enum, auto
+
+import pygame
+
+from sandbox.app.measuring.protractor import Protractor
+from sandbox.app.measuring.tape import Tape
+from sandbox.app.runs.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.words.rounding import rounded
+from sandbox.model.shapes import XY
+
+ZOOM = 1.15  # a notch of the wheel
+STILL = 3  # px; a click that moves less does not touch the scene
+
+
+class Doing(Enum):
+    """What a button held down is for."""
+
+    NOTHING = auto()
+    PANNING = auto()
+    PULLING = auto()
+    FORCING = auto()
+    MEASURING = auto()
+
+
+class Hand:
+    """The mouse over the stage.
+
+    Attributes
+    ----------
+    tape
+        What was measured last, a distance or an angle; None after a click elsewhere.
+    """
+
+    def __init__(self, stage: Stage) -> None:
+        self._stage = stage
+        self._doing = Doing.NOTHING
+        self._pressed: XY = (0.0, 0.0)
+        self._moved = False
+        self._components: dict[str, tuple[int, float]] = {}  # by parameter: axis, N at first
+        self.tape: Tape | Protractor | None = None
+        self._before: Tape | Protractor | None = None  # on which a protractor is laid
+
+    def process(self, event: pygame.event.Event, area: pygame.Rect, session: Session) -> None:
+        """Do what a mouse event over the window asks for."""
+        match event.type:
+            case pygame.MOUSEBUTTONDOWN if area.collidepoint(event.pos):
+                self._press(event, self._local(event.pos, area), session)
+            case pygame.MOUSEMOTION:
+                self._move(event.rel, self._local(event.pos, area), session)
+            case pygame.MOUSEBUTTONUP if event.button in (1, 2, 3):
+                session.release()
+                self._doing = Doing.NOTHING
+
+    def wheel(self, notches: float, pixel: XY, area: pygame.Rect) -> None:
+        """Zoom about the mouse."""
+        self._stage.camera.zoom(ZOOM**notches, self._local(pixel, area))
+
+    @staticmethod
+    def _local(pixel: XY, area: pygame.Rect) -> XY:
+        return pixel[0] - area.x, pixel[1] - area.y
+
+    def _press(self, event: pygame.event.Event, pixel: XY, session: Session) -> None:
+        if event.button not in (1, 2, 3):
+            return
+        self._pressed, self._moved = pixel, False
+        self._doing = Doing.PANNING
+        if event.button != 1:
+            return
+        mods = pygame.key.get_mods()
+        self._before = self.tape if mods & pygame.KMOD_CTRL else None
+        self.tape = self._before
+        point = self._stage.camera.to_world(pixel)
+        if mods & pygame.KMOD_SHIFT:
+            self._doing = Doing.MEASURING
+        elif arrow := self._stage.tip_at(pixel):
+            self._doing = Doing.FORCING
+            handles = arrow.handles.items()
+            self._components = {name: (axis, arrow.newtons[axis]) for axis, name in handles}
+        elif body := self._stage.body_at(pixel):
+            self._doing, session.looking.body = Doing.PULLING, body
+            session.grab(body, point)
+
+    def _move(self, by: tuple[int, int], pixel: XY, session: Session) -> None:
+        x, y = self._pressed
+        self._moved = self._moved or abs(pixel[0] - x) + abs(pixel[1] - y) >= STILL
+        if not self._moved:
+            return
+        camera = self._stage.camera
+        match self._doing:
+            case Doing.PANNING:
+                camera.pan(*by)
+            case Doing.PULLING:
+                session.drag(camera.to_world(pixel))
+            case Doing.FORCING:
+                self._force(pixel, session)
+            case Doing.MEASURING:
+                self.tape = self._laid(camera.to_world(self._pressed), camera.to_world(pixel))
+            case Doing.NOTHING:
+                pass
+
+    def _laid(self, start: XY, end: XY) -> Tape | Protractor:
+        """Return a new tape; or with Ctrl the angle that the end makes with the last one."""
+        return Protractor.on(self._before, end) if self._before else Tape(start, end)
+
+    def _force(self, pixel: XY, session: Session) -> None:
+        """Change a force by as much as the mouse has moved since it took hold of the tip."""
+        x, y = self._pressed
+        newton = self._stage.newton
+        by = (pixel[0] - x) / newton, (y - pixel[1]) / newton
+        parameters = session.level.parameters
+        wanted = {
+            name: rounded(parameters[name], first + by[axis])
+            for name, (axis, first) in self._components.items()
+        }
+        if any(value != session.values[name] for name, value in wanted.items()):
+            session.restart(wanted)

@@ -1,0 +1,71 @@
+"""The forces on the bodies of a scene in words, and what comes of them."""
+
+from collections.abc import Iterator
+from math import hypot, sqrt
+
+from sandbox.app.observing.looking import FAINT, cleared
+from sandbox.app.words import wording
+from sandbox.physics.measuring.free_bodies import FreeBodies
+from sandbox.physics.measuring.free_body import Acting, FreeBody
+from sandbox.physics.stepping.world import World
+
+DIGITS = 4
+TURNS = 1e-6
+"""m: a torque beside a force that is no more than it has at such an arm is not told."""
+
+
+def forces(world: World) -> Iterator[str]:
+    """Yield the forces on each body that they can move, a line a body.
+
+    Parameters
+    ----------
+    world
+        As it is at the moment that is told.
+    """
+    bodies = FreeBodies(world)
+    for name, body in world.level.bodies.items():
+        if body.type != "dynamic":
+            continue
+        found = bodies.of(name)
+        told = "not known before the first step" if found is None else _told(found)
+        yield f"{name}: {told}"
+
+
+def way(x: float, y: float) -> str:
+    """Name one of eight directions, y up."""
+    steep, level = abs(y) > 0.4142 * abs(x), abs(x) > 0.4142 * abs(y)
+    sideways = ("right" if x > 0 else "left") if level else ""
+    upright = ("up" if y > 0 else "down") if steep else ""
+    return " and ".join(part for part in (sideways, upright) if part)
+
+
+def _told(found: FreeBody) -> str:
+    arm = sqrt(found.moment / found.mass)  # m, at which a force turns the body as it moves it
+    least = FAINT * found.largest
+    strong = [
+        each for each in found.forces
+        if each.size > least or (arm and abs(each.couple) > least * arm)
+    ]  # fmt: skip
+    if not strong:
+        return "no force"
+    parts = "; ".join(map(_acting, strong))
+    net = cleared(found.net, found)
+    if not any(net):
+        return f"{parts}; together no force"
+    force = wording.quantity(hypot(*net), "N", DIGITS)
+    rate = wording.quantity(hypot(*found.acceleration), "m/s²", DIGITS)
+    when = "in an impact it accelerates" if found.struck else "it accelerates"
+    return f"{parts}; together {force} {way(*net)}: {when} at {rate}"
+
+
+def _acting(acting: Acting) -> str:
+    """Return a force with its name, who gives it, its size and where it points."""
+    name = f"{acting.name} from {acting.by}" if acting.by else acting.name
+    torque = wording.quantity(acting.couple, "N m", DIGITS)
+    if not acting.size:
+        return f"{name} as a torque of {torque}"
+    size = wording.quantity(acting.size, "N", DIGITS)
+    told = f"{name} {size} {way(*acting.force)}"
+    return (
+        f"{told}, with a torque of {torque}" if abs(acting.couple) > TURNS * acting.size else told
+    )

@@ -1,0 +1,115 @@
+"""The checks of a run that is still going on."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from sandbox.app.observing.milestones import Milestone, milestones
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.level import Check
+from sandbox.physics.measuring.grading import Result, grade
+from sandbox.physics.measuring.recording import Recorder, Trace
+
+T = TypeVar("T")
+
+SHARE = 0.05
+"""The share of the time that looking at a run may take while time runs."""
+
+LEAST = 0.1  # s, between two looks
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A check's result so far; for one that holds at every step, with the values of now.
+
+    Attributes
+    ----------
+    measured, expected
+        At the check's event, else, also while that is waited for, at the last recorded step; what
+        is expected of an event may be unknown before it. None if there are none yet.
+    """
+
+    result: Result
+    measured: float | None
+    expected: float | None
+
+
+class Ration(Generic[T]):
+    """Looks at a growing run, no more often than the time for it allows.
+
+    Attributes
+    ----------
+    found
+        What was found when last looked.
+    """
+
+    def __init__(self, look: Callable[[], T], nothing: T) -> None:
+        self._look = look
+        self.found = nothing
+        self._seen = 0
+        self._next = 0.0
+
+    def __call__(self, length: int, *, hurried: bool) -> T:
+        """Return what is found in a run of a length; in a hurry, perhaps what was just before."""
+        now = perf_counter()
+        if self._seen != length and (now >= self._next or not hurried):
+            self._seen = length
+            self.found = self._look()
+            self._next = now + max(LEAST, (perf_counter() - now) / SHARE)
+        return self.found
+
+
+class Grading:
+    """Grades what a recorder has noted, no more often than the time for it allows."""
+
+    def __init__(self, recorder: Recorder) -> None:
+        self._recorder = recorder
+        self._milestones: tuple[Milestone, ...] | None = ()  # None: to be found when asked for
+        self._ration: Ration[tuple[Reading, ...]] = Ration(self._grade, ())
+
+    def readings(self, hurried: bool) -> tuple[Reading, ...]:
+        """Return how the checks stand; if there is a hurry, perhaps how they stood just before."""
+        return self._ration(len(self._recorder), hurried=hurried)
+
+    def _grade(self) -> tuple[Reading, ...]:
+        trace = self._recorder.trace
+        results = grade(trace)
+        self._milestones = None
+        return tuple(_reading(result, trace) for result in results)
+
+    @property
+    def milestones(self) -> tuple[Milestone, ...]:
+        """What had happened when the readings were last taken; where, must be recorded too."""
+        if self._milestones is None:
+            results = (reading.result for reading in self._ration.found)
+            self._milestones = milestones(results, self._recorder.trace)
+        return self._milestones
+
+
+def _reading(result: Result, trace: Trace) -> Reading:
+    check = result.check
+    now = float(trace.columns[check.quantity][-1])
+    if check.at is not None and result.verdict == "waiting":
+        return Reading(result, now, _ahead(check, trace.values))
+    if check.at is not None or result.measured is None:
+        return Reading(result, result.measured, result.expected)
+    expected = check.formula.over(trace.values, trace.t[-1:])
+    return Reading(result, now, float(expected[0]))
+
+
+def _ahead(check: Check, values: Values) -> float | None:
+    """Return what is expected of an instant to come, None if that depends on when it comes."""
+    if "t" not in check.formula.names:
+        time = 0.0
+    elif isinstance(check.at, Expression):
+        time = check.at(values)
+    else:
+        return None
+    try:
+        return float(check.formula.over(values, np.array(time)))
+    except ExpressionError:
+        return None

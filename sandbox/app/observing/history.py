@@ -1,0 +1,44 @@
+"""Everything that was observed of a run, in bounded memory: what graphs are drawn from."""
+
+from dataclasses import fields
+
+import numpy as np
+
+from sandbox.app.observing.trail import Trail
+from sandbox.model.expressions import Array
+from sandbox.physics.state.snapshot import Snapshot
+
+_FIELDS = [field.name for field in fields(Snapshot)]
+
+
+class History:
+    """The states of a run; when there are too many, every second one goes."""
+
+    def __init__(self, snapshot: Snapshot) -> None:
+        self._shapes = [np.shape(getattr(snapshot, name)) for name in _FIELDS]
+        self._kept = Trail(_flat(snapshot))
+
+    def __len__(self) -> int:
+        return len(self._kept)
+
+    def note(self, snapshot: Snapshot) -> None:
+        """Note the next state."""
+        self._kept.add(_flat(snapshot))
+
+    def restart(self, snapshot: Snapshot) -> None:
+        """Forget everything, as after a body was put elsewhere."""
+        self._kept.restart(_flat(snapshot))
+
+    @property
+    def snapshots(self) -> Snapshot:
+        """The states that are kept, time in front."""
+        rows, start, parts = self._kept.points, 0, {}
+        for name, shape in zip(_FIELDS, self._shapes, strict=True):
+            size = int(np.prod(shape))
+            parts[name] = rows[:, start : start + size].reshape(len(rows), *shape)
+            start += size
+        return Snapshot(**parts)
+
+
+def _flat(snapshot: Snapshot) -> Array:
+    return np.concatenate([np.ravel(getattr(snapshot, name)) for name in _FIELDS])

@@ -1,0 +1,94 @@
+"""What has happened in a run: where the events of its checks were, and what was measured there."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from sandbox.app.words import wording
+from sandbox.app.words.level_words import Say, title
+from sandbox.model.level import (
+    ApexEvent,
+    Check,
+    ContactEvent,
+    CrossingEvent,
+    Instant,
+    LandingEvent,
+    Level,
+    SeparationEvent,
+)
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.event_interpolation import value_at
+from sandbox.physics.measuring.grading import Result
+from sandbox.physics.measuring.recording import Trace
+
+MOST = 3
+"""How many quantities are written beside an event."""
+
+
+@dataclass(slots=True)
+class Milestone:
+    """An event that has happened to a body.
+
+    Attributes
+    ----------
+    body
+        To which.
+    place
+        Where its centre was [m].
+    told
+        What was measured then: the check, and the value.
+    passed
+        Whether all of it was as expected.
+    """
+
+    body: str
+    place: XY
+    told: list[tuple[Check, str]]
+    passed: bool
+
+    def texts(self, words: Say) -> list[str]:
+        """Return that, a line each, as the level's words are put now."""
+        return [f"{title(check, words)} {value}" for check, value in self.told]
+
+
+def needed(level: Level) -> Iterator[str]:
+    """Yield the quantities that tell where the events of a level are."""
+    for check in level.checks:
+        if body := _body(level, check.at):
+            yield from _position(body)
+
+
+def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]:
+    """Return what has happened, one after the other, from how the checks of a run stand."""
+    found: dict[tuple[str, float], Milestone] = {}
+    for result in results:
+        body = _body(trace.level, result.check.at)
+        if body is None or result.t is None or result.measured is None:
+            continue
+        key = body, result.t
+        if key not in found:
+            x, y = (value_at(trace.t, trace.columns[name], result.t) for name in _position(body))
+            found[key] = Milestone(body, (x, y), [], passed=True)
+        here = found[key]
+        here.passed = here.passed and result.verdict == "passed"
+        if len(here.told) < MOST:
+            value = wording.quantity(result.measured, result.unit, 3)
+            here.told.append((result.check, value))
+    return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
+
+
+def _body(level: Level, at: Instant | None) -> str | None:
+    """Return the body that an event happens to; of two that touch, the first that moves."""
+    match at:
+        case ApexEvent(body=body) | LandingEvent(body=body):
+            return body
+        case ContactEvent(bodies=bodies) | SeparationEvent(bodies=bodies):
+            return next((body for body in bodies if level.bodies[body].type == "dynamic"), None)
+        case CrossingEvent(quantity=quantity):
+            subject = quantity.partition(".")[0]
+            return subject if subject in level.bodies else None
+        case _:
+            return None
+
+
+def _position(body: str) -> tuple[str, str]:
+    return f"{body}.position.x", f"{body}.position.y"

@@ -1,0 +1,135 @@
+"""Other runs of the scene that is played, beside it: each a world of its own, in lockstep.
+
+What differs is the level, by its effects, or how time advances. Nothing is shared between the
+worlds but the time to which they have come.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
+from sandbox.app.observing.grading import Grading, Reading
+from sandbox.app.observing.trail import Trail
+from sandbox.app.runs.clock import Clock
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Scheme
+from sandbox.model.variants import Variation
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.run import build
+from sandbox.physics.stepping.patience import Patience
+
+
+@dataclass(frozen=True, slots=True)
+class Changes:
+    """Which of a level's effects are switched off, which others on, and what that does to each."""
+
+    off: tuple[str, ...] = ()
+    on: tuple[str, ...] = ()
+    effects: tuple[Variation, ...] = ()
+    """what these two do to the level"""
+    strength: Mapping[str, float] = field(default_factory=dict)
+    """of those that are on, how many times the usual"""
+    left: Scheme | None = None
+    """the level's scheme, if it is not for the changed level: then leapfrog takes its place"""
+
+    def __bool__(self) -> bool:
+        return bool(self.effects)
+
+    @property
+    def told(self) -> str:
+        """What is changed, in words."""
+        told = wording.variations(self.effects)
+        return say("{changes}, both by leapfrog", changes=told) if self.left else told
+
+
+NONE = Changes()
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """What runs beside the level that is played."""
+
+    told: str
+    """what it is, in a few words"""
+    level: Level
+    """the same bodies, with other effects or another stepping"""
+    lane: int
+    """which of the colours of what runs beside"""
+
+    @property
+    def color(self) -> Color:
+        """Of its outlines and trails."""
+        return theme.LANES[self.lane]
+
+
+class Companion:
+    """A variant on its way.
+
+    Attributes
+    ----------
+    variant
+        What runs.
+    world
+        Its world.
+    trail
+        Where its bodies have been.
+    clock
+        What its steps take.
+    failure
+        Why it had to stop; None if it did not.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be run with these values.
+    """
+
+    def __init__(self, variant: Variant, values: Values) -> None:
+        self.variant = variant
+        self.world = build(variant.level, values)
+        self.trail = Trail(self.world.snapshot.position)
+        self.clock, self._patience = Clock(), Patience()
+        self.failure: SandboxError | None = None
+        self._end = count_steps(self.world)
+        self._recorder = Recorder(self.world, needed(variant.level))
+        self._grading = Grading(self._recorder)
+
+    def follow(self, t: float) -> None:
+        """Take the steps up to a time [s]."""
+        while self.failure is None and (self.world.steps + 1) * self.world.dt <= t * (1 + 1e-12):
+            self._advance()
+
+    def _advance(self) -> None:
+        try:
+            with self.clock.running(), self._patience.within_steps():
+                snapshot = self._patience.advance(self.world)
+        except SandboxError as error:
+            self.failure = error
+            return
+        self.trail.add(snapshot.position)
+        if self.world.steps <= self._end:
+            self._recorder.note()
+
+    def readings(self, *, hurried: bool) -> tuple[Reading, ...]:
+        """Return how the checks stand."""
+        return self._grading.readings(hurried)
+
+    @property
+    def worst(self) -> float | None:
+        """The largest error of its checks so far; None if there is none yet."""
+        return worst(self.readings(hurried=True))
+
+    @property
+    def trace(self) -> Trace:
+        """What was recorded of it so far."""
+        return self._recorder.trace
+
+
+def worst(readings: Iterable[Reading]) -> float | None:
+    """Return the largest error of some checks; None if there is none yet."""
+    errors = (reading.result.error for reading in readings)
+    return max((error for error in errors if error is not None), default=None)

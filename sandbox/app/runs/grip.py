@@ -1,0 +1,79 @@
+"""A hold on a body of a run: the body is pulled while time passes, else put elsewhere."""
+
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.model.joints import Joint, Rod, bodies_of
+from sandbox.model.shapes import XY
+
+
+class Grip:
+    """Holds a body of a run, or none."""
+
+    def __init__(self, run: LiveRun) -> None:
+        self._run = run
+        self._held: tuple[str, XY] | None = None  # where on it, from its position [m]
+        self._pulling = False
+
+    def grab(self, body: str, point: XY) -> None:
+        """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
+        x, y = self._position(body)
+        self._held = body, (point[0] - x, point[1] - y)
+
+    def drag(self, point: XY, *, playing: bool) -> None:
+        """Pull what is held to a point [m]: while time runs with a force, else put it there."""
+        if self._held is None or self._run.failure is not None:
+            return
+        body, (dx, dy) = self._held
+        if not playing:
+            self._let_loose()
+            place = self._on_its_rod(body, (point[0] - dx, point[1] - dy))
+            self._run.act("place", body, place)
+            return
+        if not self._pulling:
+            x, y = self._position(body)
+            self._run.act("grab", body, (x + dx, y + dy))
+            self._pulling = self._run.failure is None
+        if self._pulling:
+            self._run.act("drag", "", point)
+
+    def release(self) -> None:
+        """Let go."""
+        self._let_loose()
+        self._held = None
+
+    def _let_loose(self) -> None:
+        if self._pulling:
+            self._run.act("release", "", (0.0, 0.0))
+            self._pulling = False
+
+    def _on_its_rod(self, body: str, point: XY) -> XY:
+        """Return the place nearest to a point [m] at which a rod that holds the body can be.
+
+        Without a rod that is the point itself. Of a body on several rods it is, too: they leave it
+        no other place, and the run says so.
+        """
+        world = self._run.world
+        rods = [name for name, joint in world.level.joints.items() if _is_on(joint, body)]
+        if len(rods) != 1:
+            return point
+        row = list(world.level.bodies).index(body)
+        (one, first), (other, second) = (
+            (anchor.body, anchor.look(world.snapshot)[0])
+            for anchor in world.scene.joints.paths[rods[0]]
+        )
+        end, far = (first, second) if one == row else (second, first)
+        arm = end - complex(*self._position(body))  # from the centre to where the rod holds it
+        way = complex(*point) + arm - far
+        if one == other or not way:
+            return point
+        place = far + way / abs(way) * abs(end - far) - arm
+        return float(place.real), float(place.imag)
+
+    def _position(self, body: str) -> XY:
+        world = self._run.world
+        x, y = world.snapshot.position[list(world.level.bodies).index(body)]
+        return float(x), float(y)
+
+
+def _is_on(joint: Joint, body: str) -> bool:
+    """Whether a joint is a rod that holds a body."""
+    return isinstance(joint, Rod) and body in bodies_of(joint)

@@ -1,0 +1,53 @@
+"""What a run in the window may take of a person's time and of memory before it pauses and says so.
+
+Nothing is wrong with such a run, so that it goes on whenever somebody wants it to. The window
+answers between any two steps.
+"""
+
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
+from sandbox.physics.measuring.recording import Recorder
+from sandbox.physics.stepping.patience import Patience
+
+SLOW = 1.0
+"""s, that a step may take; a frame waits for it."""
+
+
+class Limits:
+    """Watches one run.
+
+    Attributes
+    ----------
+    told
+        Why the run is to pause; empty while nothing is the matter.
+
+    Parameters
+    ----------
+    recorder
+        What is recorded of the run.
+    """
+
+    def __init__(self, recorder: Recorder) -> None:
+        self.told = ""
+        self._recorder = recorder
+        self._patience: Patience | None = Patience(SLOW)
+        self._room = True  # as far as anybody has been told
+
+    def stepped(self, seconds: float) -> None:
+        """Take note of a step and how long it took [s]."""
+        if self._patience and self._patience.lost(seconds):
+            told = later("A step takes {time}; the window waits for each")
+            self.told = say(told, time=wording.seconds(seconds))
+            self._patience = None  # somebody knows
+        elif self._room and self._recorder.full:
+            self.told = say(
+                "{count:,} instants are recorded, which is the most: checks see no more",
+                count=len(self._recorder),
+            )
+            self._room = False
+        else:
+            self.told = ""
+
+    def bear(self) -> None:
+        """Go on all the same."""
+        self.told = ""

@@ -1,0 +1,261 @@
+"""A run of the level that is played: what was done to it, and what was observed of it."""
+
+import json
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
+
+from sandbox.app.observing import milestones
+from sandbox.app.observing.blows import Blows
+from sandbox.app.observing.books import Books
+from sandbox.app.observing.earlier import Earlier, Observed, kept
+from sandbox.app.observing.first_contacts import FirstContacts
+from sandbox.app.observing.grading import Grading, Ration, Reading
+from sandbox.app.observing.history import History
+from sandbox.app.observing.milestones import Milestone
+from sandbox.app.observing.trail import Trail
+from sandbox.app.runs.actions import Action, perform
+from sandbox.app.runs.beginning import Beginning
+from sandbox.app.runs.clock import Clock
+from sandbox.app.runs.limits import Limits
+from sandbox.app.runs.pace import Pace
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.loading import choose
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.goals import Attempt, attempt
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
+from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    from sandbox.physics.advising.remedies import Advice
+
+
+class LiveRun:
+    """A run, from its start to the step that is shown.
+
+    Attributes
+    ----------
+    world
+        Its world; another one after it has branched off.
+    companions
+        Other runs beside it, in lockstep.
+    setting
+        What is known to reach the accuracy that its level asks for; None if it asks for none, or
+        nobody knows yet.
+    begun_with
+        The parameters with which it began; it may have branched since.
+    clock
+        What the steps take.
+    end
+        How many steps reach the level's duration.
+    failure
+        Why it had to stop, or the next one could not be built; None if all is well.
+    trying, advice
+        Whether somebody is finding out what helps, and what was found; None if nobody knows yet.
+    limits
+        Whether it takes more time or memory than it should.
+    trail
+        Where the bodies have been.
+    history
+        Everything that was observed of it.
+    books
+        What energies there were, and where they came from.
+    blows
+        Its impacts, as they are seen and heard.
+    contacts
+        Which bodies have touched, and when they first did.
+    pace
+        Whether the machine keeps up.
+    earlier
+        The last runs with other parameters, the newest last.
+    actions
+        What a person has done to it so far.
+    script
+        What is to be done to it at steps to come, because it was done when it was taken before.
+    ahead
+        How far it had been before a way back; None if it never came farther.
+
+    Parameters
+    ----------
+    original
+        The level as its file declares it.
+    begun
+        What it begins with.
+    earlier
+        The runs that were there before.
+    """
+
+    def __init__(
+        self, original: Level, begun: Beginning, earlier: tuple[Earlier, ...] = ()
+    ) -> None:
+        world, self.companions, self.setting = begun
+        self.world, self.begun_with = world, world.values
+        self.earlier = earlier
+        self.clock = Clock()
+        self.end = count_steps(world)
+        self.failure: SandboxError | None = None
+        self.trying = False
+        self.advice: Advice | None = None
+        self.trail = Trail(world.snapshot.position)
+        self.history = History(world.snapshot)
+        self.books = Books(world, self.end)
+        self.blows, self.contacts = Blows(world), FirstContacts(world)
+        self.pace = Pace()
+        self.actions: list[Action] = []
+        self.script: Sequence[Action] = ()
+        self.ahead: Observed | None = None
+        self._fork: World | None = None  # from which it branched off last
+        self._recorder = Recorder(world, [*needed(original), *milestones.needed(world.level)])
+        self._grading = Grading(self._recorder)
+        self.limits, self._patience = Limits(self._recorder), Patience()
+        self._attempts: Ration[Attempt | None] = Ration(self._attempt, None)
+
+    @property
+    def t(self) -> float:
+        """The time of what is shown [s]."""
+        return float(self.world.snapshot.t)
+
+    @property
+    def farthest(self) -> Observed:
+        """What was observed of it when it had come farthest."""
+        here = Observed(self.trail, self.history, self.world)
+        return max((run for run in (self.ahead, here) if run), key=Observed.steps)
+
+    def keep_as_earlier(self, values: Mapping[str, float]) -> None:
+        """Keep it, as it is now, among the runs before one with other parameters."""
+        here = Observed(self.trail, self.history, self.world)
+        self.earlier = kept(self.earlier, here, values)
+
+    def advance(self) -> None:
+        """Take a step, its companions too, and note what is observed."""
+        self.catch_up()
+        if self.world.steps % 2:  # whoever comes second finds the caches warm: take turns
+            self._follow(self.t + self.world.dt)
+        try:
+            with self.clock.running(), self._patience.within_steps():
+                snapshot = self._patience.advance(self.world)
+        except SandboxError as error:
+            self.failure = error
+            return
+        self.books.note()
+        self.blows.note()
+        self.contacts.note()
+        self._follow(self.t)
+        self.trail.add(snapshot.position)
+        self.history.note(snapshot)
+        graded = self.world.steps <= self.end and not self.world.disturbed
+        if graded and not self._recorder.full:
+            self._recorder.note()
+
+    def _follow(self, t: float) -> None:
+        for companion in self.companions:
+            companion.follow(t)
+
+    def catch_up(self) -> None:
+        """Do what was done at this step when the run was taken before."""
+        while self.script and self.script[0].step == self.world.steps:
+            action, *self.script = self.script
+            self._do(action)
+
+    def act(self, kind: Literal["grab", "drag", "release", "place"], body: str, point: XY) -> None:
+        """Do to a body what a hand does, at a point [m], and note it."""
+        self._do(Action(step=self.world.steps, kind=kind, body=body, point=point))
+
+    def _do(self, action: Action) -> None:
+        """Do something to the run, and note it."""
+        before = self.world
+        try:
+            world = perform(action, before)
+        except SandboxError as error:
+            self.failure = error
+            return
+        if world is not before:
+            self._go_on_in(world, before, action)
+            return
+        self.actions.append(action)
+        if action.kind in ("place", "release"):
+            self.books.hand_over()
+        if action.kind == "place":
+            self.books.restart()
+            self.trail.restart(self.world.snapshot.position)
+            self.history.restart(self.world.snapshot)
+
+    def branch(self, settings: Mapping[str, float]) -> None:
+        """Go on from here with some parameters changed; what was so far stays as an earlier run.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        last = self.actions[-1] if self.actions else None
+        again = last is not None and (last.kind, last.step) == ("branch", self.world.steps)
+        before = self._fork if again and self._fork else self.world
+        values = choose(self.world.level, {**self.world.values, **settings})
+        changed = {name: v for name, v in values.items() if v != before.values[name]}
+        action = Action(step=before.steps, kind="branch", parameters=changed)
+        world = perform(action, before)
+        if again:
+            self.actions.pop()
+        self._go_on_in(world, before, action)
+
+    def alter(self, text: str) -> None:
+        """Go on from here as a level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        action = Action(step=self.world.steps, kind="alter", level=json.loads(text))
+        self._go_on_in(perform(action, self.world), self.world, action)
+
+    def _go_on_in(self, world: World, before: World, action: Action) -> None:
+        """Go on in a world that has branched off from another one, of which something stays."""
+        if before is self.world and action.kind == "branch":
+            self.earlier = kept(self.earlier, self.farthest, world.values, self.t)
+        self._fork, self.world, self.ahead = before, world, None
+        self.actions.append(action)
+        self.end = max(self.end, count_steps(world))
+        self.books = Books(world, self.end)
+        self.blows, self.contacts = Blows(world), FirstContacts(world)
+        self.trail = Trail(world.snapshot.position)
+        self.history = History(world.snapshot)
+
+    def release_what_is_held(self) -> None:
+        """Let go of a body that a hand held when the run was taken before: no hand is there now."""
+        held = (a.kind == "grab" for a in reversed(self.actions) if a.kind in ("grab", "release"))
+        if next(held, False):
+            self.act("release", "", (0.0, 0.0))
+
+    def go_on(self) -> None:
+        """Go on after it had to stop, though it is no longer to be trusted."""
+        self.world.go_on()
+        self.failure, self.advice, self.trying = None, None, False
+        self.books.restart()
+
+    @property
+    def trace(self) -> Trace:
+        """What was recorded so far."""
+        return self._recorder.trace
+
+    def readings(self, *, hurried: bool) -> tuple[Reading, ...]:
+        """Return how the checks stand; if there is a hurry, perhaps how they stood just before."""
+        return self._grading.readings(hurried=hurried)
+
+    def milestones(self, *, hurried: bool) -> tuple[Milestone, ...]:
+        """Return what has happened; nothing that counts once a hand has touched the run."""
+        if self.world.disturbed:
+            return ()
+        self.readings(hurried=hurried)
+        return self._grading.milestones
+
+    def attempt(self, *, hurried: bool) -> Attempt | None:
+        """Return how the challenge stands; None if there is none, or a hand has touched the run."""
+        if self.world.level.challenge is None or self.world.disturbed:
+            return None
+        return self._attempts(len(self._recorder), hurried=hurried)
+
+    def _attempt(self) -> Attempt | None:
+        return attempt(self._recorder.trace)

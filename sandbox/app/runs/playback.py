@@ -1,0 +1,244 @@
+"""Playing a run: how fast time passes, to which step, and what a hand does to it on the way.
+
+The time step belongs to the level. A frame only decides how many whole steps are due; what cannot
+be paid for within its budget is dropped and shown as a lower pace, never stretched.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from math import inf
+from time import perf_counter
+
+from sandbox.app.observing.blows import Flash
+from sandbox.app.observing.grading import Reading
+from sandbox.app.observing.milestones import Milestone
+from sandbox.app.runs.actions import Action
+from sandbox.app.runs.grip import Grip
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.pace import faster, slower
+from sandbox.app.runs.run_view import RunView
+from sandbox.model.errors import SandboxError
+from sandbox.model.shapes import XY
+
+BUDGET = 0.009  # s, of a frame for steps
+AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
+FADING = 0.25  # s, that a flash at an impact takes to fade
+ON_THE_WAY = 0.05  # s, of a frame for the rest of such a way
+
+
+class Playback(RunView, ABC):
+    """A run that is played.
+
+    Attributes
+    ----------
+    playing, speed
+        Whether time passes by itself, and how fast.
+    locked
+        Whether no time passes: somebody is to say first what will come of the run.
+    sought
+        The step to which the run is on its way, back or ahead; None if it is not.
+
+    Parameters
+    ----------
+    run
+        What is played.
+    watched
+        Whether a person waits for each step, and is asked where one takes long.
+    """
+
+    def __init__(self, run: LiveRun, *, watched: bool) -> None:
+        self._watched = watched
+        self.playing = False
+        self.speed = 1.0
+        self.locked = False
+        self._take_up(run)
+
+    def _take_up(self, run: LiveRun) -> None:
+        """Play a run from its start."""
+        super().__init__(run)
+        self._grip = Grip(run)
+        self._owed = 0.0  # steps
+        self.sought: int | None = None
+
+    @abstractmethod
+    def _run_anew(self) -> LiveRun:
+        """Return the present run at its start; raise a `SandboxError` if it cannot be built."""
+
+    def _stop(self, error: SandboxError) -> None:
+        self.run.failure = error
+        self.playing = False
+
+    @property
+    def _stands(self) -> bool:
+        """Whether no time may pass, for whatever reason."""
+        return self.waiting or self.locked
+
+    @property
+    def remaining(self) -> float | None:
+        """How long the rest of the run takes as slowly as it goes; None if it keeps up [s]."""
+        pace = self.run.pace.reduced if self.playing else None
+        return max(self.duration - self.t, 0.0) / pace if pace else None
+
+    def toggle(self) -> None:
+        """Play, or pause; go on with a run that had to stop, if it can."""
+        if self.doubted:
+            self.run.go_on()
+        self.run.limits.bear()
+        self.playing = not self.playing and self.failure is None
+
+    def pause(self) -> None:
+        """Let no more time pass by itself."""
+        self.playing = False
+
+    def step(self) -> None:
+        """Pause, and take a single step."""
+        self.playing = False
+        self._advance()
+
+    def go_to(self, step: int, *, undone: bool = False) -> None:
+        """Go to another step of the run, back or ahead; to the level's end at the most.
+
+        A way back begins at the start: the run is taken again, with all that a hand did to it, and
+        so is the same to the last bit. What was done later is forgotten. A long way takes some
+        frames, see `sought`.
+
+        Parameters
+        ----------
+        step
+            Which.
+        undone
+            Whether what was done at that step itself is forgotten, too.
+
+        Raises
+        ------
+        SandboxError
+            If the run cannot be built again.
+        """
+        sought = min(max(step, 0), self.end)
+        back = undone or sought < self.world.steps
+        if self._stands or (self.failure is not None and not back):
+            return
+        self.release()
+        self.run.limits.bear()
+        self.sought = sought
+        if back:
+            self._begin_again(sought)
+        self._seek(AT_ONCE)
+
+    def do_again(self, actions: Sequence[Action], steps: int) -> None:
+        """Take a run from its start to a step, with what a hand did to it then."""
+        self._take_again(actions, steps, inf)
+
+    def _take_again(self, actions: Sequence[Action], steps: int, budget: float = AT_ONCE) -> None:
+        """Take a run from its start; what there is no time for is left to later frames [s]."""
+        self.run.script, self.sought = actions, steps
+        self._seek(budget)
+
+    def _begin_again(self, sought: int) -> None:
+        """Start anew with the same parameters, to do again what was done before a step."""
+        before = self.run
+        self._take_up(self._run_anew())
+        self.run.script = [action for action in before.actions if action.step < sought]
+        self.run.ahead = before.farthest
+        self.run.end = max(self.run.end, before.end)
+        self.sought = sought
+
+    def _seek(self, budget: float) -> None:
+        """Take steps towards the one that is sought, as far as the budget goes [s]."""
+        deadline, playing = perf_counter() + budget, self.playing
+        while self.sought is not None and self.failure is None:
+            if self.halted:
+                self.sought = None
+            elif self.world.steps >= self.sought:
+                self.run.catch_up()
+                self.sought = None
+                self.run.release_what_is_held()
+                self.playing = playing and not self.at_end
+            elif perf_counter() > deadline:
+                return
+            else:
+                self._advance()
+
+    def stay(self) -> bool:
+        """Stay where a way back or ahead has come to, and return whether there was one."""
+        under_way, self.sought = self.sought is not None, None
+        if under_way:
+            self.playing = False
+        return under_way
+
+    def step_back(self) -> None:
+        """Pause, and go a single step back."""
+        self.playing = False
+        if self.world.steps:
+            self.go_to(self.world.steps - 1)
+
+    def faster(self) -> None:
+        """Take the next higher speed."""
+        self.speed = faster(self.speed)
+
+    def slower(self) -> None:
+        """Take the next lower speed."""
+        self.speed = slower(self.speed)
+
+    def update(self, seconds: float, budget: float = BUDGET) -> None:
+        """Take the steps that are due after some real time, as far as the budget goes [s]."""
+        if self.sought is not None:
+            self._seek(ON_THE_WAY)
+            return
+        if not self.playing or self._stands:
+            return
+        self._owed += seconds * self.speed * self.world.stepping.rate
+        due = int(self._owed)
+        self._owed -= due
+        taken = self._take(due, budget)
+        dropped = due - taken if self.playing else 0
+        self.pace.note(seconds, taken * self.world.dt, dropped)
+
+    def _take(self, due: int, budget: float) -> int:
+        deadline = perf_counter() + budget
+        for taken in range(due):
+            if not self.playing or (taken and perf_counter() > deadline):
+                return taken
+            self._advance()
+        return due
+
+    def _advance(self) -> None:
+        if self.failure is not None or self._stands:
+            return
+        begun = perf_counter()
+        self.run.advance()
+        if self._watched:
+            self.run.limits.stepped(perf_counter() - begun)
+        if self.failure is not None or self.at_end or self.halted:
+            self.playing = False
+
+    def grab(self, body: str, point: XY) -> None:
+        """Take hold of a body at a point [m]; nothing happens to it before `drag`."""
+        self._grip.grab(body, point)
+
+    def drag(self, point: XY) -> None:
+        """Pull what is held to a point [m]: while time runs with a force, else put it there."""
+        self._grip.drag(point, playing=self.playing)
+        self._pause_if_stopped()
+
+    def release(self) -> None:
+        """Let go."""
+        self._grip.release()
+        self._pause_if_stopped()
+
+    def _pause_if_stopped(self) -> None:
+        if self.failure is not None:
+            self.playing = False
+
+    @property
+    def flashes(self) -> Sequence[Flash]:
+        """What is to be seen of the last impacts: the same at a step whenever it is shown."""
+        return self.run.blows.flashes(FADING * self.speed)
+
+    def readings(self) -> tuple[Reading, ...]:
+        """Return how the checks stand."""
+        return self.run.readings(hurried=self.playing)
+
+    def milestones(self) -> tuple[Milestone, ...]:
+        """Return what has happened; nothing that counts once a hand has touched the run."""
+        return self.run.milestones(hurried=self.playing)

@@ -1,0 +1,137 @@
+"""Runs as files: a level, its parameters, and what was done, to have the same run again."""
+
+import json
+from collections.abc import Mapping
+from hashlib import sha256
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationError
+
+from sandbox.app.runs.actions import Action
+from sandbox.app.runs.session import Session
+from sandbox.model.base import Model
+from sandbox.model.errors import SandboxError
+from sandbox.model.files import read_ordinary, write_atomically
+from sandbox.model.level import Level
+from sandbox.model.loading import choose, parse
+from sandbox.model.parts import names_in
+from sandbox.physics.state.snapshot import Snapshot
+
+LARGEST = 100_000_000
+"""Bytes of a run file: what is larger is not read."""
+
+
+class Run(Model):
+    """A run that can be taken again."""
+
+    format: Literal[1]
+    """the version of the format"""
+    level: Mapping[str, Any]
+    """the level that was played, whole, with the rate at which it was"""
+    parameters: Mapping[str, Annotated[float, Field(strict=False, allow_inf_nan=False)]]
+    """their values at the start"""
+    steps: Annotated[int, Field(ge=0)]
+    """how many steps were taken"""
+    actions: Annotated[tuple[Action, ...], Field(strict=False)] = ()
+    """what was done to it, in order"""
+    state: str
+    """a hash of the state at the end"""
+
+
+def run_of(session: Session) -> Run:
+    """Return the run of a session so far."""
+    level = session.begun_as.model_copy(update={"stepping": session.world.stepping})
+    if session.changes or level.effects != session.original.effects:
+        level = _scene(level)
+    return Run(
+        format=1,
+        level=level.model_dump(mode="json", by_alias=True, exclude_defaults=True),
+        parameters={name: session.begun_with[name] for name in level.parameters},
+        steps=session.world.steps,
+        actions=tuple(session.actions),
+        state=fingerprint(session.world.snapshot),
+    )
+
+
+def _scene(level: Level) -> Level:
+    """Return what still holds of a level with other effects: all but the formulas."""
+    view = level.view.model_copy(update={"landscape": None})
+    told: dict[str, object] = {"checks": (), "ghosts": {}, "challenge": None, "view": view}
+    scene = level.model_copy(update=told)
+    used = names_in(scene)
+    parameters = {name: p for name, p in level.parameters.items() if name in used}
+    return scene.model_copy(update={"parameters": parameters})
+
+
+def replay(run: Run) -> Session:
+    """Take a run again, without a window, and return it at its end.
+
+    Raises
+    ------
+    SandboxError
+        If its level is not well formed, or it cannot be run.
+    """
+    session = session_of(run)
+    session.do_again(run.actions, run.steps)
+    if session.failure is not None:
+        raise session.failure
+    return session
+
+
+def session_of(run: Run) -> Session:
+    """Return a session at the start of a run, which does again, step by step, what a hand did.
+
+    Raises
+    ------
+    SandboxError
+        If its level is not well formed, or cannot be built.
+    """
+    level = parse(json.dumps(run.level), "the level of the run")
+    session = Session(level, choose(level, run.parameters))
+    session.do_again(run.actions, 0)
+    return session
+
+
+def is_same(run: Run, session: Session) -> bool:
+    """Whether a run that was taken again has come to the same state, to the last bit."""
+    return fingerprint(session.world.snapshot) == run.state
+
+
+def save(run: Run, path: Path) -> None:
+    """Write a run to a file, whole or not at all.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be written.
+    """
+    write_atomically(path, run.model_dump_json(indent=1) + "\n")
+
+
+def read(path: Path) -> Run:
+    """Read a run from a file.
+
+    Raises
+    ------
+    SandboxError
+        If there is no such file, or it is no run.
+    """
+    try:
+        content = read_ordinary(path, LARGEST)
+    except OSError as error:
+        raise SandboxError(f"cannot read {path}: {error.strerror}") from error
+    if content is None:
+        raise SandboxError(f"cannot read {path}: it is no ordinary file, or larger than 100 MB")
+    try:
+        return Run.model_validate_json(content)
+    except ValidationError as error:
+        first = error.errors(include_url=False)[0]
+        place = ".".join(str(step) for step in first["loc"]) or "the file"
+        raise SandboxError(f"{path} is not the file of a run: {place}: {first['msg']}") from error
+
+
+def fingerprint(snapshot: Snapshot) -> str:
+    """Return a hash of where everything is and how it moves."""
+    parts = (snapshot.position, snapshot.angle, snapshot.velocity, snapshot.angular_velocity)
+    return sha256(b"".join(part.tobytes() for part in parts)).hexdigest()

@@ -1,0 +1,256 @@
+"""A level being played: how its runs begin, as its file says or changed. No window is needed."""
+
+from collections.abc import Mapping, Sequence
+
+from sandbox.app.observing.looking import Looking
+from sandbox.app.runs.actions import Action
+from sandbox.app.runs.beginning import Beginning, at_rate, begin
+from sandbox.app.runs.companions import NONE, Changes, Variant
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.playback import Playback
+from sandbox.app.words.language import say
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.model.loading import choose
+from sandbox.physics.accuracy.cache import keep
+from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.advising.remedies import Advice
+from sandbox.physics.measuring.goals import Attempt
+from sandbox.physics.state.errors import SimulationError
+
+
+class Session(Playback):
+    """A level that is played.
+
+    Attributes
+    ----------
+    original
+        The level as its file declares it.
+    begun_as
+        What its runs begin as: the original, or with other effects, or with another stepping.
+    changes
+        Which effects were switched off and on.
+    branches
+        Whether a parameter that is changed acts from now on, instead of from the start.
+    looking
+        The body that a person looks at, and the forces on it.
+
+    Parameters
+    ----------
+    level, values, rate
+        What is played, and how; as the level says what is left out.
+    patient
+        Whether an accuracy that the level asks for is waited for, and steps that take long; else
+        somebody has to `settle` it, and no time passes before.
+
+    Raises
+    ------
+    SandboxError
+        If the level cannot be run with these values.
+    """
+
+    def __init__(
+        self,
+        level: Level,
+        values: Values | None = None,
+        rate: float | None = None,
+        *,
+        patient: bool = True,
+    ) -> None:
+        self.original = level
+        self._patient = patient
+        self.begun_as = at_rate(level, rate)
+        self.changes = NONE
+        self.branches = False
+        self.looking = Looking(level)
+        begun = self._built(self.begun_as, (), level.defaults if values is None else values)
+        super().__init__(LiveRun(level, begun), watched=not patient)
+        self._opened = self.level, self.values
+
+    def _built(self, level: Level, beside: Sequence[Variant], values: Values) -> Beginning:
+        return begin(level, values, beside, patient=self._patient)
+
+    def _run_with(self, values: Values) -> LiveRun:
+        """Return a run with these parameters, and with the same runs beside it."""
+        variants = [companion.variant for companion in self.companions]
+        return LiveRun(self.original, self._built(self.begun_as, variants, values), self.earlier)
+
+    def _run_anew(self) -> LiveRun:
+        return self._run_with(self.begun_with)
+
+    @property
+    def touched(self) -> bool:
+        """Whether a person has changed anything since the level was opened."""
+        changed = self.companions or self.earlier or self.run.actions
+        return bool(changed) or (self.level, self.values) != self._opened
+
+    def restart(self, settings: Mapping[str, float] | None = None) -> None:
+        """Start anew, with some parameters changed.
+
+        Raises
+        ------
+        ValueRangeError
+            If a parameter cannot have that value.
+        """
+        level = self.begun_as
+        now = {name: value for name, value in self.values.items() if name in level.parameters}
+        values = choose(level, {**self.begun_with, **now, **(settings or {})})
+        if values != self.values and self.world.steps:
+            self.run.keep_as_earlier(values)
+        try:
+            self._take_up(self._run_with(values))
+        except SandboxError as error:
+            self._stop(error)
+
+    def forget_earlier(self) -> None:
+        """Let nothing stay of the runs with other parameters."""
+        self.run.earlier = ()
+
+    def change(self, settings: Mapping[str, float], *, otherwise: bool = False) -> None:
+        """Change some parameters: from the start, or from now on if the session `branches`.
+
+        Parameters
+        ----------
+        settings
+            Their values.
+        otherwise
+            The other way round, this once.
+
+        Raises
+        ------
+        SandboxError
+            If a parameter cannot have that value, or cannot be changed from now on.
+        """
+        if self.branches != otherwise:
+            self.branch(settings)
+        else:
+            self.restart(settings)
+
+    def branch(self, settings: Mapping[str, float]) -> None:
+        """Go on from here with some parameters changed; what was so far stays as an earlier run.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        if not self.world.steps:
+            self.restart(settings)
+            return
+        self._require_one_that_goes_on(say("with other parameters"))
+        self.release()
+        self.run.branch(settings)
+
+    def alter(self, text: str) -> None:
+        """Go on from here as another level says: that of the present state, with other parts.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        self._require_one_that_goes_on(say("with other parts"))
+        if self.changes:
+            told = say("effects are switched off or on here; switch them back first (X)")
+            raise SandboxError(told)
+        self.release()
+        self.run.alter(text)
+        if self.looking.body not in self.level.bodies:
+            self.looking = Looking(self.level)
+
+    def _require_one_that_goes_on(self, how: str) -> None:
+        if self.companions or self.failure is not None:
+            why = say("other runs go beside it") if self.companions else say("it had to stop")
+            raise SandboxError(say("this run cannot go on {how}: {why}", how=how, why=why))
+
+    def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
+        """Take a run again from its start, and stand there; a long way takes some frames.
+
+        Parameters
+        ----------
+        actions
+            What was done to it.
+        steps
+            How far.
+        values
+            With which it began; those with which the present one did if left out.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be built again.
+        """
+        self._take_up(self._run_with(self.begun_with if values is None else values))
+        self.playing = False
+        self._take_again(actions, steps)
+
+    def take(self, advice: Advice) -> None:
+        """Take in what was found to help a run that had to stop."""
+        self.run.trying, self.run.advice = False, advice
+        if isinstance(self.failure, SimulationError):
+            self.run.failure = self.failure.advised(advice.text, advice.rate)
+
+    def rerun(self, rate: float) -> None:
+        """Play anew at another rate, from now on [Hz]."""
+        self.begun_as = at_rate(self.begun_as, rate)
+        self.restart()
+        self.playing = self.failure is None
+
+    def edit(self, level: Level) -> None:
+        """Play another level from its start: the one that is played, as somebody has changed it.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot be run; then all stays as it was.
+        """
+        begun = self._built(level, (), level.defaults)
+        self.original = self.begun_as = level
+        self.changes, self.playing = NONE, False
+        self._take_up(LiveRun(self.original, begun))
+
+    def play_as(
+        self,
+        level: Level,
+        beside: Sequence[Variant] = (),
+        changes: Changes = NONE,
+        values: Values | None = None,
+    ) -> None:
+        """Start anew with another form of the level, and with other runs beside it.
+
+        Parameters
+        ----------
+        level
+            The original, with other effects or another stepping.
+        beside
+            What runs beside it.
+        changes
+            The effects in which it differs from the original.
+        values
+            Its parameters; the present ones if left out.
+
+        Raises
+        ------
+        SandboxError
+            If one of them cannot be run; then all stays as it was.
+        """
+        begun = self._built(level, beside, self.values if values is None else values)
+        self.begun_as, self.changes = level, changes
+        self._take_up(LiveRun(self.original, begun))
+
+    def settle(self, setting: Setting) -> None:
+        """Begin with the setting that its level asks for, now that it is known."""
+        keep(self.begun_as, self.values, setting)
+        self.restart()
+
+    def give_up(self, why: str) -> None:
+        """Take note that nobody knows the setting that its level asks for."""
+        self._stop(SandboxError(why))
+
+    def attempt(self) -> Attempt | None:
+        """Return how the level's challenge stands; None without one, or if the run earns nothing.
+
+        That is so once a hand has touched it, or effects are changed.
+        """
+        return None if self.changes else self.run.attempt(hurried=self.playing)

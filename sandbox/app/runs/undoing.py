@@ -1,0 +1,189 @@
+"""Taking back what a person has changed of a run: parameters, effects, scheme, rate, and speed."""
+
+from collections.abc import Mapping, Sequence
+from itertools import takewhile
+from math import inf
+from typing import NamedTuple
+
+from sandbox.app.runs.companions import Changes, Variant
+from sandbox.app.runs.session import Session
+from sandbox.app.words import wording
+from sandbox.app.words.language import later, say
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+
+TOGETHER = 0.7  # s, within which changes of the same thing are one: a slider on its way
+MOST = 200
+"""Changes that are remembered."""
+FORM, SPEED = later("effects and stepping"), "speed"
+
+
+class Branch(NamedTuple):
+    """Where a run has gone on with other parameters."""
+
+    step: int
+    parameters: Mapping[str, float]
+
+
+class Setup(NamedTuple):
+    """All of a session that a person chooses, and nothing of what came of it."""
+
+    level: Level
+    changes: Changes
+    beside: Sequence[Variant]
+    begun: Mapping[str, float]
+    """the parameters at the start of the run"""
+    branches: Sequence[Branch]
+    values: Mapping[str, float]
+    """the parameters now"""
+    speed: float
+
+
+class Undoing:
+    """The changes that can be taken back, and those that can be made again.
+
+    `follow` it from frame to frame; it notes by itself what has changed.
+    """
+
+    def __init__(self) -> None:
+        self._of: tuple[Session, Level] | None = None
+        self._now: Setup | None = None
+        self._kind: frozenset[str] = frozenset()
+        self._since = inf  # s since the last change
+        self._past: list[Setup] = []
+        self._future: list[Setup] = []
+
+    def follow(self, session: Session, seconds: float) -> None:
+        """Note what has changed in some time [s]; another level has nothing to be taken back."""
+        before, level = self._now, session.original
+        if before is None or self._of is None or not all(map(_is, self._of, (session, level))):
+            self._of = session, level
+            self._past, self._future = [], []
+            self._rest(setup(session))
+            return
+        self._since += seconds
+        if session.sought is not None:
+            return  # on a way back that is not done yet
+        now = setup(session)
+        kind = differences(before, now)
+        if kind:
+            if kind != self._kind or self._since > TOGETHER:
+                self._past = [*self._past, before][-MOST:]
+            self._future, self._kind, self._since = [], kind, 0.0
+        self._now = now
+
+    def undo(self, session: Session) -> str:
+        """Take the last change back, and return what is told of that; see `redo`."""
+        return self._go(
+            session, self._past, self._future, later("undone: {what}"), later("nothing to undo")
+        )
+
+    def redo(self, session: Session) -> str:
+        """Make a change again that was taken back, and return what is told of that.
+
+        Raises
+        ------
+        SandboxError
+            If that cannot be; then all stays as it was.
+        """
+        return self._go(
+            session, self._future, self._past, later("done again: {what}"),
+            later("nothing to do again"),
+        )  # fmt: skip
+
+    def _go(
+        self, session: Session, come_from: list[Setup], go_to: list[Setup], told: str, nothing: str
+    ) -> str:
+        self.follow(session, 0.0)
+        if not come_from:
+            return say(nothing)
+        wanted, before = come_from[-1], setup(session)
+        apply(session, wanted)
+        come_from.pop()
+        go_to.append(before)
+        self._rest(setup(session) if session.sought is None else wanted)
+        return say(told, what=_words(before, wanted))
+
+    def _rest(self, now: Setup) -> None:
+        """Take what is the case now as what the next change is a change of."""
+        self._now, self._kind, self._since = now, frozenset(), inf
+
+
+def setup(session: Session) -> Setup:
+    """Return what is chosen now."""
+    branches = [Branch(a.step, a.parameters) for a in session.actions if a.kind == "branch"]
+    beside = [companion.variant for companion in session.companions]
+    return Setup(
+        session.begun_as, session.changes, beside, session.begun_with, branches, session.values,
+        session.speed,
+    )  # fmt: skip
+
+
+def differences(before: Setup, after: Setup) -> frozenset[str]:
+    """Return what a person has changed between two; nothing for a way back in time."""
+    found = {SPEED} if before.speed != after.speed else set()
+    if not _same_form(before, after):
+        found.add(FORM)
+    back = before.begun == after.begun and len(after.branches) < len(before.branches)
+    if not back:
+        names = after.values.keys() & before.values.keys()
+        found |= {name for name in names if before.values[name] != after.values[name]}
+    return frozenset(found)
+
+
+def apply(session: Session, wanted: Setup) -> None:
+    """Let a session be as it was.
+
+    Raises
+    ------
+    SandboxError
+        If it cannot be; then all stays as it was.
+    """
+    now = setup(session)
+    both = zip(now.branches, wanted.branches, strict=False)
+    kept = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], both))
+    lost, gained = now.branches[kept:], wanted.branches[kept:]
+    if not _same_form(now, wanted):
+        session.play_as(wanted.level, wanted.beside, wanted.changes, wanted.values)
+    elif now.begun == wanted.begun and (lost or gained) and len(gained) <= 1:
+        if lost:
+            session.go_to(lost[0].step, undone=True)
+        if gained:
+            _branch(session, gained[0])
+    elif now.values != wanted.values:
+        session.restart(wanted.values)
+    session.speed = wanted.speed
+
+
+def _branch(session: Session, branch: Branch) -> None:
+    """Go on with other parameters from the step where the run has done so before."""
+    if session.sought is None:
+        session.go_to(branch.step)
+    if session.sought is not None:
+        told = say("the run is on its way to where it branched; then do it again")
+        raise SandboxError(told)
+    session.branch(branch.parameters)
+
+
+def _same_form(a: Setup, b: Setup) -> bool:
+    """Whether the same forms of the level are played; they are not compared, but told apart."""
+    beside = len(a.beside) == len(b.beside) and all(map(_is, a.beside, b.beside))
+    return a.level is b.level and a.changes == b.changes and beside
+
+
+def _is(a: object, b: object) -> bool:
+    return a is b
+
+
+def _words(before: Setup, after: Setup) -> str:
+    """Say what is as it was."""
+    names = [name for name in after.values if after.values[name] != before.values.get(name)]
+    parts = [
+        say("{name} is {value}", name=name, value=wording.setting(after.values[name]))
+        for name in names
+    ]
+    if not _same_form(before, after):
+        parts.append(say("{what} as before", what=say(FORM)))
+    if after.speed != before.speed:
+        parts.append(say("speed is {speed:g}×", speed=after.speed))
+    return ", ".join(parts) or say("as before")

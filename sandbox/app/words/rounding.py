@@ -1,0 +1,17 @@
+"""Numbers as a person would choose them."""
+
+from sandbox.app.words.wording import nice
+from sandbox.model.level import Parameter
+
+
+def step(parameter: Parameter) -> float:
+    """Return a round step, of which the parameter's range has a hundred or more."""
+    span = parameter.max - parameter.min
+    return nice(span / 100) if span > 0 else 1.0
+
+
+def rounded(parameter: Parameter, value: float) -> float:
+    """Return a value rounded to whole steps, within the parameter's range."""
+    size = step(parameter)
+    whole = round(value / size) * size
+    return float(f"{min(max(whole, parameter.min), parameter.max):.9g}")

@@ -1,0 +1,128 @@
+"""Whatever a person types or pastes, and whatever a stranger's level says, can be drawn."""
+
+import json
+import sys
+from pathlib import Path
+
+import pygame
+import pytest
+
+from sandbox.app.drawing.text import Pen, legible, typed
+from sandbox.app.panels.levels import LevelList
+from sandbox.app.widgets.field import LONGEST
+from tests.app.person import Person
+from tests.model.levels import bare
+from tests.sample import thinned
+
+UNSEEN = [chr(c) for c in (0x200B, 0x202E, 0xAD, 0xFE0F, 0x301, 0, 0x1B, 0xD800, 0x10FFFE, 10)]
+"""What has no width: spaces, marks of direction, accents alone, half characters, none at all."""
+
+
+@pytest.fixture
+def player(person: Person) -> Person:
+    person.window.open_level("newton/atwood")
+    person.wait()
+    return person
+
+
+def listed(player: Person) -> LevelList:
+    assert player.window.panels.list is not None
+    return player.window.panels.list
+
+
+def enter(player: Person, text: str) -> None:
+    """Type a text into the field that has the keyboard, as an input method would."""
+    pygame.event.post(pygame.Event(pygame.TEXTINPUT, text=text))
+    player.wait(0.05)
+
+
+def paste(player: Person, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("sandbox.app.widgets.field.clipboard_paste", lambda: text)
+    player.press(pygame.K_v, mod=pygame.KMOD_CTRL)
+
+
+@pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
+def test_a_letter_without_width_is_not_taken_into_the_field_that_finds_levels(
+    player: Person, letter: str
+) -> None:
+    player.press(pygame.K_SLASH, "/")
+    enter(player, letter)
+    enter(player, "a")
+    enter(player, f"{letter}b")
+
+    assert listed(player).sought.replace(" ", "") == "ab"
+
+
+@pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
+def test_what_is_pasted_is_taken_but_for_what_cannot_be_drawn(
+    player: Person, letter: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.press(pygame.K_SLASH, "/")
+    paste(player, f"{letter}hard{letter}", monkeypatch)
+
+    assert listed(player).sought.replace(" ", "") == "hard"
+
+
+def test_a_book_that_is_pasted_is_cut(player: Person, monkeypatch: pytest.MonkeyPatch) -> None:
+    player.press(pygame.K_SLASH, "/")
+    paste(player, "a word and another " * 100_000, monkeypatch)
+
+    assert len(listed(player).sought) == LONGEST
+
+
+def test_an_empty_clipboard_changes_nothing(
+    player: Person, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.press(pygame.K_SLASH, "/")
+    paste(player, "", monkeypatch)
+
+    assert listed(player).sought == ""
+
+
+@pytest.mark.parametrize("letter", thinned(UNSEEN, 4), ids=ascii)
+def test_a_number_is_typed_past_what_cannot_be_drawn(
+    player: Person, letter: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    player.press(pygame.K_TAB)
+    paste(player, f"2{letter}.5 kg", monkeypatch)
+    player.press(pygame.K_RETURN)
+
+    assert 2.5 in player.session.values.values()
+
+
+@pytest.mark.parametrize(
+    "text", ["\u200b", "\u202e\u202dx", "\x00", "a\tb\nc", "x\u0302", "<b>&amp;"]
+)
+def test_a_level_may_say_anything_and_is_shown(person: Person, text: str, tmp_path: Path) -> None:
+    data = bare()
+    data |= {"title": text, "summary": text, "reference": text}
+    data["parameters"]["m"] |= {"label": text, "unit": text}
+    data["checks"][0]["label"] = text
+
+    person.open(tmp_path, json.dumps(data))
+    person.wait(0.1)
+
+    assert person.session.level.title == text
+
+
+def test_a_file_whose_title_is_half_a_character_is_listed(person: Person, tmp_path: Path) -> None:
+    person.open(tmp_path, '{"title": "\\ud800"}')
+
+    assert person.window.session is None
+
+
+def test_every_character_can_be_written() -> None:
+    pygame.font.init()
+    pen = Pen()
+    for first in range(0, sys.maxunicode, 4096):
+        letters = [chr(code) for code in range(first, first + 4096, 61)]
+        pen._write("".join(letters))
+        for letter in letters[::4]:
+            pen._write(letter)
+            pen.shorten(letter, 1)
+            pen.wrap(letter, 1)
+
+
+def test_letters_keep_their_accents() -> None:
+    assert legible("e\u0301x\u0302") == "éx\u0302"
+    assert typed("e\u0301") == "é"

@@ -1,0 +1,118 @@
+"""A run that was saved is taken again, and comes to the same state to the last bit."""
+
+from pathlib import Path
+
+import pytest
+
+from sandbox.app.runs import runfile
+from sandbox.app.runs.session import Session
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Stepping
+from sandbox.model.loading import load
+from sandbox.model.variants import without
+
+LEVELS = catalog.names()[::15]
+
+
+def played(name: str, steps: int = 40) -> Session:
+    """Play a level for some steps, with a hand that puts its first body elsewhere and pulls it."""
+    session = Session(load(catalog.find(name)))
+    for _ in range(steps):
+        session.step()
+    return session
+
+
+def pulled(session: Session) -> None:
+    """Pull a body for some steps, as while time runs, and let it go."""
+    body = next(n for n, b in session.level.bodies.items() if b.type == "dynamic")
+    row = list(session.level.bodies).index(body)
+    x, y = session.world.snapshot.position[row].tolist()
+    session.playing = True
+    session.grab(body, (x, y))
+    for i in range(10):
+        session.drag((x + 0.01 * i, y + 0.02 * i))
+        session._advance()
+    session.release()
+    session.playing = False
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_a_run_from_a_file_is_the_same_to_the_last_bit(name: str, tmp_path: Path) -> None:
+    session = played(name)
+    runfile.save(runfile.run_of(session), tmp_path / "run.json")
+
+    run = runfile.read(tmp_path / "run.json")
+
+    assert run == runfile.run_of(session)
+    assert runfile.is_same(run, runfile.replay(run))
+
+
+def test_what_a_hand_did_is_done_again(tmp_path: Path) -> None:
+    session = played("newton/atwood")
+    pulled(session)
+    for _ in range(20):
+        session.step()
+    run = runfile.run_of(session)
+    runfile.save(run, tmp_path / "run.json")
+
+    again = runfile.replay(runfile.read(tmp_path / "run.json"))
+
+    assert runfile.is_same(run, again)
+    assert again.world.disturbed
+    untouched = run.model_copy(update={"actions": ()})
+    assert not runfile.is_same(run, runfile.replay(untouched))
+
+
+def test_parameters_and_changed_effects_belong_to_the_run() -> None:
+    level = load(catalog.find("newton/projectile-with-drag"))
+    session = Session(level)
+    session.restart({"speed": 17})
+    session.play_as(without(level, "drag")[0])
+    for _ in range(20):
+        session.step()
+    run = runfile.run_of(session)
+
+    assert "drag" not in run.level["effects"]
+    assert runfile.is_same(run, runfile.replay(run))
+
+
+@pytest.mark.parametrize(
+    ("content", "told"),
+    [
+        (b"", "is not the file of a run"),
+        (b"{}", "format: Field required"),
+        (b'{"format": 2}', "format"),
+        (b"\xff", "is not the file of a run"),
+    ],
+)
+def test_another_file_is_refused_with_what_is_wrong(
+    content: bytes, told: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "run.json"
+    path.write_bytes(content)
+
+    with pytest.raises(SandboxError) as refused:
+        runfile.read(path)
+    assert told in str(refused.value)
+    assert str(path) in str(refused.value)
+
+
+def test_a_level_that_asks_for_an_accuracy_is_saved_with_the_rate_it_was_played_at() -> None:
+    asked = load(catalog.find("kinematics/projectile"))
+    asked = asked.model_copy(update={"stepping": Stepping(accuracy=1e-6)})
+    session = Session(asked)
+    for _ in range(10):
+        session.step()
+    run = runfile.run_of(session)
+
+    assert "accuracy" not in run.level.get("stepping", {})
+    assert runfile.is_same(run, runfile.replay(run))
+
+
+def test_a_level_that_is_not_well_formed_is_refused() -> None:
+    run = runfile.run_of(played("newton/atwood", 1))
+    wrong = run.model_copy(update={"level": {**run.level, "gravity": 1}})
+
+    with pytest.raises(SandboxError, match="gravity"):
+        runfile.replay(wrong)

@@ -1,0 +1,317 @@
+"""A level being played, without a window."""
+
+import json
+
+import numpy as np
+import pytest
+
+from sandbox.app.runs.pace import SPEEDS, Pace
+from sandbox.app.runs.session import Session
+from sandbox.model.crowds import crowd
+from sandbox.model.errors import ValueRangeError
+from sandbox.model.loading import parse
+from sandbox.physics.measuring.recording import count_steps
+from sandbox.physics.run import build
+from tests.app import scenes
+from tests.app.scenes import play
+from tests.physics.scenes import disc, level
+
+FRAME = 1 / 60  # s
+
+
+def state(session: Session) -> bytes:
+    snapshot = session.world.snapshot
+    arrays = (snapshot.position, snapshot.velocity, snapshot.angle, snapshot.acceleration)
+    return b"".join(array.tobytes() for array in arrays)
+
+
+@pytest.mark.parametrize("speed", [0.1, 1.0, 8.0])
+def test_the_speed_of_playing_does_not_change_a_single_bit(speed: float) -> None:
+    level = scenes.level()
+    session = Session(level)
+    session.speed = speed
+    headless = build(level)
+
+    play(session, frame=0.0173)
+    headless.advance(count_steps(headless))
+
+    assert session.world.steps == headless.steps == 60
+    assert np.array_equal(session.world.snapshot.position, headless.snapshot.position)
+    assert np.array_equal(session.world.snapshot.velocity, headless.snapshot.velocity)
+
+
+def test_stepping_by_hand_ends_in_the_same_state_as_playing() -> None:
+    played, stepped = Session(scenes.level()), Session(scenes.level())
+
+    play(played)
+    for _ in range(60):
+        stepped.step()
+
+    assert state(played) == state(stepped)
+
+
+def test_a_frame_takes_whole_steps_and_owes_the_rest() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    for _ in range(5):
+        session.update(0.0125)  # 0.75 steps each
+
+    assert session.world.steps == 3
+
+
+def test_what_the_budget_cannot_pay_is_dropped_and_told() -> None:
+    session = Session(scenes.level(duration=100))
+    session.toggle()
+
+    session.update(1.0, budget=0.0)
+
+    assert session.world.steps == 1
+    assert session.pace.reduced == pytest.approx(1 / 60)
+    assert session.remaining == pytest.approx(60 * (100 - 1 / 60))
+    session.playing = False
+    assert session.remaining is None
+
+
+def test_a_pace_forgets_what_is_more_than_half_a_second_ago() -> None:
+    pace = Pace()
+
+    pace.note(0.1, 0.05, dropped=3)
+    for _ in range(6):
+        pace.note(0.1, 0.1, dropped=0)
+
+    assert pace.reduced is None
+
+
+def test_a_run_pauses_by_itself_when_it_is_complete_and_goes_on_when_asked() -> None:
+    session = Session(scenes.level())
+
+    play(session)
+    assert session.at_end
+    assert session.t == pytest.approx(1.0)
+    session.toggle()
+    session.update(0.1, budget=10.0)
+
+    assert session.playing
+    assert session.world.steps == 66
+
+
+def test_the_checks_judge_the_duration_only() -> None:
+    session = Session(scenes.level())
+    play(session)
+    at_the_end = session.readings()
+
+    for _ in range(30):
+        session.step()
+
+    assert session.readings() == at_the_end
+
+
+def test_a_reading_of_every_step_shows_the_present_and_the_worst_error() -> None:
+    session = Session(scenes.level())
+    for _ in range(15):
+        session.step()
+
+    height, half_way = session.readings()
+
+    assert height.measured == pytest.approx(5 - 10 * 0.25**2 / 2)
+    assert height.expected == pytest.approx(height.measured, rel=1e-12)
+    assert height.result.verdict == "passed"
+    assert half_way.result.verdict == "waiting"
+    assert (half_way.measured, half_way.expected) == (2.5, 5.0)  # of now, and of then
+
+
+def test_a_change_of_a_parameter_starts_the_run_anew() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+    session.update(0.5)
+
+    session.restart({"g": 20})
+
+    assert session.t == 0
+    assert session.playing
+    assert session.values["g"] == 20
+    assert session.values["mass"] == 1
+
+
+def test_a_value_out_of_range_is_refused_and_changes_nothing() -> None:
+    session = Session(scenes.level())
+    world = session.world
+
+    with pytest.raises(ValueRangeError):
+        session.restart({"g": 21})
+
+    assert session.world is world
+
+
+def test_a_body_is_pulled_while_time_runs() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    session.grab("ball", (0, 5))
+    for _ in range(30):
+        session.drag((2, 5))
+        session.update(FRAME)
+
+    x, y = session.world.snapshot.position[0]
+    assert x > 1
+    assert y > 4
+    assert session.world.disturbed
+
+
+def test_a_hand_for_which_the_rate_is_too_low_stops_the_run_and_says_so() -> None:
+    """A bob that turns by 1 rad a step: parts of it the rod can follow, a whole one it cannot."""
+    session = Session(
+        level(
+            {"bob": disc((1, 0), velocity=[0, 17])},
+            {},
+            joints={"rod": {"type": "rod", "ends": [[0, 0], "bob"]}},
+            stepping={"rate": 16, "scheme": "fourth-order"},
+        )
+    )
+    session.toggle()
+    session.update(0.2)
+
+    session.grab("bob", (1, 0))
+    session.drag((1, 1))
+
+    assert not session.playing
+    assert "nothing keeps 'rod' as it is" in str(session.failure)
+
+
+def test_a_body_is_put_elsewhere_while_time_stands() -> None:
+    session = Session(scenes.level())
+
+    session.grab("ball", (0.2, 5.1))
+    session.drag((2.2, 3.1))
+    session.release()
+
+    assert session.world.snapshot.position[0] == pytest.approx([2.0, 3.0])
+    assert session.t == 0
+    assert session.world.disturbed
+
+
+def test_to_hold_a_body_without_moving_disturbs_nothing() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+
+    session.grab("ball", (0, 5))
+    session.update(0.1)
+    session.release()
+
+    assert not session.world.disturbed
+
+
+def test_a_body_that_is_held_when_time_stops_is_put_from_then_on() -> None:
+    session = Session(scenes.level())
+    session.toggle()
+    session.grab("ball", (0, 5))
+    session.drag((1, 5))
+    session.update(0.1)
+
+    session.toggle()
+    session.drag((3, 3))
+
+    assert session.world.snapshot.position[0] == pytest.approx([3, 3], abs=0.2)
+
+
+def test_a_string_that_cannot_be_kept_stops_the_run_and_leaves_the_last_good_state() -> None:
+    session = Session(parse(scenes.runaway()))
+
+    play(session)
+
+    assert session.failure is not None
+    assert "string" in str(session.failure)
+    assert np.isfinite(session.world.snapshot.position).all()
+    session.toggle()
+    assert not session.playing
+    session.restart()
+    assert session.failure is None
+
+
+def test_the_energies_of_a_fall_are_exchanged() -> None:
+    session = Session(scenes.level())
+    play(session)
+
+    start, now = session.books.start, session.books.energies
+
+    assert start.kinetic == 0
+    assert now.kinetic == pytest.approx(50)
+    assert now.total == pytest.approx(start.total)
+
+
+def test_energies_are_compared_with_those_that_a_hand_has_left() -> None:
+    """The work of the hand is no change that the run has made of itself."""
+    session = Session(scenes.level())
+    run = session.run
+
+    run.act("place", "ball", (0.0, 30.0))
+    assert run.books.start.total == pytest.approx(300)
+    for _ in range(20):
+        session.step()
+    assert run.books.energies.total == pytest.approx(run.books.start.total)
+    run.act("grab", "ball", (0.0, 30.0))
+    run.act("drag", "", (5.0, 40.0))
+    for _ in range(20):
+        session.step()
+    assert run.books.energies.total > 1.1 * run.books.start.total
+    run.act("release", "", (0.0, 0.0))
+    for _ in range(10):
+        session.step()
+
+    assert run.books.energies.total == pytest.approx(run.books.start.total, rel=1e-3)
+
+
+def test_the_speeds_go_from_a_twentieth_to_sixteen_and_no_further() -> None:
+    session = Session(scenes.level())
+
+    for _ in range(20):
+        session.slower()
+    assert session.speed == 0.05
+    for _ in range(20):
+        session.faster()
+
+    assert session.speed == SPEEDS[-1] == 16
+
+
+def test_a_full_trail_is_thinned_and_keeps_its_beginning() -> None:
+    session = Session(scenes.level(duration=1000))
+    for _ in range(4500):
+        session.step()
+
+    assert len(session.trail) <= 4000
+    assert session.trail.version == 1
+    assert session.trail.points[0, 0] == pytest.approx([0, 5])
+    assert session.trail.points[-1, 0] == pytest.approx(
+        session.world.snapshot.position[0], rel=1e-3
+    )
+
+
+def test_a_run_that_is_no_longer_to_be_trusted_goes_on_if_somebody_wants_it() -> None:
+    session = Session(parse(json.dumps(crowd("gas", 300))))
+    session.toggle()
+    while session.failure is None:
+        session.update(0.1, budget=10.0)
+    assert session.doubted
+
+    session.toggle()
+    at = session.t
+    session.update(0.5, budget=10.0)
+
+    assert goes_on(session)
+    assert session.t > at
+    assert session.milestones() == ()
+
+
+def goes_on(session: Session) -> bool:
+    return session.failure is None and session.playing
+
+
+def test_a_run_that_is_lost_does_not_go_on() -> None:
+    session = scenes.play(Session(parse(scenes.runaway())))
+    assert session.failure is not None
+
+    session.toggle()
+
+    assert session.failure is not None
+    assert not session.playing
