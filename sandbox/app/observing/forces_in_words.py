@@ -10,12 +10,14 @@ from sandbox.physics.measuring.free_body import Acting, FreeBody
 from sandbox.physics.stepping.world import World
 
 DIGITS = 4
+MANY = 5
+"""How many forces on a body stand in one line; of more, each has its own."""
 TURNS = 1e-6
 """m: a torque beside a force that is no more than it has at such an arm is not told."""
 
 
 def forces(world: World) -> Iterator[str]:
-    """Yield the forces on each body that they can move, a line a body.
+    """Yield the forces on each body that they can move: a line a body, or a line a force.
 
     Parameters
     ----------
@@ -27,8 +29,12 @@ def forces(world: World) -> Iterator[str]:
         if body.type != "dynamic":
             continue
         found = bodies.of(name)
-        told = "not known before the first step" if found is None else _told(found)
-        yield f"{name}: {told}"
+        told = ["not known before the first step"] if found is None else [*_told(found)]
+        if len(told) <= MANY + 1:
+            yield f"{name}: {'; '.join(told)}"
+        else:
+            yield f"{name}:"
+            yield from (f"  {line}" for line in told)
 
 
 def way(x: float, y: float) -> str:
@@ -39,7 +45,8 @@ def way(x: float, y: float) -> str:
     return " and ".join(part for part in (sideways, upright) if part)
 
 
-def _told(found: FreeBody) -> str:
+def _told(found: FreeBody) -> Iterator[str]:
+    """Yield each force, and what they come to together."""
     arm = sqrt(found.moment / found.mass)  # m, at which a force turns the body as it moves it
     least = FAINT * found.largest
     strong = [
@@ -47,15 +54,17 @@ def _told(found: FreeBody) -> str:
         if each.size > least or (arm and abs(each.couple) > least * arm)
     ]  # fmt: skip
     if not strong:
-        return "no force"
-    parts = "; ".join(map(_acting, strong))
+        yield "no force"
+        return
+    yield from map(_acting, strong)
     net = cleared(found.net, found)
     if not any(net):
-        return f"{parts}; together no force"
+        yield "together no force"
+        return
     force = wording.quantity(hypot(*net), "N", DIGITS)
     rate = wording.quantity(hypot(*found.acceleration), "m/s²", DIGITS)
     when = "in an impact it accelerates" if found.struck else "it accelerates"
-    return f"{parts}; together {force} {way(*net)}: {when} at {rate}"
+    yield f"together {force} {way(*net)}: {when} at {rate}"
 
 
 def _acting(acting: Acting) -> str:
