@@ -28,6 +28,10 @@ ROUNDING = 1e-11
 KNOWN = 1e-13
 """and the share of what could be stored in the scene by which that is known."""
 
+MUCH = 0.25
+"""The share of what was turned over beyond which no books close, whatever the scheme may leave: as
+much as of a spring that swings by a radian a step."""
+
 NOTHING = 1e-9
 """What is turned over is nothing if it is less than this share of that."""
 
@@ -58,8 +62,9 @@ class Closing(NamedTuple):
 
     @property
     def closes(self) -> bool:
-        """Whether no more is unexplained than the scheme may leave."""
-        return self.unexplained <= self.bound or not self._turns
+        """Whether no more is unexplained than the scheme may leave, and not much of it all."""
+        most = min(self.bound, MUCH * self.turned)
+        return self.unexplained <= most or not self._turns
 
     @property
     def _turns(self) -> bool:
