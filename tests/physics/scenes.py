@@ -10,7 +10,9 @@ import numpy as np
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
+from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.metering.meter import Meter
+from sandbox.physics.run import build
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
@@ -101,6 +103,16 @@ def orbit(speed: float = 1, rate: float = 60, scheme: str = "leapfrog", mu: floa
 def run(world: World, steps: int) -> Snapshot:
     """Observe every step, and return them all, the start first: time in front."""
     return Snapshot.stack([world.snapshot, *(world.advance() for _ in range(steps))])
+
+
+def booked(scene: Level, seconds: float) -> tuple[World, Ledger]:
+    """Run a level for so long, and keep books of every step."""
+    world = build(scene)
+    books = Ledger(world)
+    for _ in range(round(seconds * scene.stepping.rate)):
+        world.advance()
+        books.note()
+    return world, books
 
 
 def measured(world: World, steps: int, *names: str) -> dict[str, Array]:

@@ -51,16 +51,18 @@ def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
     as much, the shorter one says less beside it. A title that is shown translated counts as its
     author put it, too.
     """
-    titles, phrase = (entry.title.casefold(), entry.told.title.casefold()), " ".join(words)
-    for place, found in enumerate(
-        (
-            [title for title in titles if phrase in title],
-            [title for title in titles if all(word in title for word in words)],
-        )
-    ):
-        if found:
-            return place, min(map(len, found))
-    return (2 if phrase in entry.words else 3), 0
+    titles = {entry.title.casefold(), entry.told.title.casefold()}
+    return min(_rank(title, entry.words, words) for title in titles)
+
+
+def _rank(title: str, text: str, words: Sequence[str]) -> tuple[int, int]:
+    """Return the same for one title of a level, and for all the words by which it is found."""
+    phrase = " ".join(words)
+    if phrase in title:
+        return 0, len(title)
+    if all(word in title for word in words):
+        return 1, len(title)
+    return (2 if phrase in text else 3), 0
 
 
 class LevelList:

@@ -222,7 +222,7 @@ class Stage:
         world = self.view.world
         snapshot, paths = world.snapshot, world.scene.joints.paths
         springs = world.scene.joints.springs
-        for name, joint in world.level.joints.items():
+        for row, (name, joint) in enumerate(world.level.joints.items()):
             there = world.scene.joints.holds(name, float(snapshot.t))
             if in_front and not there:
                 self._draw_open(surface, name)
@@ -242,7 +242,7 @@ class Stage:
                 base = paths[name][0].body
                 angle = 0.0 if base is None else float(snapshot.angle[base])
                 path = joints.rays(joint, path[1], angle, world.values)
-            slack = world.scene.joints.tension(name, snapshot) == 0
+            slack = snapshot.tension[row] == 0
             joints.draw_joint(surface, self.camera, joint, path, bool(slack))
 
     def _draw_open(self, surface: pygame.Surface, name: str) -> None:

@@ -1,6 +1,7 @@
 """What a kick did: which impulse came from a force, a joint, a contact or a hand."""
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,13 +13,15 @@ from sandbox.physics.energy.entries import Entries
 from sandbox.physics.energy.jerks import reached
 from sandbox.physics.energy.step_record import Recorded, StepRecord
 from sandbox.physics.engine.batch import Booleans, Contacts
-from sandbox.physics.events.jolts import Jolt
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.turning import given
 from sandbox.physics.geometry.distance import surfaces
 from sandbox.physics.joints.pulls import Pulls
 from sandbox.physics.state.motion import Instant
+
+if TYPE_CHECKING:
+    from sandbox.physics.events.jolts import Jolt
 
 
 class Attribution:
@@ -84,7 +87,7 @@ class Attribution:
         if lost:
             self._entries.lose("impacts", lost)
 
-    def jolt(self, jolt: Jolt) -> None:
+    def jolt(self, jolt: "Jolt") -> None:
         """Book an impact of joints at one instant: what these take is lost."""
         kick = Kick(
             jolt.t,

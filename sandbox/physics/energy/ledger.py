@@ -23,7 +23,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.dividing import Divided
 from sandbox.physics.contacts.direct.stages import Stage
 from sandbox.physics.contacts.impulse_work import Kick
 from sandbox.physics.energy.attribution import Attribution
@@ -39,6 +38,7 @@ from sandbox.physics.joints.pulls import pulls_of
 from sandbox.physics.state.motion import Instant, momentum
 
 if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.dividing import Divided
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12
@@ -238,7 +238,7 @@ class Ledger:
         direct = self._scene.direct
         return direct.divided.left if direct and direct.divided else self._scene.batch.velocity()
 
-    def _divide(self, divided: Divided) -> Array:
+    def _divide(self, divided: "Divided") -> Array:
         """Book a drift in parts; return the velocities that it ended with, as a whole one: (n, 3).
 
         What laws did in it is in the kicks before and after; what else pushed is a support.

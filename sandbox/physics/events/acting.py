@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 BISECTIONS = 60
 """A step halved this often is shorter than a float's rounding."""
 
+NEAR = 1e-6
+"""The share of a step before its end in which nothing happens: it waits for the next drift."""
+
 
 class Part(NamedTuple):
     """A part of a drift in which the accelerations of n bodies stay as they are.
@@ -105,13 +108,18 @@ def within(value: Callable[[float], float], crossing: Crossing, lasts: float) ->
         reading = value(time)
         return (abs(reading) if crossing.direction == "beyond" else reading) - crossing.value
 
-    low, high, sign = 0.0, lasts, np.sign(beyond(0.0))
+    sign = np.sign(beyond(0.0))
+    return since(lambda time: not sign * beyond(time) > 0, 0.0, lasts)
+
+
+def since(holds: Callable[[float], bool], low: float, high: float) -> float:
+    """Return from when on something holds that does not at one time, and does at another [s]."""
     for _ in range(BISECTIONS):
         middle = (low + high) / 2
-        if sign * beyond(middle) > 0:
-            low = middle
-        else:
+        if holds(middle):
             high = middle
+        else:
+            low = middle
     return high
 
 
@@ -134,9 +142,7 @@ def acted(
         How long the drift is [s].
     """
     first, last, half = parts[0], parts[-1], dt / 2
-    end = last.at(last.lasts)
-    velocity = np.column_stack((end.velocity, end.angular_velocity))
-    place = np.column_stack((end.position, end.angle))
+    end, (place, velocity) = last.at(last.lasts), last.state(last.lasts)
     begun = velocity - last.acceleration * half
     before = last._replace(lasts=half, place=place - velocity * half, velocity=begun)
     every = (

@@ -16,14 +16,11 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.happenings import bouncing
 from sandbox.model.level import Level
 from sandbox.physics.engine.batch import Booleans
-from sandbox.physics.events.acting import BISECTIONS, Part
+from sandbox.physics.events.acting import NEAR, Part, since
 from sandbox.physics.events.jolts import Jolt, jolt
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
 from sandbox.physics.scene.scene import Scene
-
-NEAR = 1e-6
-"""The share of a step before its end in which nothing is met: it waits for the next drift."""
 
 TOUCHING = 1e-9
 """m or rad, from which on a stop is touched."""
@@ -98,14 +95,7 @@ class Bounces:
 
     def _meets(self, side: int, part: Part, low: float) -> float:
         """Return when a side is met, after a time at which it is not [s]."""
-        high = part.lasts
-        for _ in range(BISECTIONS):
-            middle = (low + high) / 2
-            if self._beyond(part.state(middle)[0])[side] > 0:
-                high = middle
-            else:
-                low = middle
-        return high
+        return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
 
     def rests(self, side: int, part: Part, wait: float) -> bool:
         """Whether what meets a side so long after the beginning of a part would be back at once."""

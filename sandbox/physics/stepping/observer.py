@@ -108,7 +108,6 @@ class Observer:
             parts=kicks.parts,
             trail=kicks.trail or (),
             hold=forces.hand.hold if forces.hand else None,
-            divided=self._scene.direct.drifted if self._scene.direct else None,
         )
         for add in self._stages.record:
             record = add(record)

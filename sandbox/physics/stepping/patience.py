@@ -4,8 +4,7 @@ What a step takes is counted before it is taken wherever that can be; this is fo
 step is broken off at a cancellation point; where it has none, the run ends after the step.
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from time import perf_counter, thread_time
 
 from sandbox.physics.state.cancellation import cancellable
@@ -41,11 +40,9 @@ class Patience:
         before, self._took = self._took, seconds
         return min(before, seconds) > self._longest
 
-    @contextmanager
-    def within_steps(self) -> Iterator[None]:
+    def within_steps(self) -> AbstractContextManager[None]:
         """Let it be lost in the midst of a step, too: to be entered once, around many steps."""
-        with cancellable(self._look):
-            yield
+        return cancellable(self._look)
 
     def advance(self, world: World) -> Snapshot:
         """Let a world take a step, and return the state there.

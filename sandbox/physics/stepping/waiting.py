@@ -10,14 +10,11 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.happenings import Crossing, Happening, loads
-from sandbox.physics.events.acting import Part, crosses, within
+from sandbox.physics.events.acting import NEAR, Part, crosses, within
 from sandbox.physics.events.blows import SUDDEN
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.stage import Setup
-
-NEAR = 1e-6
-"""The share of a step before its end in which nothing happens: it waits for the next drift."""
 
 Value = Callable[[str, float], float]
 """Tells a quantity so long after the beginning of a part [s]."""

@@ -9,20 +9,8 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.run import build
 from sandbox.physics.stepping.branching import branch
-from sandbox.physics.stepping.world import World
-from tests.physics.scenes import GRAVITY, G, box, disc, level
-
-
-def booked(this: Level, seconds: float) -> tuple[World, Ledger]:
-    world = build(this)
-    books = Ledger(world)
-    for _ in range(round(seconds * this.stepping.rate)):
-        world.advance()
-        books.note()
-    return world, books
+from tests.physics.scenes import GRAVITY, G, booked, box, disc, level
 
 
 def slider(

@@ -9,23 +9,11 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.energy.ledger import Ledger
-from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.stepping.branching import branch
-from sandbox.physics.stepping.world import World
-from tests.physics.scenes import GRAVITY, box, disc, level
+from tests.physics.scenes import GRAVITY, booked, box, disc, level
 
 MEET = {"event": "crossing", "quantity": "hook.length", "value": 1.2, "direction": "down"}
-
-
-def booked(this: Level, seconds: float) -> tuple[World, Ledger]:
-    world = build(this)
-    books = Ledger(world)
-    for _ in range(round(seconds * this.stepping.rate)):
-        world.advance()
-        books.note()
-    return world, books
 
 
 def wagons(

@@ -101,14 +101,15 @@ class ExactJoints(JointSystem):
 
     def keep(self, t: float) -> None:
         """Let what has joined since the last kick keep what there is at a time [s]."""
-        self.length[self.added] += self._off(t)
+        self.length[self.added] += self._off(t)[self.added]
 
     def beyond(self, t: float) -> float:
         """Return by how much what has joined is too long for what it keeps at a time [m, rad]."""
-        return float(self._off(t).max(initial=0.0))
+        return float(self._off(t)[self.added].max(initial=0.0))
 
     def _off(self, t: float) -> Array:
-        return (self.look(self.place()).total - self.lengths(t))[self.added]
+        """Return by how much each equation misses what it keeps at a time: (m,) [m, rad]."""
+        return np.asarray(self.look(self.place()).total - self.lengths(t))
 
     def calm(self) -> None:
         """Take what has joined for what has held all along: its impact is over."""
@@ -203,8 +204,7 @@ class ExactJoints(JointSystem):
         rows = len(self.equations.rows)
         driven = [i for i, _ in self.equations.changing if i >= rows]
         if driven:
-            off = self.look(self.place()).total - self.lengths(t)
-            self.length[driven] += off[driven]
+            self.length[driven] += self._off(t)[driven]
 
     def warm_start(self, wrench: Array) -> None:
         """Add to the forces of a kick what the joints pulled in the last: (n, 3) [N, N m]."""

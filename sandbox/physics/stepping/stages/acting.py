@@ -262,10 +262,9 @@ class Acting:
         if not self._leapfrog:
             self._begun = last.velocity
             return
-        end = last.at(last.lasts)
-        velocity = np.column_stack((end.velocity, end.angular_velocity))
+        end, velocity = last.state(last.lasts)
         begun = velocity - last.acceleration * (dt / 2)
-        place = np.column_stack((end.position, end.angle)) - begun * dt
+        place = end - begun * dt
         begun[self._fixed], place[self._fixed] = state[self._fixed, 3:], state[self._fixed, :3]
         if self._touching and not scene.direct:  # what pymunk is to remember are whole impulses
             with self._kicks.held():

@@ -1,5 +1,6 @@
 """Contacts and exact joints solved together, instead of pymunk's kick; see `contacts/direct`."""
 
+from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick
 from sandbox.physics.stepping.stage import Setup, Stage
 from sandbox.physics.stepping.stages.joints import bearing
@@ -19,9 +20,13 @@ def make(setup: Setup) -> Stage:
     def refit(_t: float) -> None:
         direct.forget()
 
+    def record(step: StepRecord) -> StepRecord:
+        return step._replace(divided=direct.drifted)
+
     return Stage(
         in_kick=begin,
         after_kick=bearing(setup, solve),
         refit=refit,
+        record=record,
         contacts=lambda: direct.contacts,
     )
