@@ -106,6 +106,7 @@ FINEST = 1e-14
 """The least accuracy that may be asked for: below it is rounding."""
 
 Finite = Annotated[float, Field(allow_inf_nan=False, ge=-LARGEST_PARAMETER, le=LARGEST_PARAMETER)]
+Hand = Literal["left", "right"]
 Scheme = Literal["leapfrog", "fourth-order", "symplectic-euler", "explicit-euler"]
 
 
@@ -160,6 +161,9 @@ class Body(Model):
     """coefficient; a pair's is the product of its bodies' own"""
     sensor: bool = False
     """whether it is an area that others pass through; it tells how deep they are in it"""
+    one_way: Hand | None = None
+    """the side to which alone the line lets others through, as one goes along it from its start to
+    its end; there it holds them. An arc runs counter-clockwise, so its left is inside"""
     points: Annotated[Mapping[Name, Point], Field(max_length=MAX_POINTS)] = {}
     """points of it whose position and velocity can be measured, such as `stick.tip.velocity`;
     [x, y] in m, from its position, along its own axes"""

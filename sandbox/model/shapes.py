@@ -134,6 +134,9 @@ class Curve(Model):
 Area = Disc | Box | Polygon
 """What covers a part of the plane."""
 
+Line = Segment | Polyline | Arc | Curve
+"""What runs from a start to an end, with a side to its left and one to its right."""
+
 Shape = Annotated[
     Disc | Hoop | Box | Polygon | Segment | Polyline | Arc | Curve, Field(discriminator="type")
 ]

@@ -83,6 +83,8 @@ class _Mirror:
         for field in ("angle", "angular_velocity"):
             if _is_given(said := getattr(body, field)):
                 changes[*path, field] = negative(said)
+        if body.one_way and not isinstance(body.shape, Arc):  # arcs keep their sense
+            changes[*path, "one_way"] = "left" if body.one_way == "right" else "right"
         return changes | self._shape((*path, "shape"), body)
 
     def joint(self, path: Path, joint: Joint) -> Changes:

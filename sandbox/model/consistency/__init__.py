@@ -41,6 +41,7 @@ _RULES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     bodies.fields_fit,
     bodies.points_fit,
     bodies.sensors_fit,
+    bodies.one_way_fits,
     bodies.in_one_group,
     bodies.motions_fit,
     bodies.rise_and_fall,

@@ -6,7 +6,7 @@ from sandbox.model.errors import brief
 from sandbox.model.level import ApexEvent, Body, LandingEvent, Level
 from sandbox.model.parts import Fault, instants
 from sandbox.model.quantities import ATTRIBUTES_OF_BODIES
-from sandbox.model.shapes import Area, Polygon, Polyline, Shape
+from sandbox.model.shapes import Area, Line, Polygon, Polyline, Shape
 
 MAX_SURFACES = 30_000
 """How many surfaces may touch: of 40,000 in a heap pymunk takes more than 100 s to let go."""
@@ -74,6 +74,27 @@ def sensors_fit(level: Level) -> Iterator[Fault]:
         for field in ("friction", "static_friction", "restitution"):
             if given(body, field):
                 yield Fault((*path, field), "a sensor has no surface; leave it out")
+
+
+def one_way_fits(level: Level) -> Iterator[Fault]:
+    """One-way surfaces are lines, and hold what can touch them."""
+    for name, body in level.bodies.items():
+        if body.one_way is None:
+            continue
+        path = ("bodies", name, "one_way")
+        if not isinstance(body.shape, Line):
+            rule = (
+                "only a line lets bodies through one way, a segment, a polyline, an arc or a curve,"
+                f" and not a {body.shape.type}"
+            )
+            yield Fault(path, rule)
+        if level.effects.contact is None:
+            yield Fault(path, "holds nothing without the effect 'contact'")
+        sticking = level.effects.sticking
+        for index, pair in enumerate(sticking.pairs if sticking else ()):
+            if name in pair.bodies:
+                rule = f"nothing sticks to '{brief(name)}', which lets bodies through one way"
+                yield Fault(("effects", "sticking", "pairs", index), rule)
 
 
 def in_one_group(level: Level) -> Iterator[Fault]:

@@ -83,6 +83,12 @@ class Hollows:
         meeting.replace(*self._sides(one, found))
         return True
 
+    def leave(self, arbiter: pymunk.Arbiter) -> None:
+        """Forget a contact that somebody else has taken away."""
+        one, other = Meeting(arbiter).shapes
+        self._touching.pop((min(one, other), max(one, other)), None)
+        self._along.pop((min(one, other), max(one, other)), None)
+
     def sides(self, shape: pymunk.Shape, touch: Touch) -> tuple[complex, complex, complex]:
         """Return the normal from a shape to the other of a touch, and where each is touched [m]."""
         return self._sides(address(shape), touch)

@@ -63,7 +63,7 @@ def make_hollow(
     if not pairs:
         return None
     lines: dict[str, Arc | Course] = {
-        name: _line(made[name], values, skin)
+        name: line_of(made[name].row, made[name].spec, values, skin)
         for name in made
         if any(name == hollow for hollow, _ in pairs)
     }
@@ -145,20 +145,31 @@ def _refuse_within(name: str, hollow: Made, radius: float, other: str, body: Mad
         raise SimulationError(other, 0.0, rule)
 
 
-def _line(hollow: Made, values: Values, skin: float) -> Arc | Course:
-    shape = hollow.spec.shape
+def line_of(row: int, spec: Body, values: Values, skin: float) -> Arc | Course:
+    """Return the line of an arc, a hoop or a curve, along the axes of its body.
+
+    Parameters
+    ----------
+    row, spec
+        The body's index, and what the level says of it.
+    values
+        Of the parameters.
+    skin
+        How far surfaces stand proud [m].
+    """
+    shape = spec.shape
     if isinstance(shape, CurveShape):
         return course_of(shape, values)
     if isinstance(shape, Hoop):
         radius = shape.radius(values)
-        return Arc(hollow.row, 0j, radius, radius - skin, radius, 1 + 0j, -2.0)
+        return Arc(row, 0j, radius, radius - skin, radius, 1 + 0j, -2.0)
     assert isinstance(shape, ArcShape)
     radius, half = shape.radius(values), shape.thickness(values) / 2 + skin
     start, end = shape.start(values), shape.end(values)
     whole = end - start >= tau - ROUND_OFF
     return Arc(
-        body=hollow.row,
-        center=center_of(shape, hollow.spec, values),
+        body=row,
+        center=center_of(shape, spec, values),
         radius=radius,
         inner=radius - half,
         outer=radius + half,

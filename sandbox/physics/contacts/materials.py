@@ -1,6 +1,7 @@
 """The coefficients of pairs that rub, bounce or stick, where they are not the surfaces' own."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pymunk
@@ -11,6 +12,9 @@ from sandbox.physics.contacts.coefficients import pair_coefficients
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.shapes import SKIN
 from sandbox.physics.contacts.static_friction import Sticking, sticking
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.one_way import Gates
 
 Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
 
@@ -34,7 +38,11 @@ def stand_proud(space: pymunk.Space) -> None:
 
 
 def give_coefficients(
-    space: pymunk.Space, level: Level, values: Values, hollows: Hollows | None
+    space: pymunk.Space,
+    level: Level,
+    values: Values,
+    hollows: Hollows | None,
+    gates: "Gates | None",
 ) -> tuple[int, dict[frozenset[int], Sticking]]:
     """Give pairs coefficients of their own, and correct those contacts that pymunk gets wrong.
 
@@ -49,33 +57,49 @@ def give_coefficients(
             a, b = sorted(pair.bodies)
             coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
     sticky = sticking(level, values)
-    hollow = hollows.pairs if hollows else frozenset()
-    watched = dict.fromkeys((*coefficients, *sticky, *sorted(hollow)))
+    corrected = {pair: (of, gate) for pair, of, gate in _corrected(hollows, gates)}
+    watched = dict.fromkeys((*coefficients, *sticky, *corrected))
     for a, b in watched:
         chosen, stick = coefficients.get((a, b), {}), sticky.get((a, b))
-        round_ = hollows if (a, b) in hollow else None
-        space.on_collision(
-            kinds[a], kinds[b], pre_solve=_setter(chosen, stick, round_), post_solve=_judge(stick)
-        )
+        choose = _setter(chosen, stick, *corrected.get((a, b), (None, None)))
+        space.on_collision(kinds[a], kinds[b], pre_solve=choose, post_solve=_judge(stick))
     numbered = {frozenset(kinds[name] - 1 for name in pair): s for pair, s in sticky.items()}
     return len(watched) + len(sticky), numbered
 
 
-def correct_contacts(space: pymunk.Space, level: Level, hollows: Hollows) -> int:
+def correct_contacts(
+    space: pymunk.Space, level: Level, hollows: Hollows | None, gates: "Gates | None"
+) -> int:
     """Correct the contacts that pymunk gets wrong, and return how many callbacks one each makes."""
     kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
-    for a, b in sorted(hollows.pairs):
-        space.on_collision(kinds[a], kinds[b], pre_solve=_setter({}, None, hollows))
-    return len(hollows.pairs)
+    corrected = list(_corrected(hollows, gates))
+    for (a, b), of, gate in corrected:
+        space.on_collision(kinds[a], kinds[b], pre_solve=_setter({}, None, of, gate))
+    return len(corrected)
+
+
+def _corrected(
+    hollows: Hollows | None, gates: "Gates | None"
+) -> Iterator[tuple[tuple[str, str], Hollows | None, "Gates | None"]]:
+    """Yield the pairs whose contacts are not as pymunk has them, and who knows how they are."""
+    round_ = hollows.pairs if hollows else frozenset()
+    passed = gates.pairs if gates else frozenset()
+    for pair in sorted(round_ | passed):
+        yield pair, hollows if pair in round_ else None, gates if pair in passed else None
 
 
 def _setter(
     coefficients: dict[str, float],
     stick: Sticking | None,
     hollows: Hollows | None,
+    gates: "Gates | None",
 ) -> Collision:
     def choose(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
         if hollows and not hollows.correct(arbiter):
+            return
+        if gates and not gates.admit(arbiter, accept=hollows is None):
+            if hollows:
+                hollows.leave(arbiter)
             return
         for attribute, value in coefficients.items():
             setattr(arbiter, attribute, value)

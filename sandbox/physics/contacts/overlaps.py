@@ -6,12 +6,16 @@ bodies overlap says that it wants it, or is refused.
 
 from collections.abc import Iterator, Mapping
 from itertools import islice
+from typing import TYPE_CHECKING
 
 import pymunk
 
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.queries import touched
 from sandbox.physics.state.errors import SimulationError
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.one_way import Gates
 
 TOUCHING = 1e-6
 """m, by which what touches may overlap: skins of 1e-9 m, and decimals that somebody left out."""
@@ -21,7 +25,10 @@ ENOUGH = 1000
 
 
 def refuse_overlaps(
-    space: pymunk.Space, bodies: Mapping[str, pymunk.Body], hollows: Hollows | None
+    space: pymunk.Space,
+    bodies: Mapping[str, pymunk.Body],
+    hollows: Hollows | None,
+    gates: "Gates | None",
 ) -> None:
     """Refuse bodies that overlap by more than what is left alone; the worst is told.
 
@@ -32,7 +39,7 @@ def refuse_overlaps(
     SimulationError
         If two do.
     """
-    found = max(islice(_pairs(space, bodies, hollows), ENOUGH), default=None)
+    found = max(islice(_pairs(space, bodies, hollows, gates), ENOUGH), default=None)
     if found:
         depth, one, other = found
         rule = (
@@ -43,14 +50,17 @@ def refuse_overlaps(
 
 
 def _pairs(
-    space: pymunk.Space, bodies: Mapping[str, pymunk.Body], hollows: Hollows | None
+    space: pymunk.Space,
+    bodies: Mapping[str, pymunk.Body],
+    hollows: Hollows | None,
+    gates: "Gates | None",
 ) -> Iterator[tuple[float, str, str]]:
     """Yield by how much two bodies overlap [m], and their names in order."""
     names = {body: name for name, body in bodies.items()}
     least = max(TOUCHING, space.collision_slop)
     for name, body in bodies.items():
         for shape in body.shapes if body.body_type == pymunk.Body.DYNAMIC else ():
-            for found in touched(space, shape, hollows):
+            for found in touched(space, shape, hollows, gates):
                 if found.depth > least and found.body is not body:
                     other = names[found.body]
                     yield found.depth, min(name, other), max(name, other)

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pymunk
@@ -11,6 +11,9 @@ from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.distance import dot
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.one_way import Gates
 
 Points = tuple[complex, complex]
 """Where two shapes touch, on the surface of each [m]."""
@@ -37,13 +40,20 @@ class Touched(NamedTuple):
     depth: float
 
 
-def touched(space: pymunk.Space, shape: pymunk.Shape, hollows: Hollows | None) -> Iterator[Touched]:
+def touched(
+    space: pymunk.Space,
+    shape: pymunk.Shape,
+    hollows: Hollows | None,
+    gates: "Gates | None" = None,
+) -> Iterator[Touched]:
     """Yield what a shape touches, other shapes of its own body as well."""
     for hit in space.shape_query(shape):
         found = hit.contact_point_set
         if hit.shape is None or hit.shape.body is None or not found.points:
             continue
         if shape.body is not None and not meets(shape.body, hit.shape.body):
+            continue
+        if gates and shape.body is not None and gates.lets(shape.body, hit.shape.body):
             continue
         verdict = hollows.judge(shape, hit.shape) if hollows else True
         if hollows and not isinstance(verdict, bool):
@@ -66,17 +76,23 @@ class Query:
         All of them, in order.
     hollows
         What is hollow among them; None if nothing is.
+    gates
+        What lets them through one way; None if nothing does.
 
     Attributes
     ----------
-    bodies
+    bodies, gates
         As above.
     """
 
     def __init__(
-        self, space: pymunk.Space, bodies: Sequence[pymunk.Body], hollows: Hollows | None
+        self,
+        space: pymunk.Space,
+        bodies: Sequence[pymunk.Body],
+        hollows: Hollows | None,
+        gates: "Gates | None" = None,
     ) -> None:
-        self._space, self.bodies, self._hollows = space, bodies, hollows
+        self._space, self.bodies, self._hollows, self.gates = space, bodies, hollows, gates
         self._rows = {body: row for row, body in enumerate(bodies)}
 
     def more(self, known: Contacts, moved: Collection[int], least: float) -> Contacts:
@@ -118,7 +134,7 @@ class Query:
             self._space.reindex_shapes_for_body(self.bodies[row])
         for row in moved:
             for shape in self.bodies[row].shapes:
-                for found in touched(self._space, shape, self._hollows):
+                for found in touched(self._space, shape, self._hollows, self.gates):
                     other = self._rows[found.body]
                     if row < other:
                         yield row, other, found

@@ -30,6 +30,17 @@ class Meeting:
         arbiter = self._arbiter
         return _place(arbiter.body_a), _place(arbiter.body_b)
 
+    @property
+    def normal(self) -> complex:
+        """The unit vector from the first to the second where they touch."""
+        return complex(self._arbiter.n.x, self._arbiter.n.y)
+
+    @property
+    def point(self) -> complex:
+        """Where the first is touched [m]."""
+        arm = self._arbiter.contacts[0].r1
+        return _place(self._arbiter.body_a)[0] + complex(arm.x, arm.y)
+
     def motions(self) -> tuple[tuple[complex, float], tuple[complex, float]]:
         """Return how fast the two bodies move and turn [m/s, rad/s]."""
         arbiter = self._arbiter

@@ -113,6 +113,7 @@ class Located:
         ]
         self._pairs = np.stack((a[wanted], b[wanted]), axis=1)[meeting]
         state = self._batch.state()
+        self._gates = scene.gates
         self._low, self._high = self._boxes(state)
         self._first: Array | None = None
         self.begun = state[:, 3:]
@@ -226,7 +227,16 @@ class Located:
         low, high = low[self._row] + self._low, high[self._row] + self._high
         a, b = self._pairs.T
         meet = ((low[a] <= high[b]) & (low[b] <= high[a])).all(axis=1)
-        return [(int(i), int(j)) for i, j in self._pairs[meet]]
+        near = [(int(i), int(j)) for i, j in self._pairs[meet]]
+        return [pair for pair in near if not self._is_let(pair, start)]
+
+    def _is_let(self, pair: tuple[int, int], place: Array) -> bool:
+        """Return whether of two shapes one lets the other through from where they are: (n, 3)."""
+        if self._gates is None:
+            return False
+        rows = [self._outlines[shape].body for shape in pair]
+        at, there = ((complex(x, y), rect(1, angle)) for x, y, angle in place[rows].tolist())
+        return self._gates.lets_at(rows[0], rows[1], at, there)
 
     def _acceleration(self, smooth: Array, total: Array) -> Array:
         """Return the accelerations of the last kick; of what nothing holds, without rounding."""

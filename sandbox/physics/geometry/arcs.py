@@ -260,7 +260,7 @@ def _is_outside(arc: Arc, other: Piece, center: complex, turned: complex, there:
     It is nearest to the arc's centre with a point towards the arc, and lies beyond that.
     """
     core = [put(there, corner) for corner in other.core]
-    way = _nearest(core, center) - center
+    way = nearest(core, center) - center
     if not way or not arc.spans(way, turned):
         return False
     beyond = dot(_mean(core) - center, way) / abs(way)
@@ -294,7 +294,7 @@ def _at_end(end: Piece, other: Piece, at: Placed, there: Placed) -> bool:
         return True
     if len(other.core) > 1:
         core = [put(there, corner) for corner in other.core]
-        return _ends_at(end, at, _nearest(core, put(at, end.core[0])))
+        return _ends_at(end, at, nearest(core, put(at, end.core[0])))
     point = put(there, other.core[0])
     if end.arc is None:
         return _ends_at(end, at, point)
@@ -318,9 +318,11 @@ def _mean(core: Sequence[complex]) -> complex:
     return sum(core) / len(core)
 
 
-def _nearest(core: Sequence[complex], place: complex) -> complex:
+def nearest(core: Sequence[complex], place: complex) -> complex:
     """Return the point of a convex core that is nearest to a place; the place, if it is within."""
     best, within = core[0], len(core) > 2
+    if len(core) == 1:
+        return best
     for i, b in enumerate(core):
         a = core[i - 1]
         along = b - a

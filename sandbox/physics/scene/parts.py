@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.one_way import Gates
     from sandbox.physics.contacts.static_friction import Sticking
 
 
@@ -25,6 +26,7 @@ class Pairs(NamedTuple):
     restitution: Array | None = None
     reach: float = inf
     hollows: "Hollows | None" = None
+    gates: "Gates | None" = None
 
 
 class Made(NamedTuple):

@@ -24,6 +24,7 @@ from sandbox.physics.scene.parts import Made, Pairs
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
     from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.one_way import Gates
     from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
     from sandbox.physics.contacts.static_friction import Sticking
     from sandbox.physics.forces.switch import Switches
@@ -63,6 +64,8 @@ class Scene:
         Solves contacts and exact joints together; None where pymunk solves contacts.
     hollows
         The arcs, and the hoops that may have something in them; None if there are none.
+    gates
+        The surfaces that let bodies through one way; None if there are none.
     gravity, laws
         What acts on the bodies; gravity is pymunk's own.
     hooked
@@ -90,6 +93,7 @@ class Scene:
     reach: float
     direct: "Direct | None"
     hollows: "Hollows | None"
+    gates: "Gates | None"
     gravity: Gravity | None
     laws: tuple[Law, ...]
     hooked: tuple[Law, ...]
@@ -120,7 +124,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     if field:
         space.gravity = field.acceleration
     batch = Batch(space, list(bodies.values()))
-    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs.hollows)
+    joints = _make_joints(level, values, bodies, batch, inverse_mass, pairs)
     switches: Switches = {}
     if level.happens:
         from sandbox.physics.scene.switches import make_switches
@@ -152,6 +156,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         reach=pairs.reach,
         direct=direct,
         hollows=pairs.hollows,
+        gates=pairs.gates,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
         hooked=tuple(hooked),
@@ -189,7 +194,7 @@ def _make_joints(
     bodies: dict[str, pymunk.Body],
     batch: Batch,
     inverse_mass: Array,
-    hollows: "Hollows | None",
+    pairs: Pairs,
 ) -> Joints:
     """Make the joints, if anything may ever hold bodies together."""
     contact = level.effects.contact
@@ -204,7 +209,7 @@ def _make_joints(
     if contact and not contact.overlaps:
         from sandbox.physics.contacts.overlaps import refuse_overlaps
 
-        refuse_overlaps(space, bodies, hollows)
+        refuse_overlaps(space, bodies, pairs.hollows, pairs.gates)
     return joints
 
 
@@ -214,4 +219,4 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
         return None, None
     from sandbox.physics.scene.touching import make_direct, make_sequence
 
-    return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)
+    return make_direct(made, pairs), make_sequence(made, pairs.restitution)

@@ -31,7 +31,7 @@ from sandbox.physics.scene.parts import Made, Pairs
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
-    from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.one_way import Gates
     from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
 
 
@@ -61,21 +61,33 @@ def make_contacts(
     follows = ours and not (sequence or direct)
     drift = 1 / stepping.rate if follows else None
     hollows = make_hollow(space, level, values, shapes, skin, drift)
+    gates = _make_gates(level, values, bodies, skin)
     reach = choose_broad_phase(space)
     run_belts(level, values, bodies)
     if sequence or direct:
         bounces = take_bounces(space, level, values) if sequence else None
         if not sequence:
             stand_proud(space)
-        count = correct_contacts(space, level, hollows) if hollows else 0
-        pairs = Pairs(count, {}, bounces, reach, hollows)
+        count = correct_contacts(space, level, hollows, gates)
+        pairs = Pairs(count, {}, bounces, reach, hollows, gates)
     else:
-        given = give_coefficients(space, level, values, hollows)
-        pairs = Pairs(*given, None, reach, hollows)
+        given = give_coefficients(space, level, values, hollows, gates)
+        pairs = Pairs(*given, None, reach, hollows, gates)
     if ours:
         reach_out(space)
         _choose_solver(space, level, values, 1 / stepping.rate)
     return pairs
+
+
+def _make_gates(
+    level: Level, values: Values, bodies: dict[str, pymunk.Body], skin: float
+) -> "Gates | None":
+    """Make what lets bodies through surfaces one way, if there are any."""
+    if not any(body.one_way for body in level.bodies.values()):
+        return None
+    from sandbox.physics.contacts.one_way import Gates
+
+    return Gates(level, values, bodies, skin)
 
 
 def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
@@ -93,7 +105,7 @@ def _skin(*, ours: bool, direct: bool) -> float:
     return DIRECT_SKIN if direct else SKIN
 
 
-def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
+def make_direct(made: Made, pairs: Pairs) -> "Direct | None":
     """Make what solves contacts and exact joints together, where the level wants it."""
     level, stepping = made.level, made.stepping
     if stepping.is_stock or not is_direct(level):
@@ -106,7 +118,7 @@ def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
     bodies = list(made.bodies.values())
     surfaces = surfaces_of(level, made.values, bodies)
     assert bodies[0].space
-    query = Query(bodies[0].space, bodies, hollows)
+    query = Query(bodies[0].space, bodies, pairs.hollows, pairs.gates)
     dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
     return Direct(
         made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes

@@ -40,6 +40,7 @@ CALLS: dict[str, Callable[[], Level]] = {
         {"ball": disc((0, 1), restitution=0.5), "floor": floor(-1, restitution=1)}, IN_SEQUENCE
     ),
     "contacts solved directly": lambda: level(BALL, {**GRAVITY, "contact": {"solver": "direct"}}),
+    "one-way surfaces": lambda: level({**BALL, "floor": {**floor(-1), "one_way": "left"}}, CONTACT),
     "fourth order": lambda: orbit(scheme="fourth-order"),
     "the bounds of a crowd's grid": lambda: level(
         {f"ball{i}": disc((3 * i, 0)) for i in range(CROWD)}, CONTACT

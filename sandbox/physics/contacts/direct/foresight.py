@@ -14,7 +14,6 @@ bounces is left to its impact.
 from collections.abc import Iterator, Sequence
 
 import numpy as np
-import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.kick import Kick
@@ -22,7 +21,7 @@ from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.spots import ALIKE, LEAST, Spot, corner_on, landing, within
 from sandbox.physics.contacts.direct.strangers import Strangers
-from sandbox.physics.contacts.queries import Touched, contacts_of, pairs_of
+from sandbox.physics.contacts.queries import Query, Touched, contacts_of, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates, angles
 
@@ -36,8 +35,8 @@ class Foresight:
 
     Parameters
     ----------
-    bodies
-        pymunk's, in order.
+    query
+        Knows the bodies, and which of them are let through others.
     surfaces
         How they touch.
     moves
@@ -49,12 +48,12 @@ class Foresight:
         Knows which of those that do not touch might.
     """
 
-    def __init__(self, bodies: Sequence[pymunk.Body], surfaces: Surfaces, moves: Booleans) -> None:
-        self._bodies, self._shapes = bodies, Shapes(bodies)
+    def __init__(self, query: Query, surfaces: Surfaces, moves: Booleans) -> None:
+        self._bodies, self._shapes = query.bodies, Shapes(query.bodies)
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
         self._least = max(LEAST, surfaces.slop)
-        self.strangers = Strangers(bodies, shapes, surfaces, moves)
+        self.strangers = Strangers(query, shapes, surfaces, moves)
 
     def look(self, kick: Kick, motion: Array, strangers: Sequence[Pair]) -> Contacts | None:
         """Return what meets within the drift after a kick, where it starts; None if nothing does.

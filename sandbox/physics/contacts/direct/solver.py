@@ -104,7 +104,7 @@ class Direct:
         self._layouts = Layouts(joints, surfaces, self._moves)
         self._known = WarmStart()
         self._belief, self._corners = Belief(query), CornerPairs()
-        self._foresight = Foresight(query.bodies, surfaces, self._moves)
+        self._foresight = Foresight(query, surfaces, self._moves)
         self._parting = Parting(surfaces, self._known)
         self._contacts: Contacts = NO_CONTACTS
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far

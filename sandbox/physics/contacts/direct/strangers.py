@@ -4,8 +4,6 @@ How far two are apart is looked at only once one has gone that far against the o
 looked at last: a body that falls is looked at some ten times, and one that stands by another once.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 import pymunk
 
@@ -14,7 +12,7 @@ from sandbox.physics.contacts.apart import meets
 from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.parts import Pair, Shapes
 from sandbox.physics.contacts.direct.spots import LEAST
-from sandbox.physics.contacts.queries import pairs_of
+from sandbox.physics.contacts.queries import Query, pairs_of
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates, planes
 
@@ -27,8 +25,8 @@ class Strangers:
 
     Parameters
     ----------
-    bodies
-        pymunk's, in order.
+    query
+        Knows the bodies, and which of them are let through others.
     shapes
         Theirs.
     surfaces
@@ -39,12 +37,12 @@ class Strangers:
 
     def __init__(
         self,
-        bodies: Sequence[pymunk.Body],
+        query: Query,
         shapes: Shapes,
         surfaces: Surfaces,
         moves: Booleans,
     ) -> None:
-        self._bodies, self._shapes = bodies, shapes
+        self._bodies, self._gates, self._shapes = query.bodies, query.gates, shapes
         known = np.isfinite(shapes.reach) & surfaces.figures.straight
         may = np.triu(surfaces.lands & known[:, None] & known, 1)
         may &= moves[:, None] | moves
@@ -96,10 +94,17 @@ class Strangers:
             if (first or gap <= ahead[row]) and self._never_meet(pair):
                 gap = np.inf
             self._room[row] = room[row] = gap
-            if LEAST < ahead[row] >= gap:
+            if LEAST < ahead[row] >= gap and not self._is_let(pair, place):
                 found.append(pair)
         self._calm = float(room.min())
         return found
+
+    def _is_let(self, pair: Pair, place: Coordinates) -> bool:
+        """Return whether one of two bodies lets the other through from where they are."""
+        if self._gates is None:
+            return False
+        at, there = ((complex(place.plane[b]), complex(place.turned[b])) for b in pair)
+        return self._gates.lets_at(*pair, at, there)
 
     def _between(self, way: Array) -> Array:
         """Return how much closer ways, (3 N,) [m], bring the bodies of each pair at most [m]."""

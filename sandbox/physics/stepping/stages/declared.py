@@ -47,6 +47,7 @@ STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] =
     "located impacts, and located ends of slipping": (_has_cuts, _by("cuts")),
     "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequence")),
     "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct")),
+    "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way")),
     "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
     "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("bounds")),
 }

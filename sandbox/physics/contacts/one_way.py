@@ -1,0 +1,205 @@
+"""Surfaces that let bodies through from one side, and hold them from the other.
+
+A body is held by such a line if it was on the side to which the line lets through when the two were
+last clear of each other, and is let through until they are clear again otherwise. So nothing is
+pushed out of a line in which it is half way, neither forwards nor back: what is let through feels
+nothing, whatever becomes of its velocity on the way. The side is looked at where the step before
+the first touch ended, however fast a body comes, and by the point of it that is nearest to the
+line. What overlaps a line at the start is let through.
+
+A held body whose middle a step has put behind the line is not there for pymunk, either: it would be
+pushed out on the wrong side. It has gone through as one does that goes through a wall in a step;
+where that may be, its impacts are to be located.
+"""
+
+from cmath import rect
+from collections.abc import Mapping
+from itertools import pairwise
+from operator import itemgetter
+from typing import NamedTuple
+
+import pymunk
+
+from sandbox.model.apart import apart
+from sandbox.model.expressions import Values
+from sandbox.model.level import Body, Level
+from sandbox.model.shapes import Arc as ArcShape
+from sandbox.model.shapes import Curve, Polyline, Segment
+from sandbox.physics.contacts.hollow_shapes import line_of
+from sandbox.physics.engine.bodies import local_points
+from sandbox.physics.engine.meetings import Meeting, address
+from sandbox.physics.geometry.arcs import Arc, Placed, put
+from sandbox.physics.geometry.distance import dot, plain
+from sandbox.physics.geometry.sides import Curved, Line, Round, Straight, side
+
+Pair = tuple[int, int]
+"""The rows of a one-way surface and of a body that may meet it."""
+
+
+class _Gate(NamedTuple):
+    """A one-way surface, along the axes of its body."""
+
+    line: Line
+    half: float  # of its thickness [m]
+    hand: int  # the side on which it holds: 1 its left, −1 its right
+
+
+class _Part(NamedTuple):
+    """A convex part of a body, along its axes."""
+
+    core: tuple[complex, ...]
+    radius: float
+
+
+class Gates:
+    """The one-way surfaces of a scene; n bodies.
+
+    Parameters
+    ----------
+    level, values
+        What the scene was made from.
+    bodies
+        pymunk's, with all their shapes.
+    skin
+        How far surfaces stand proud [m].
+
+    Attributes
+    ----------
+    pairs
+        The names of the pairs that such a surface may let through, each in order.
+    """
+
+    def __init__(
+        self, level: Level, values: Values, bodies: Mapping[str, pymunk.Body], skin: float
+    ) -> None:
+        self._bodies = list(bodies.values())
+        names, never = list(bodies), apart(level)
+        self._gates = {
+            row: _gate(level.bodies[name], row, values, skin)
+            for row, name in enumerate(names)
+            if level.bodies[name].one_way
+        }
+        solid = [name for name in names if not level.bodies[name].sensor]
+        moving = {name for name in solid if level.bodies[name].type == "dynamic"}
+        every = {(min(names[g], b), max(names[g], b)) for g in self._gates for b in solid}
+        self.pairs = frozenset(
+            (a, b) for a, b in every - never if a != b and (a in moving or b in moving)
+        )
+        self._rows = {address(s): row for row, b in enumerate(self._bodies) for s in b.shapes}
+        self._row_of = {body: row for row, body in enumerate(self._bodies)}
+        self._parts = [_parts(level.bodies[n], bodies[n], values, skin) for n in names]
+        self._held: dict[Pair, tuple[bool, int]] = {}  # and the step in which they touched last
+        self._before: list[Placed] | None = None
+        self._steps = 0
+
+    def note(self) -> None:
+        """Take note of where the bodies are at the end of a step."""
+        self._before = [_placed(body) for body in self._bodies]
+        self._steps += 1
+
+    def forget(self) -> None:
+        """Forget who was let through: bodies were put elsewhere."""
+        self._held.clear()
+        self._before = None
+
+    def admit(self, arbiter: pymunk.Arbiter, *, accept: bool) -> bool:
+        """Tell whether a contact that pymunk has found is one, and take it away if not.
+
+        Parameters
+        ----------
+        accept
+            Whether to tell pymunk, too, if it is one; else somebody has.
+        """
+        meeting = Meeting(arbiter)
+        one, other = (self._rows[shape] for shape in meeting.shapes)
+        for pair, sign in (((one, other), 1), ((other, one), -1)):
+            if (gate := self._gates.get(pair[0])) is None:
+                continue
+            held = self._touching(pair)
+            if not (held and self._is_right(gate, pair[0], meeting, sign)):
+                meeting.refuse()
+                return False
+        if accept:
+            meeting.accept(first=False)
+        return True
+
+    def lets(self, one: pymunk.Body, other: pymunk.Body) -> bool:
+        """Whether one of two bodies lets the other through, by where they were at the last step."""
+        a, b = self._row_of[one], self._row_of[other]
+        return any(not self._known(pair) for pair in ((a, b), (b, a)) if pair[0] in self._gates)
+
+    def lets_at(self, one: int, other: int, at: Placed, there: Placed) -> bool:
+        """Whether one of two bodies, by their rows, lets the other through from where they are."""
+        for pair, places in (((one, other), (at, there)), ((other, one), (there, at))):
+            if pair[0] in self._gates:
+                seen = self._side(pair, *places)
+                if not (seen == self._gates[pair[0]].hand if seen else self._known(pair)):
+                    return True
+        return False
+
+    def _touching(self, pair: Pair) -> bool:
+        """Return whether two are held that touch in this step, and remember it."""
+        held = self._known(pair)
+        self._held[pair] = held, self._steps
+        return held
+
+    def _known(self, pair: Pair) -> bool:
+        """Return whether two are held, by the last touch if they touched in the step before."""
+        held, touched = self._held.get(pair, (False, -2))
+        if touched >= self._steps - 1:
+            return held
+        before = self._before or [_placed(body) for body in self._bodies]
+        return self._side(pair, before[pair[0]], before[pair[1]]) == self._gates[pair[0]].hand
+
+    def _side(self, pair: Pair, at: Placed, there: Placed) -> int:
+        """Return on which side of a gate a body is; 0 if it is in it, or beyond its end."""
+        gate = self._gates[pair[0]]
+        way, turn = (there[0] - at[0]) / at[1], there[1] / at[1]
+        seen = [
+            side(gate.line, [put((way, turn), corner) for corner in core], gate.half + radius)
+            for core, radius in self._parts[pair[1]]
+        ]
+        return min(seen, key=itemgetter(1))[0] if all(hand for hand, _ in seen) else 0
+
+    def _is_right(self, gate: _Gate, row: int, meeting: Meeting, sign: int) -> bool:
+        """Whether a contact pushes what it holds to the side on which it is held."""
+        at, turned = _placed(self._bodies[row])
+        left = gate.line.beside((meeting.point - at) / turned).left * turned
+        return gate.hand * sign * dot(meeting.normal, left) > 0
+
+
+def _placed(body: pymunk.Body) -> Placed:
+    return complex(*body.position), rect(1, body.angle)
+
+
+def _gate(spec: Body, row: int, values: Values, skin: float) -> _Gate:
+    shape = spec.shape
+    hand = 1 if spec.one_way == "left" else -1
+    line: Line
+    if isinstance(shape, ArcShape | Curve):
+        found = line_of(row, spec, values, skin)
+        line = Round(found) if isinstance(found, Arc) else Curved(found)
+    else:
+        assert isinstance(shape, Segment | Polyline)
+        line = Straight([complex(*point) for point in local_points(spec, values)])
+    return _Gate(line, shape.thickness(values) / 2 + skin, hand)
+
+
+def _parts(spec: Body, body: pymunk.Body, values: Values, skin: float) -> list[_Part]:
+    """Return the convex parts of a body; lines that bend are so many short ones."""
+    if isinstance(spec.shape, ArcShape | Curve):
+        points = [complex(*point) for point in local_points(spec, values)]
+        half = spec.shape.thickness(values) / 2 + skin
+        return [_Part(piece, half) for piece in pairwise(points)]
+    return [_part(shape) for shape in plain(body.shapes)]
+
+
+def _part(shape: pymunk.Shape) -> _Part:
+    match shape:
+        case pymunk.Circle():
+            return _Part((complex(*shape.offset),), shape.radius)
+        case pymunk.Segment():
+            return _Part((complex(*shape.a), complex(*shape.b)), shape.radius)
+        case pymunk.Poly():
+            return _Part(tuple(complex(*v) for v in shape.get_vertices()), shape.radius)
+    raise TypeError(f"no part of a {type(shape).__name__}")
