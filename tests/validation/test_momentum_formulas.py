@@ -146,3 +146,8 @@ def test_a_ballistic_pendulum_begins_with_the_common_speed_and_slows_down() -> N
 def test_a_ballistic_pendulum_hangs_by_its_weight_before_it_swings() -> None:
     assert momentum.ballistic_tension(0.5, 2.0, 0.0, 1.0, 9.81) == pytest.approx(2.5 * 9.81)
     assert momentum.ballistic_tension(0.5, 2.0, 5.0, 1.0, 0.0) == pytest.approx(2.5)  # v' = 1 m/s
+
+
+def test_what_is_thrown_lands_on_the_platform_below_its_apex() -> None:
+    """At 7 m/s and 10 m/s² it comes to 2.45 m, and falls 0.45 m: in 0.3 s, to 3 m/s."""
+    assert momentum.platform_landing(7, 10) == pytest.approx((1.0, 3.0))

@@ -186,3 +186,13 @@ def ballistic_velocity(
     """
     v = common_velocity(clay, block, speed)
     return v * (1 - (g / length + v**2 / length**2) * t**2 / 2)
+
+
+def platform_landing(u: float, g: float) -> tuple[float, float]:
+    """Return when what is thrown up from 0 lands on the highest platform below its apex, how fast.
+
+    The platforms are a metre apart. The apex is at u²/2g, and from there it falls freely to the
+    whole metre below [s, m/s].
+    """
+    drop = u**2 / (2 * g) % 1.0
+    return u / g + float(np.sqrt(2 * drop / g)), float(np.sqrt(2 * g * drop))

@@ -73,7 +73,8 @@ def _looks(body: Body, world: World) -> str:
     kind = "" if body.type == "dynamic" else f"{body.type} "
     article = "a" if kind or not _shape(body.shape, world).startswith("arc") else "an"
     mass = f", {wording.quantity(body.mass(world.values), 'kg', 4)}" if body.mass else ""
-    return f"{article} {kind}{_shape(body.shape, world)}{mass}"
+    lets = f" that lets bodies through to its {body.one_way} only" if body.one_way else ""
+    return f"{article} {kind}{_shape(body.shape, world)}{lets}{mass}"
 
 
 def _shape(shape: Shape, world: World) -> str:

@@ -1,5 +1,6 @@
 """Bodies and surfaces."""
 
+from collections.abc import Sequence
 from itertools import pairwise
 from math import ceil, cos, dist, sin
 
@@ -16,6 +17,8 @@ FEW = 200
 
 LEAST = 3.0  # px, the radius at which even the smallest disc is drawn
 HATCH = 9  # px
+LET = 24.0  # px, about, from one arrowhead of a one-way surface to the next
+WEDGE = 10.0, 2.0, 6.0  # px, from the surface to its base and its tip, and half its width
 VEIL = 45
 """Of 255, how much of what is in a sensor its colour covers."""
 
@@ -38,7 +41,9 @@ def draw_body(
         return
     corners = camera.path(outline.placed(position, angle))
     if not outline.closed:
-        lines.path(surface, outline.color, corners, max(outline.thickness * camera.scale, 4))
+        width = max(outline.thickness * camera.scale, 4)
+        lines.path(surface, outline.color, corners, width)
+        _let(surface, outline, corners, width)
     else:
         lines.fill(surface, outline.color, corners, rim)
 
@@ -98,6 +103,8 @@ def draw_surface(
 ) -> None:  # fmt: skip
     """Draw a body that never moves; a thin line is hatched on the side away from the action.
 
+    One that is one-way has arrows instead, on the side from which it lets through.
+
     Parameters
     ----------
     inside
@@ -115,12 +122,48 @@ def draw_surface(
         if outline.radius is None:
             lines.path(surface, edge, [*corners, corners[0]], 2)
         return
+    width = max(outline.thickness * camera.scale, 3)
+    if outline.lets:
+        lines.path(surface, edge, corners, width)
+        _let(surface, outline, corners, width)
+        return
     away, begun = camera.to_screen(inside), 0.0
     nearest = min(pairwise(corners), key=lambda piece: dist(piece[0], away))
     for a, b in pairwise(corners):
         side = _side(*(nearest if outline.curved else (a, b)), away)
         begun = _hatch(surface, a, b, side, begun)
-    lines.path(surface, edge, corners, max(outline.thickness * camera.scale, 3))
+    lines.path(surface, edge, corners, width)
+
+
+def _let(surface: pygame.Surface, outline: Outline, corners: Sequence[XY], width: float) -> None:
+    """Draw arrowheads towards a one-way line, on the side from which it lets through."""
+    length = sum(dist(a, b) for a, b in pairwise(corners)) if outline.lets else 0.0
+    apart = length / max(round(length / LET), 1)
+    begun = apart / 2
+    for a, b in pairwise(corners) if length else ():
+        if not (piece := dist(a, b)):
+            continue
+        ux, uy = (b[0] - a[0]) / piece, (b[1] - a[1]) / piece
+        wx, wy = uy * outline.lets, -ux * outline.lets
+        first, last = lines.seen(surface, a, b)
+        for i in range(ceil((first - begun) / apart), ceil((last - begun) / apart)):
+            along = begun + i * apart
+            x, y = a[0] + ux * along - wx * (width / 2), a[1] + uy * along - wy * (width / 2)
+            _wedge(surface, (x, y), (wx, wy))
+        begun = (begun - piece) % apart
+
+
+def _wedge(surface: pygame.Surface, place: XY, way: XY) -> None:
+    """Draw an arrowhead that points along a unit vector, a little before a place."""
+    (x, y), (wx, wy) = place, way
+    base = x - wx * WEDGE[0], y - wy * WEDGE[0]
+    side = -wy * WEDGE[2], wx * WEDGE[2]
+    corners = [
+        (base[0] + side[0], base[1] + side[1]),
+        (x - wx * WEDGE[1], y - wy * WEDGE[1]),
+        (base[0] - side[0], base[1] - side[1]),
+    ]
+    lines.fill(surface, theme.SURFACE_EDGE, corners)
 
 
 def _side(a: XY, b: XY, inside: XY) -> int:

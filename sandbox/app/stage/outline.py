@@ -18,6 +18,9 @@ from sandbox.physics.geometry.depth import depth
 
 CORNERS_OF_A_CIRCLE = 48
 
+LETS = {None: 0, "left": 1, "right": -1}
+"""What `Outline.lets` is of a body's `one_way`."""
+
 RIM = 6
 """The radius of a hoop over the width of its rim, as it is drawn."""
 
@@ -48,6 +51,9 @@ class Outline:
         Of a line [m].
     sensor
         Whether it is an area that others pass through.
+    lets
+        To which side of its line alone it lets others: 1 to the left, −1 to the right; 0 to both,
+        or to neither.
     hidden
         Whether it is left out of the picture.
     layer
@@ -66,6 +72,7 @@ class Outline:
     hollow: bool
     thickness: float
     sensor: bool = False
+    lets: int = 0
     hidden: bool = False
     layer: int = 0
 
@@ -120,6 +127,7 @@ def outlined(name: str, row: int, spec: Body, values: Values, moving: int) -> Ou
         hollow=isinstance(shape, Hoop),
         thickness=line.thickness(values) if line else 0.0,
         sensor=spec.sensor,
+        lets=LETS[spec.one_way],
         hidden=spec.hidden,
         layer=spec.layer,
     )
