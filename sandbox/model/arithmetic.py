@@ -105,7 +105,7 @@ def _made(source: str) -> tuple[CodeType, frozenset[str]]:
         with warnings.catch_warnings():
             warnings.simplefilter("error")  # what Python only warns of is no arithmetic either
             tree = rewrite.visit(ast.parse(source.strip(), mode="eval"))
-            code = compile(ast.fix_missing_locations(tree), "<expression>", "eval")
+            code = compile(tree, "<expression>", "eval")
     except ExpressionError as error:
         raise ExpressionError(f"'{brief(source)}': {error}") from None
     except (SyntaxError, ValueError):
@@ -132,7 +132,7 @@ class _Rewrite(ast.NodeTransformer):
         if isinstance(node.value, bool) or not isinstance(node.value, int | float):
             raise ExpressionError(f"{brief(repr(node.value))} is not a number")
         try:
-            return ast.Constant(float(node.value))
+            return ast.Constant(float(node.value), lineno=1, col_offset=0)
         except OverflowError:
             raise ExpressionError("a number is too large") from None
 
@@ -165,7 +165,7 @@ class _Rewrite(ast.NodeTransformer):
         if not isinstance(node.ops[0], _COMPARISONS):
             raise ExpressionError("only <, <=, >, >=, == and != compare numbers")
         left, right = self.visit(node.left), self.visit(node.comparators[0])
-        return _truth(ast.Compare(left, node.ops, [right]))
+        return _truth(ast.Compare(left, node.ops, [right], lineno=1, col_offset=0))
 
     def visit_BoolOp(self, node: ast.BoolOp) -> ast.AST:
         name = " and" if isinstance(node.op, ast.And) else " or"
@@ -189,9 +189,11 @@ class _Rewrite(ast.NodeTransformer):
 
 
 def _call(name: str, arguments: list[ast.expr]) -> ast.Call:
-    return ast.Call(ast.Name(name, ast.Load()), arguments, [])
+    function = ast.Name(name, ast.Load(), lineno=1, col_offset=0)
+    return ast.Call(function, arguments, [], lineno=1, col_offset=0)
 
 
 def _truth(condition: ast.expr) -> ast.BinOp:
     """Make 1 or 0 of a condition: numpy's own truth values neither subtract nor add up."""
-    return ast.BinOp(condition, ast.Mult(), ast.Constant(1.0))
+    one = ast.Constant(1.0, lineno=1, col_offset=0)
+    return ast.BinOp(condition, ast.Mult(), one, lineno=1, col_offset=0)

@@ -1,6 +1,7 @@
 """Numbers that may be written as formulas over a level's parameters."""
 
 from collections.abc import Mapping
+from math import isfinite
 from types import CodeType
 from typing import Any, ClassVar, Self
 
@@ -109,7 +110,7 @@ class Expression:
         return self._finite(self._evaluate(values))
 
     def _evaluate(self, values: Mapping[str, Any]) -> Any:  # noqa: ANN401 (a float or an array)
-        scope = {name: np.asarray(values[name], dtype=float)[()] for name in self.names}
+        scope = {name: _scalar(values[name]) for name in self.names}
         try:
             with np.errstate(all="ignore"):
                 for name, constant in self._defined:
@@ -130,7 +131,7 @@ class Expression:
 
     def _finite(self, result: Any) -> float:  # noqa: ANN401 (a float or an array)
         value = float(result)
-        if not np.isfinite(value):
+        if not isfinite(value):
             raise ExpressionError(f"{self._shown}is {value:g}, not a finite number")
         if not self._holds(value):
             raise ExpressionError(f"{self._shown}is {value:g}, but must be {self.rule}")
@@ -337,6 +338,11 @@ class Profile(Formula):
 
 VARIABLES = frozenset(name for kind in (Formula, Curve, Profile) for name in kind.variables)
 """What some formulas may use beside the parameters."""
+
+
+def _scalar(value: Any) -> Any:  # noqa: ANN401 (a float or an array)
+    """Return a number as NumPy has it, which divides by zero without a word; an array as it is."""
+    return np.float64(value) if isinstance(value, float) else np.asarray(value, dtype=float)[()]
 
 
 def _number(source: float) -> float:

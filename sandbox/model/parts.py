@@ -1,15 +1,17 @@
 """Walking through the parts of a level."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from sandbox.model.instants import Instant
 from sandbox.model.level import Check, Level
 from sandbox.model.locating import Path
-from sandbox.model.walking import expressions as expressions
+from sandbox.model.remembering import of_the_last
+from sandbox.model.walking import expressions as walk
 
 if TYPE_CHECKING:
     from sandbox.model.challenge import Goal
+    from sandbox.model.expressions import Expression
 
 
 class Fault(NamedTuple):
@@ -17,6 +19,17 @@ class Fault(NamedTuple):
 
     path: Path
     rule: str
+
+
+def expressions(part: object, path: Path = ()) -> "Iterator[tuple[Path, Expression]]":
+    """Yield every expression below a part of a level, or in all of it, with the path to it."""
+    return iter(_all_of(part)) if isinstance(part, Level) and not path else walk(part, path)
+
+
+@of_the_last
+def _all_of(level: Level) -> "Sequence[tuple[Path, Expression]]":
+    """Return every expression of a level: several rules ask for all of them."""
+    return list(walk(level))
 
 
 def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:

@@ -117,13 +117,14 @@ def _jumps(what: str, formula: Formula, level: Level, values: Values) -> str | N
     over = formula.over(values, times)
     if not np.isfinite(over).all() or "t" not in formula.names:
         return None
-    start, end = times[:-1], times[1:]
+    start, end, at_start, at_end = times[:-1], times[1:], over[:-1], over[1:]
     for _ in range(HALVINGS):
         middle = (start + end) / 2
-        at_start, half, at_end = (formula.over(values, t) for t in (start, middle, end))
+        half = formula.over(values, middle)
         later = np.abs(at_end - half) > np.abs(half - at_start)
         start, end = np.where(later, middle, start), np.where(later, end, middle)
-    jump = np.abs(formula.over(values, end) - formula.over(values, start))
+        at_start, at_end = np.where(later, half, at_start), np.where(later, at_end, half)
+    jump = np.abs(at_end - at_start)
     if not jump.max() > JUMP * np.abs(over).max():
         return None
     far, t = jump.max(), end[jump.argmax()]

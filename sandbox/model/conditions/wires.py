@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sandbox.model.bounds import Coordinate
 from sandbox.model.conditions.condition import Condition
@@ -134,16 +135,23 @@ def _shape_fault(points: Points, what: str) -> str | None:
 
 def _crossing(points: Points) -> complex | None:
     """Return where a polyline meets itself, None if it does not."""
-    a, along_a = points[:-1, None], np.diff(points)[:, None]
-    b, along_b = points[None, :-1], np.diff(points)[None, :]
+    i, k = np.nonzero(np.triu(_near(points.real) & _near(points.imag), 2))
+    a, b, along = points[i], points[k], np.diff(points)
+    along_a, along_b = along[i], along[k]
     across = _cross(along_a, along_b)
     across[np.abs(across) < PARALLEL * np.abs(along_a * along_b)] = np.nan
     of_a, of_b = _cross(b - a, along_b) / across, _cross(b - a, along_a) / across
     meet = (of_a >= 0) & (of_a < 1) & (of_b >= 0) & (of_b < 1)
-    pairs = np.argwhere(np.triu(meet, 2))
-    last = len(points) - 2
-    found = [i for i, k in pairs if not ((i, k) == (0, last) and is_closed(points))]
-    return complex(points[found[0]]) if found else None
+    if is_closed(points):
+        meet &= (i > 0) | (k < len(points) - 2)
+    return complex(points[i[meet][0]]) if meet.any() else None
+
+
+def _near(ends: Array) -> NDArray[np.bool_]:
+    """Return which pieces have a place in common along an axis: (n, n)."""
+    low, high = np.minimum(ends[:-1], ends[1:]), np.maximum(ends[:-1], ends[1:])
+    over: NDArray[np.bool_] = low[:, None] <= high
+    return over & over.T
 
 
 def _cross(a: Points, b: Points) -> Array:

@@ -1,6 +1,6 @@
 """Where a level names its bodies and quantities, found from the types of its fields."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from sandbox.model.base import Model
@@ -11,6 +11,7 @@ from sandbox.model.level import Level
 from sandbox.model.locating import Path
 from sandbox.model.marked import marked
 from sandbox.model.mention import Mention
+from sandbox.model.remembering import of_the_last
 
 
 class Mentioned(NamedTuple):
@@ -23,7 +24,15 @@ class Mentioned(NamedTuple):
 
 def mentions(part: Model, path: Path = ()) -> Iterator[Mentioned]:
     """Yield everything that a part of a level names, and where."""
+    if isinstance(part, Level) and not path:
+        return iter(_all_of(part))
     return (Mentioned(*found) for found in marked(part, Mention, path))
+
+
+@of_the_last
+def _all_of(level: Level) -> Sequence[Mentioned]:
+    """Return everything that a level names: nearly every rule asks for some of it."""
+    return [Mentioned(*found) for found in marked(level, Mention)]
 
 
 def named_bodies(level: Level) -> Iterator[tuple[Path, str]]:

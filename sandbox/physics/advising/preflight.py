@@ -9,7 +9,6 @@ from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules import FEWEST, MAX_CORNERS, corners
 from sandbox.model.schemes import bounds_the_rate
 from sandbox.model.walking import expressions
-from sandbox.physics.advising.remedies import tried
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError
 
@@ -42,16 +41,17 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
         return None
     values, error = _told(level, *max(found, key=lambda one: _needed(one[1])))
     if advised and error.rate is not None:
+        from sandbox.physics.advising.remedies import tried
+
         error = tried(error, level, values, level.stepping)
     return error
 
 
-def _concerned(level: Level) -> frozenset[str] | None:
-    """Return the parameters on which it depends whether a level is refused; None for all."""
-    if bounds_the_rate(level):
-        return None
+def _concerned(level: Level) -> frozenset[str]:
+    """Return the parameters on which it depends whether a level is refused."""
     said = (vars(part).items() for part in (level.effects, *level.bodies.values()))
-    parts = [value for items in said for name, value in items if name not in IN_MOTION]
+    still = not bounds_the_rate(level)
+    parts = [value for items in said for name, value in items if not (still and name in IN_MOTION)]
     made_of = (*parts, level.joints, level.stepping)
     return frozenset[str]().union(*(e.names for part in made_of for _, e in expressions(part)))
 

@@ -133,10 +133,10 @@ def _convex(body: pymunk.Body, points: list[XY], skin: float, kind: int) -> pymu
         return pymunk.Poly(body, points)
     inset = INSET * (1 + kind * GOLDEN % 1)
     a = np.array(points)
-    edge = np.roll(a, -1, axis=0) - a
+    edge = np.concatenate((a[1:], a[:1])) - a
     outwards = np.stack([edge[:, 1], -edge[:, 0]], axis=1) / np.hypot(*edge.T)[:, None]
     outwards *= np.sign(twice_area(a))
-    before = np.roll(outwards, 1, axis=0)
+    before = np.concatenate((outwards[-1:], outwards[:-1]))
     blunt = 1 + np.sum(before * outwards, axis=1)
     if blunt.min() < SHARPEST:
         return pymunk.Poly(body, points, radius=skin)

@@ -32,7 +32,7 @@ def convex_parts(points: Sequence[XY]) -> list[list[XY]]:
 def twice_area(corners: Array) -> float:
     """Return twice the area of a polygon, positive if its corners go round counter-clockwise."""
     x, y = corners.T
-    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
+    return float(x @ np.append(y[1:], y[0]) - y @ np.append(x[1:], x[0]))
 
 
 def _triangles(corners: Array) -> list[Part]:

@@ -7,10 +7,13 @@ Points of the plane are complex numbers here.
 """
 
 from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from sandbox.model.expressions import Values
+from sandbox.model.parts import names_in
 from sandbox.model.shapes import Curve
 from sandbox.model.wires import along
 from sandbox.physics.geometry import arcs
@@ -28,7 +31,29 @@ DEEP = 0.5
 
 def course_of(curve: Curve, values: Values) -> Course:
     """Return the course of a curve, in the axes of its body."""
-    return Course(along(curve, values))
+    names = sorted(names_in(curve) - {"s"})
+    return _course(_Chosen(curve, tuple((name, values[name]) for name in names)))
+
+
+@dataclass(frozen=True, slots=True)
+class _Chosen:
+    """A curve, known by being the very same, and the values of the parameters that it has."""
+
+    curve: Curve
+    values: tuple[tuple[str, float], ...]
+
+    def __hash__(self) -> int:
+        return hash((id(self.curve), self.values))
+
+    def __eq__(self, other: object) -> bool:
+        same = isinstance(other, _Chosen) and self.curve is other.curve
+        return same and self.values == other.values
+
+
+@lru_cache(maxsize=64)
+def _course(chosen: _Chosen) -> Course:
+    """Return a course; each scene asks for those of its curves several times."""
+    return Course(along(chosen.curve, dict(chosen.values)))
 
 
 def verdict(one: Piece, other: Piece, at: Placed, there: Placed) -> Verdict:
