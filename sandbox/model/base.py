@@ -7,5 +7,5 @@ class Model(BaseModel):
     """A frozen part of a level that refuses keys it does not know."""
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", use_attribute_docstrings=True, strict=True
+        frozen=True, extra="forbid", defer_build=True, use_attribute_docstrings=True, strict=True
     )
