@@ -1,7 +1,7 @@
 """Joints: each kind with a look of its own."""
 
 from cmath import phase
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import acos, atan2, cos, hypot, pi, sin, tau
 
 import pygame
@@ -37,6 +37,7 @@ TEETH = 10
 COG = 9.0  # px, how large a wheel with teeth is
 WALL = 14.0  # px, how far a stop reaches to either side
 RAY = 30.0  # px, how far from its pin a stop of an angle is seen
+BUFFER = 4.5  # px, from one turn of an elastic stop's coil to the next, and how far it stands out
 HOOK = 7.0  # px, the radius of a hook that is open
 GAPE = 0.9  # rad, how far it is open to either side
 SAG = 0.12
@@ -50,6 +51,9 @@ def draw_joint(
     corners = camera.path(path)
     if lines.near(corners):
         LOOKS.get(type(joint), _plain)(surface, corners, slack)
+        if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
+            for place, way in _faces(joint, corners):
+                lines.path(surface, theme.SPRING, _buffer(place, way), 2)
 
 
 def draw_open(surface: pygame.Surface, camera: Camera, path: Sequence[XY]) -> None:
@@ -187,6 +191,29 @@ def _angle_stop(surface: pygame.Surface, corners: Sequence[XY], _: bool) -> None
             ux, uy = (x - center[0]) / length, (y - center[1]) / length
             begin, end = ((center[0] + r * ux, center[1] + r * uy) for r in (9.0, RAY))
             lines.stroke(surface, theme.STRING, begin, end, 3)
+
+
+def _faces(joint: Stop | AngleStop, corners: Sequence[XY]) -> Iterator[tuple[XY, XY]]:
+    """Yield where each stop is, and the unit vector in which what it stops runs into it [px]."""
+    if isinstance(joint, Stop):
+        for (x, y), (ox, oy) in (corners[:2], corners[1::-1]):
+            if length := hypot(ox - x, oy - y):
+                yield (x, y), ((x - ox) / length, (y - oy) / length)
+        return
+    (cx, cy), *ends = corners
+    for (x, y), sense in zip(ends, (1, -1), strict=True):  # counter-clockwise from the lower
+        if length := hypot(x - cx, y - cy):
+            ux, uy = (x - cx) / length, (y - cy) / length
+            yield (cx + RAY * ux, cy + RAY * uy), (-sense * uy, sense * ux)
+
+
+def _buffer(place: XY, way: XY) -> list[XY]:
+    """Return the short coil behind a stop that throws back what runs into it [px]."""
+    (x, y), (ux, uy) = place, way
+    aside = (0.0, BUFFER, -BUFFER, BUFFER, -BUFFER, 0.0)
+    return [
+        (x + ux * BUFFER * i - uy * w, y + uy * BUFFER * i + ux * w) for i, w in enumerate(aside)
+    ]
 
 
 def limits(joint: Stop, path: Sequence[XY], values: Values) -> list[XY]:
