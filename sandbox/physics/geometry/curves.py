@@ -46,8 +46,9 @@ class _Chosen:
         return hash((id(self.curve), self.values))
 
     def __eq__(self, other: object) -> bool:
-        same = isinstance(other, _Chosen) and self.curve is other.curve
-        return same and self.values == other.values
+        if not isinstance(other, _Chosen):
+            return NotImplemented
+        return self.curve is other.curve and self.values == other.values
 
 
 @lru_cache(maxsize=64)

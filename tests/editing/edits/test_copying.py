@@ -1,5 +1,7 @@
 """Copies and mirror images: new names, the joints among them, and levels that load."""
 
+import json
+
 import pytest
 
 from sandbox.editing.draft import Draft
@@ -87,3 +89,23 @@ def test_a_mirrored_run_is_the_mirror_image_of_the_run() -> None:
     one, other = (build(scene).advance(30).position for scene in (level, image))
     assert other[:, 0] == pytest.approx((low + high).real - one[:, 0], abs=1e-6)
     assert other[:, 1] == pytest.approx(one[:, 1], abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("shape", "hand"),
+    [
+        ({"type": "segment", "start": [-1, 0], "end": [1, 0]}, "right"),
+        ({"type": "arc", "radius": 1, "start": 0, "end": 2}, "left"),
+    ],
+)
+def test_the_mirror_image_of_a_one_way_line_holds_on_the_mirrored_side(
+    shape: dict[str, object], hand: str
+) -> None:
+    """A segment runs the other way round in a mirror; an arc runs counter-clockwise there, too."""
+    line = {"type": "static", "shape": shape, "one_way": "left"}
+    ball = {"shape": {"type": "disc", "radius": 0.1}, "mass": 1, "position": [0, 5]}
+    bodies = {"line": line, "ball": ball}
+    text = json.dumps({"format": 1, "title": "T", "effects": {"contact": {}}, "bodies": bodies})
+
+    mirrored = parse(mirror(text, parse(text), ["line"]))
+    assert mirrored.bodies["line"].one_way == hand
