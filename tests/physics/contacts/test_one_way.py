@@ -121,9 +121,8 @@ def test_however_fast_it_comes_it_is_not_taken_for_one_from_above(
 @pytest.mark.parametrize("hand", ["left", "right", None])
 def test_from_the_other_side_it_bounces_as_off_any_surface(hand: str | None) -> None:
     """Elastic and located, a ball bounces to where it came from, 1 m above the line."""
-    scene = thrown(0, 240, "located", hand=hand, restitution={}).model_copy()
     said = {"ball": {**BODIES["disc"], "position": [0, 1 + ROOM], "restitution": 1}}
-    line = fixed(LINES["segment"], **({"one_way": hand} if hand else {}), restitution=1)
+    line = fixed(LINES["segment"], restitution=1) | ({"one_way": hand} if hand else {})
     effects = {**GRAVITY, "contact": {"located": ["ball"]}, "restitution": {}}
     scene = level({**said, "line": line}, effects, stepping={"rate": 240})
     seen = heights(scene, 5)
