@@ -63,8 +63,9 @@ def as_it_stands(world: World, *, anew: bool) -> str:
         _put(data["bodies"][name], body, values, _state(world, row), keep=not anew)
     for name, length in _lengths(level, values):
         data["joints"][name]["length"] = length
-    if anew:
-        _begin_later(data, level, world)
+    if not anew:  # nobody reads this: it need not be laid out
+        return _without_unused(json.dumps(data, ensure_ascii=False), level)
+    _begin_later(data, level, world)
     return _without_unused(writing.text(data), level)
 
 
