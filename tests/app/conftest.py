@@ -25,6 +25,26 @@ from sandbox.editing import recovery
 from tests.app.person import Person
 
 
+EVERY = 6
+"""Of so many tests of a module that open a window, the quick tests take the first."""
+
+_WINDOWS = pytest.StashKey[int]()
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    """Leave most tests that open a window to `make sweep`: to open one takes longer than to test.
+
+    Each module of them keeps some that are quick.
+    """
+    module = item.getparent(pytest.Module)
+    if module is None or "person" not in getattr(item, "fixturenames", ()):
+        return
+    count = module.stash.get(_WINDOWS, 0)
+    module.stash[_WINDOWS] = count + 1
+    if count % EVERY:
+        item.add_marker(pytest.mark.sweep)
+
+
 @pytest.fixture
 def pen() -> Pen:
     pygame.font.init()

@@ -1,21 +1,53 @@
 """Attraction of bodies to each other."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, field
+from typing import ClassVar, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sandbox.model.effects import gravitation as declared
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Integers, in_place
 from sandbox.physics.forces.law import Given, Law
 from sandbox.physics.forces.variable_mass import Share, steady
 from sandbox.physics.state.motion import Motion
 
 AT_ONCE = 15_000
-"""How many pairs are computed at once: their arrays stay in the cache, five times as fast."""
+"""How many pairs are computed at once: their arrays stay in the cache."""
+
+
+class Block(NamedTuple):
+    """Some bodies and all that pull at them, but for those of the blocks before.
+
+    Attributes
+    ----------
+    some, others
+        Which bodies: the others are the same and all that follow.
+    ways
+        (..., some, others) each, x and y from the first to the second [m].
+    """
+
+    some: slice
+    others: slice
+    ways: tuple[Array, Array]
+
+    def add(self, to: Array, mass: Array, of_pairs: Array, sign: int) -> None:
+        """Add m1 m2 times something of each pair to its first body, and to its second with a sign.
+
+        Parameters
+        ----------
+        to, mass
+            (..., k, 1), of all bodies.
+        of_pairs
+            (..., some, others).
+        """
+        to[..., self.some, :] += mass[..., self.some, :] * (of_pairs @ mass[..., self.others, :])
+        later = slice(self.some.stop, self.others.stop)
+        if later.start < later.stop:
+            back = of_pairs[..., self.some.stop - self.some.start :].mT @ mass[..., self.some, :]
+            to[..., later, :] += sign * mass[..., later, :] * back
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,49 +61,57 @@ class Gravitation:
     effect: ClassVar[Effect] = declared.Gravitation.effect
 
     constant: float  # m³/(kg s²), G
-    bodies: NDArray[np.intp]  # (k,)
+    bodies: Integers  # (k,)
     mass: Array  # (n,) kg at the start
     softening: float = 0.0  # m, ε
     share: Share = steady
+    _rows: slice | Integers = field(init=False)  # of the bodies
+
+    def __post_init__(self) -> None:
+        """See which rows they have."""
+        object.__setattr__(self, "_rows", in_place(self.bodies))
 
     def add(self, motion: Motion, wrench: Array) -> None:
         """Add to each body the pull of all others."""
         mass = self._mass(motion)
-        for some, x, y, square in self._pairs(motion):
+        force = np.zeros((2, *motion.position.shape[:-2], len(self.bodies), 1))
+        for block, square in self._blocks(motion):
             weight = np.sqrt(square)
             weight *= square
-            np.divide(self.constant * mass[..., None, :], weight, out=weight)
-            rows = self.bodies[some]
-            wrench[..., rows, 0] += mass[..., some] * np.einsum("...ij,...ij->...i", weight, x)
-            wrench[..., rows, 1] += mass[..., some] * np.einsum("...ij,...ij->...i", weight, y)
+            np.divide(self.constant, weight, out=weight)
+            for pull, way in zip(force, block.ways, strict=True):
+                way *= weight
+                block.add(pull, mass, way, -1)
+        wrench[..., self._rows, :2] += np.concatenate(force, axis=-1)
 
     def potential_energy(self, motion: Motion) -> Array:
         """Return −G m1 m2 / s of each pair, half for each of the two."""
         mass = self._mass(motion)
+        pairs = np.zeros((*motion.position.shape[:-2], len(self.bodies), 1))
+        for block, square in self._blocks(motion):
+            block.add(pairs, mass, 1 / np.sqrt(square), 1)
         energy = np.zeros(motion.position.shape[:-1])
-        for some, _, _, square in self._pairs(motion):
-            others = np.sum(mass[..., None, :] / np.sqrt(square), axis=-1)
-            energy[..., self.bodies[some]] = -self.constant * mass[..., some] * others / 2
+        energy[..., self._rows] = -self.constant / 2 * pairs[..., 0]
         return energy
 
-    def _pairs(self, motion: Motion) -> Iterator[tuple[slice, Array, Array, Array]]:
-        """Yield some bodies, the ways from them to all, and s²: as many as fit into a cache."""
-        places = np.ascontiguousarray(np.moveaxis(motion.position[..., self.bodies, :], -1, 0))
-        count = len(self.bodies)
-        rows = max(AT_ONCE // max(places[0].size, 1), 1)
-        for start in range(0, count, rows):
-            some = slice(start, min(start + rows, count))
-            x, y = (place[..., None, :] - place[..., some, None] for place in places)
+    def _blocks(self, motion: Motion) -> Iterator[tuple["Block", Array]]:
+        """Yield blocks in which all pairs are, and their s²: as many as fit into a cache."""
+        places = np.ascontiguousarray(np.moveaxis(motion.position[..., self._rows, :], -1, 0))
+        count, stop = len(self.bodies), 0
+        while (start := stop) < count:
+            rows = max(AT_ONCE // max(places[0][..., start:].size, 1), 1)
+            stop = min(start + rows, count)
+            x, y = (place[..., None, start:] - place[..., start:stop, None] for place in places)
             square = x * x
             square += y * y
             square += self.softening**2
-            own = np.arange(some.stop - start)
-            square[..., own, start + own] = np.inf  # none pulls itself
-            yield some, x, y, square
+            own = np.arange(stop - start)
+            square[..., own, own] = np.inf  # none pulls itself
+            yield Block(slice(start, stop), slice(start, count), (x, y)), square
 
     def _mass(self, motion: Motion) -> Array:
-        """Return the masses of the bodies at the time: (..., k) [kg]."""
-        mass: Array = (self.mass * self.share(motion.t))[..., self.bodies]
+        """Return the masses of the bodies at the time: (..., k, 1) [kg]."""
+        mass: Array = (self.mass * self.share(motion.t))[..., self._rows, None]
         return mass
 
 
