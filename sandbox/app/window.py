@@ -83,6 +83,7 @@ class Window(Workspace):
         self.banner.update(seconds)
         if self.session is not None:
             self._events.leave_fields()
+            self.session.book(self.panels.side is not None and self.panels.side.books)
             self.undoing.follow(self.session, seconds)
             self._play(self.session, seconds)
             for text in self.workers.follow(self.session, seconds, self.panels.page):

@@ -34,6 +34,8 @@ class SidePanel:
         What the pages work with.
     foot
         What stays below the page; None below one that needs the room.
+    books
+        Whether anything in it tells where energy or momentum come from and go.
     """
 
     def __init__(
@@ -54,6 +56,7 @@ class SidePanel:
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
+        self.books = register.page(page).books or bool(self.foot and self.foot.books)
         self._since, self._below = 0.0, False  # whether the foot is due
         self._shown = self._state
 

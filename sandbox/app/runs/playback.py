@@ -35,6 +35,8 @@ class Playback(RunView, ABC):
         Whether time passes by itself, and how fast.
     locked
         Whether no time passes: somebody is to say first what will come of the run.
+    booked
+        Whether it is booked where energy and momentum come from and go; see `Books`.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
 
@@ -51,11 +53,13 @@ class Playback(RunView, ABC):
         self.playing = False
         self.speed = 1.0
         self.locked = False
+        self.booked = False
         self._take_up(run)
 
     def _take_up(self, run: LiveRun) -> None:
         """Play a run from its start."""
         super().__init__(run)
+        run.books.keep(self.booked)
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
@@ -63,6 +67,11 @@ class Playback(RunView, ABC):
     @abstractmethod
     def _run_anew(self) -> LiveRun:
         """Return the present run at its start; raise a `SandboxError` if it cannot be built."""
+
+    def book(self, wanted: bool) -> None:
+        """Book energy and momentum from now on, in later runs from their start; or no more."""
+        self.booked = wanted
+        self.run.books.keep(wanted)
 
     def _stop(self, error: SandboxError) -> None:
         self.run.failure = error
