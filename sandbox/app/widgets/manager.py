@@ -6,6 +6,9 @@ from typing import Any, ClassVar
 
 from pygame_gui import PackageResource, UIManager
 from pygame_gui.core import UIAppearanceTheme
+from pygame_gui.elements import UIButton, UIImage
+
+from sandbox.app.widgets.row import Row
 
 Ids = list[str | None] | None
 """What a widget and all that hold it are called, from the outermost inwards."""
@@ -13,6 +16,20 @@ Ids = list[str | None] | None
 
 class Manager(UIManager):
     """Keeps the widgets of a window."""
+
+    def _handle_hovering(self, time_delta: float) -> None:
+        """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
+
+        pygame_gui goes through all of them by layers, and asks each. A button or a picture that the
+        mouse is far from, and was, has nothing to say; there are some hundred.
+        """
+        mouse, handled = self.get_mouse_position(), False
+        for element in reversed(self.get_sprite_group().sprites()):
+            if not element.visible or (type(element) in _PLAIN and _is_far(element, mouse)):
+                continue
+            if element.check_hover(time_delta, handled):
+                self.hovering_any_ui_element = element is not self.root_container
+                handled = handled or self.hovering_any_ui_element
 
     def create_new_theme(
         self,
@@ -24,6 +41,16 @@ class Manager(UIManager):
         if theme_path is not None:
             theme.load_theme(theme_path)
         return theme
+
+
+_PLAIN = UIButton, UIImage, Row
+"""What is under the mouse only if the mouse is in its rectangle, unless it is held."""
+
+
+def _is_far(element: UIButton | UIImage, mouse: tuple[int, int]) -> bool:
+    """Whether the mouse is not over a widget, nor was."""
+    touched = element.hovered or getattr(element, "held", False)
+    return not touched and not element.rect.collidepoint(mouse)
 
 
 class _Theme(UIAppearanceTheme):
