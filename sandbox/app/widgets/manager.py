@@ -2,10 +2,12 @@
 
 import io
 import os
+from collections.abc import Sequence
 from typing import Any, ClassVar
 
+import pygame
 from pygame_gui import PackageResource, UIManager
-from pygame_gui.core import UIAppearanceTheme
+from pygame_gui.core import UIAppearanceTheme, UIElement
 from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.widgets.row import Row
@@ -17,17 +19,23 @@ Ids = list[str | None] | None
 class Manager(UIManager):
     """Keeps the widgets of a window."""
 
+    _touched: Sequence[UIElement] = ()
+    """the plain ones that the mouse was over in the last frame, or holds"""
+
     def _handle_hovering(self, time_delta: float) -> None:
         """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
 
-        pygame_gui goes through all of them by layers, and asks each. A button or a picture that the
-        mouse is far from, and was, has nothing to say; there are some hundred.
+        pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
+        far from, and was, has nothing to say; there are some hundred.
         """
-        mouse, handled = self.get_mouse_position(), False
-        for element in reversed(self.get_sprite_group().sprites()):
-            if not element.visible or (type(element) in _PLAIN and _is_far(element, mouse)):
-                continue
-            if element.check_hover(time_delta, handled):
+        every, mouse = self.get_sprite_group().sprites(), pygame.Rect(self.mouse_position, (1, 1))
+        touched = [each for each in self._touched if each.hovered or getattr(each, "held", False)]
+        near = {id(each) for each in (*touched, *mouse.collideobjectsall(every))}
+        asked = [each for each in every if type(each) not in _PLAIN or id(each) in near]
+        self._touched = [each for each in asked if type(each) in _PLAIN]
+        handled = False
+        for element in reversed(asked):
+            if element.visible and element.check_hover(time_delta, handled):
                 self.hovering_any_ui_element = element is not self.root_container
                 handled = handled or self.hovering_any_ui_element
 
@@ -45,12 +53,6 @@ class Manager(UIManager):
 
 _PLAIN = UIButton, UIImage, Row
 """What is under the mouse only if the mouse is in its rectangle, unless it is held."""
-
-
-def _is_far(element: UIButton | UIImage, mouse: tuple[int, int]) -> bool:
-    """Whether the mouse is not over a widget, nor was."""
-    touched = element.hovered or getattr(element, "held", False)
-    return not touched and not element.rect.collidepoint(mouse)
 
 
 class _Theme(UIAppearanceTheme):
