@@ -1,6 +1,7 @@
 """The column on the right: the pages of the level behind tabs, and the foot below them."""
 
 from collections.abc import Iterator
+from typing import Literal
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
@@ -112,6 +113,12 @@ class SidePanel:
         news = self._workers.news
         looked_at = session.looking.body
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
+
+    def coming(self, seconds: float) -> Literal["", "page", "foot"]:
+        """Return what is brought up to date after some time [s], while time runs."""
+        if self._below:
+            return "foot"
+        return "page" if self._since + seconds >= REFRESH else ""
 
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs.
