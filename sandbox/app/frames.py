@@ -71,6 +71,7 @@ def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
             window.do(command)
         for _ in range(LOOKS):  # what is opened is drawn once, and is no part of any later frame
             _show(window, 0.0)
+        window.look_through()
         price = _price(window.session, seconds / 2)
         took, passed = _play(window, max(round(seconds * RATE), 1))
     finally:

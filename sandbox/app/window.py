@@ -47,8 +47,7 @@ class Window(Workspace):
 
     def run(self) -> None:
         """Show frames until the window is closed."""
-        gc.collect()
-        gc.freeze()  # to look through all that is there by now, for what is lost, takes two frames
+        self.look_through()
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
             clock.tick(RATE if self._busy else QUIET_RATE)
@@ -56,6 +55,12 @@ class Window(Workspace):
             self.frame(min(now - before, LONGEST_FRAME))
             before = now
             pygame.display.flip()
+
+    @staticmethod
+    def look_through() -> None:
+        """Look for lost objects among all that are there now, and never again: it takes two frames."""
+        gc.collect()
+        gc.freeze()
 
     @property
     def _busy(self) -> bool:
@@ -85,6 +90,7 @@ class Window(Workspace):
         if self.session is not None:
             self.advising.follow(self.session)
         self.panels.advise(self.advised)
+        self.panels.manager.spare(self.session is not None and self.session.playing)
         self.panels.manager.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:

@@ -12,6 +12,9 @@ from pygame_gui.elements import UIButton, UIImage
 
 from sandbox.app.widgets.row import Row
 
+WAITING = 300
+"""So many looks may wait to be put away."""
+
 Ids = list[str | None] | None
 """What a widget and all that hold it are called, from the outermost inwards."""
 
@@ -21,6 +24,12 @@ class Manager(UIManager):
 
     _touched: Sequence[UIElement] = ()
     """the plain ones that the mouse was over in the last frame, or holds"""
+
+    def spare(self, wanted: bool) -> None:
+        """Leave to later what can wait, while something moves; or no more."""
+        theme = self.get_theme()
+        assert isinstance(theme, _Theme)
+        theme.spares = wanted
 
     def _handle_hovering(self, time_delta: float) -> None:
         """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
@@ -61,6 +70,14 @@ class _Theme(UIAppearanceTheme):
     pygame_gui keeps them by a text that joins what the widget, and all that hold it, are called: it
     grows with the product of four lengths, and takes longer to write than the names to find.
     """
+
+    spares = False
+    """whether looks wait to be put away for good"""
+
+    def update_caching(self, time_delta: float) -> None:
+        """Put away a look that a widget was drawn in, to be found again: that takes up to 2 ms."""
+        if not self.spares or len(self._shape_cache.cache_short_term_lookup) > WAITING:
+            super().update_caching(time_delta)
 
     _names: ClassVar[dict[tuple[tuple[str | None, ...] | None, ...], list[str]]] = {}
 
