@@ -58,7 +58,7 @@ class Window(Workspace):
 
     @staticmethod
     def look_through() -> None:
-        """Look for lost objects among all that are there now, and never again: it takes two frames."""
+        """Look for lost objects among all that are there, once: later it would take two frames."""
         gc.collect()
         gc.freeze()
 
