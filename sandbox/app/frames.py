@@ -86,9 +86,9 @@ def _price(session: Session, most: float) -> float:
 
     It runs twice, and of each step the quicker counts: what disturbs one only adds to it.
     """
-    runs = [list(_steps(session, most / 2)) for _ in range(2)]
-    count = min(map(len, runs))
-    return float(np.minimum(*(took[:count] for took in runs)).mean() / session.world.dt)
+    first, second = (list(_steps(session, most / 2)) for _ in range(2))
+    quicker = [min(pair) for pair in zip(first, second, strict=False)]
+    return float(np.mean(quicker) / session.world.dt)
 
 
 def _steps(session: Session, most: float) -> Iterator[float]:

@@ -3,7 +3,7 @@
 import io
 import os
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any, ClassVar, cast
 
 import pygame
 from pygame_gui import PackageResource, UIManager
@@ -37,7 +37,8 @@ class Manager(UIManager):
         pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
         far from, and was, has nothing to say; there are some hundred.
         """
-        every, mouse = self.get_sprite_group().sprites(), pygame.Rect(self.mouse_position, (1, 1))
+        every = cast("list[UIElement]", self.get_sprite_group().sprites())
+        mouse = pygame.Rect(self.mouse_position, (1, 1))
         touched = [each for each in self._touched if each.hovered or getattr(each, "held", False)]
         near = {id(each) for each in (*touched, *mouse.collideobjectsall(every))}
         asked = [each for each in every if type(each) not in _PLAIN or id(each) in near]

@@ -34,6 +34,10 @@ def sliding() -> Session:
     return Session(level({"block": block, "floor": floor(friction=1)}, effects))
 
 
+def kept(person: Person) -> bool:
+    return person.session.books.kept
+
+
 def step(session: Session, count: int) -> Session:
     for _ in range(count):
         session.step()
@@ -115,33 +119,33 @@ def test_steps_are_booked_only_while_a_card_tells_of_it(person: Person) -> None:
     person.press(pygame.K_SPACE, " ")
     for _ in range(5):
         person.wait(FRAME)
-    assert not person.session.books.kept
+    assert not kept(person)
 
     person.press(pygame.K_m, "m")
-    assert person.session.books.kept
+    assert kept(person)
     assert person.session.books.since
 
     person.press(pygame.K_d, "d")
-    assert not person.session.books.kept
+    assert not kept(person)
 
     person.press(pygame.K_e, "e")
     assert person.window.panels.energy == "bars"
-    assert person.session.books.kept
+    assert kept(person)
 
     person.press(pygame.K_r, "r")
     person.wait(FRAME)
-    assert person.session.books.kept
+    assert kept(person)
     assert person.session.books.since is None
 
 
 def test_bars_in_a_column_that_is_hidden_book_nothing(person: Person) -> None:
     person.window.open_level("newton/incline")
     person.press(pygame.K_e, "e")
-    assert person.session.books.kept
+    assert kept(person)
 
     person.press(pygame.K_p, "p")
 
-    assert not person.session.books.kept
+    assert not kept(person)
 
 
 def test_a_run_to_its_end_loses_no_energies() -> None:
