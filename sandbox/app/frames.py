@@ -1,11 +1,15 @@
 """How long the window's frames take, while a level plays with a graph and forces in sight."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from time import perf_counter, thread_time
 
 import numpy as np
 import pygame
 
+from sandbox.app.runs.beginning import begin
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.session import Session
 from sandbox.app.window import RATE, Window
 from sandbox.model.errors import SandboxError
 
@@ -26,6 +30,8 @@ class Frames:
         Its name.
     opened
         From the command that opens it to its first picture [s].
+    price
+        What a second of it takes in the window beside the drawing, on the processor [s].
     median, late
         Of the frames' times on the processor: the middle, and what 99 of 100 stay below [s].
     speed
@@ -34,6 +40,7 @@ class Frames:
 
     level: str
     opened: float
+    price: float
     median: float
     late: float
     speed: float
@@ -64,11 +71,36 @@ def frames(name: str, size: tuple[int, int], seconds: float) -> Frames:
             window.do(command)
         for _ in range(LOOKS):  # what is opened is drawn once, and is no part of any later frame
             _show(window, 0.0)
+        window.look_through()
+        price = _price(window.session, seconds / 2)
         took, passed = _play(window, max(round(seconds * RATE), 1))
     finally:
         window.close()
     late = float(np.quantile(took, 0.99))
-    return Frames(name, opened, float(np.median(took)), late, passed * RATE / len(took))
+    speed = passed * RATE / len(took)
+    return Frames(name, opened, price, float(np.median(took)), late, speed)
+
+
+def _price(session: Session, most: float) -> float:
+    """Return what a second of a level takes to be run and observed [s], in so much computing [s].
+
+    It runs twice, and of each step the quicker counts: what disturbs one only adds to it.
+    """
+    first, second = (list(_steps(session, most / 2)) for _ in range(2))
+    quicker = [min(pair) for pair in zip(first, second, strict=False)]
+    return float(np.mean(quicker) / session.world.dt)
+
+
+def _steps(session: Session, most: float) -> Iterator[float]:
+    """Yield what each step of a run takes [s], for so much computing [s] or to its end."""
+    begun = begin(session.begun_as, session.values, (), patient=False)
+    run, first = LiveRun(session.original, begun), thread_time()
+    before = first
+    while run.failure is None and run.world.steps < run.end and before - first < most:
+        run.advance()
+        now = thread_time()
+        yield now - before
+        before = now
 
 
 def _play(window: Window, count: int) -> tuple[list[float], float]:

@@ -5,6 +5,7 @@ from time import perf_counter
 
 import pygame
 
+from sandbox.app.allowance import Allowance
 from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
 from sandbox.app.files.watching import FileWatch
@@ -38,6 +39,7 @@ class Window(Workspace):
         self._watch, self._sounds = FileWatch(), Sounds()
         self.hold_up = HoldUp(self)
         self._quiet = 0.0  # s since the last event
+        self._allowance, self._stepped = Allowance(), 0.0  # s, in this frame
 
     def do(self, command: str) -> None:
         """Do what a command asks for, as its key does."""
@@ -45,8 +47,7 @@ class Window(Workspace):
 
     def run(self) -> None:
         """Show frames until the window is closed."""
-        gc.collect()
-        gc.freeze()  # to look through all that is there by now, for what is lost, takes two frames
+        self.look_through()
         clock, before = pygame.time.Clock(), perf_counter()
         while self.open:
             clock.tick(RATE if self._busy else QUIET_RATE)
@@ -54,6 +55,12 @@ class Window(Workspace):
             self.frame(min(now - before, LONGEST_FRAME))
             before = now
             pygame.display.flip()
+
+    @staticmethod
+    def look_through() -> None:
+        """Look for lost objects among all that are there, once: later it would take two frames."""
+        gc.collect()
+        gc.freeze()
 
     @property
     def _busy(self) -> bool:
@@ -63,12 +70,16 @@ class Window(Workspace):
 
     def frame(self, seconds: float) -> None:
         """Handle what has happened, let time pass [s], and draw."""
+        begun, side, self._stepped = perf_counter(), self.panels.side, 0.0
+        kind = side.coming(seconds) if side is not None else ""
         with self.hold_up.watched():
-            self._pass(seconds)
+            self._pass(seconds, self._allowance.of(kind))
         self._draw(seconds)
+        if self._stepped:
+            self._allowance.note(kind, perf_counter() - begun - self._stepped)
 
-    def _pass(self, seconds: float) -> None:
-        """Handle what has happened, and let time pass [s]."""
+    def _pass(self, seconds: float, allowed: float) -> None:
+        """Handle what has happened, and let time pass [s], for which steps are allowed some [s]."""
         events = self.hold_up.events()
         self._quiet = 0.0 if events else self._quiet + seconds
         for event in events:
@@ -79,12 +90,14 @@ class Window(Workspace):
         if self.session is not None:
             self.advising.follow(self.session)
         self.panels.advise(self.advised)
+        self.panels.manager.spare(self.session is not None and self.session.playing)
         self.panels.manager.update(seconds)
         self.banner.update(seconds)
         if self.session is not None:
             self._events.leave_fields()
+            self.session.book(self.panels.side is not None and self.panels.side.books)
             self.undoing.follow(self.session, seconds)
-            self._play(self.session, seconds)
+            self._play(self.session, seconds, allowed)
             for text in self.workers.follow(self.session, seconds, self.panels.page):
                 self.banner.tell(text)
             self.follow(self.session)
@@ -93,13 +106,14 @@ class Window(Workspace):
             if not self.comfort.chosen.reduced:
                 self.panels.home.play(seconds)
 
-    def _play(self, session: Session, seconds: float) -> None:
-        """Let time pass, and note what that takes."""
+    def _play(self, session: Session, seconds: float, allowed: float) -> None:
+        """Let time pass, and note what that takes [s]."""
         world, hooks, begun = session.world, session.world.kicks.seconds, perf_counter()
         steps, seeking = world.steps, session.sought is not None
-        session.update(seconds)
+        session.update(seconds, allowed)
         if session.playing:
-            self.load.stepped(perf_counter() - begun, world.kicks.seconds - hooks)
+            self._stepped = perf_counter() - begun
+            self.load.stepped(self._stepped, world.kicks.seconds - hooks)
         if self.comfort.chosen.sound and not seeking:
             self._sounds.play(session.run.blows.since(steps), session.world, seconds)
 

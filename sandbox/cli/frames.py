@@ -24,7 +24,7 @@ LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
 """The share of real time from which on a level runs in it: the first frames are slower."""
 
-_HEADER = ("level", "first picture", "a frame", "99 of 100 below", "speed", "")
+_HEADER = ("level", "first picture", "a second of it", "a frame", "99 of 100 below", "speed", "")
 
 
 def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | None) -> int:
@@ -70,6 +70,7 @@ def _rows(found: "Sequence[Frames]") -> Iterator[tuple[str, ...]]:
         yield (
             each.level,
             f"{each.opened:.2f} s",
+            f"{each.price:.2f} s",
             f"{each.median * 1e3:.1f} ms",
             f"{each.late * 1e3:.1f} ms",
             f"{each.speed:.2f}×",

@@ -5,6 +5,7 @@ import pytest
 from pygame_gui.core import UIElement
 
 from sandbox.app.panels.levels import LevelList
+from sandbox.app.widgets.row import Row
 from sandbox.model import catalog
 from tests.app.person import Person
 
@@ -123,3 +124,51 @@ def test_nonsense_finds_nothing_and_says_so(player: Person) -> None:
     area = pygame.Rect(10, 45, 200, 30)
     after = player.window.surface
     assert before.subsurface(area).get_buffer().raw != after.subsurface(area).get_buffer().raw
+
+
+def hovered(row: Row) -> bool:
+    return bool(row.hovered)
+
+
+def in_sight(row: Row) -> bool:
+    return row.in_sight
+
+
+def test_a_row_that_is_scrolled_into_sight_is_as_lively_as_those_before(player: Person) -> None:
+    """It changes its look under the mouse, and leads to its level."""
+    path = catalog.find(catalog.names()[-1]).resolve()
+    row = listed(player).button(path)
+    assert isinstance(row, Row)
+    assert not in_sight(row)
+
+    listed(player).choose(path)
+    listed(player).choose(None)
+    player.wait(0.1)
+    assert in_sight(row)
+    apart = player.color_at((row.rect.x + 4, row.rect.centery))
+    player.move(row.rect.center)
+    player.wait(0.5)
+
+    assert hovered(row)
+    assert player.color_at((row.rect.x + 4, row.rect.centery)) != apart
+    player.move((640, 400))
+    player.wait(0.5)
+    assert not hovered(row)
+    assert player.color_at((row.rect.x + 4, row.rect.centery)) == apart
+    player.click(row.rect)
+    player.wait()
+    assert player.window.path == path
+
+
+def test_a_row_that_is_scrolled_away_from_the_mouse_is_left(player: Person) -> None:
+    rows = listed(player)
+    seen = [row for row in rows._buttons if isinstance(row, Row) and row.in_sight]
+    player.move(seen[3].rect.center)
+    player.wait(0.1)
+    assert hovered(seen[3])
+
+    rows.choose(catalog.find(catalog.names()[-1]).resolve())
+    player.wait(0.1)
+
+    assert not hovered(seen[3])
+    assert not in_sight(seen[3])

@@ -7,16 +7,18 @@ from pygame_gui.core import UIElement
 from sandbox.app import frames
 from sandbox.app.pages.graph.panel import GraphPage
 from sandbox.app.panels.foot import Foot
+from sandbox.app.widgets.row import Row
 from sandbox.app.window import Window
 from tests.app.person import FRAME, Person
 
 
 def unfinished(window: Window) -> int:
-    """Return how many widgets are not drawn in all their states yet: one is with each frame."""
+    """Return how many widgets in sight are not drawn in all their states: one is in each frame."""
     shapes = (
         element.drawable_shape
         for element in window.panels.manager.get_sprite_group().sprites()
         if isinstance(element, UIElement)
+        and not (isinstance(element, Row) and not element.in_sight)
     )
     return sum(bool(shape.states_to_redraw_queue) for shape in shapes if shape)
 

@@ -20,12 +20,13 @@ def test_the_json_has_what_was_measured(tmp_path: Path, run: Run) -> None:
     assert level["level"] == "newton/atwood"
     assert 0 < level["median"] <= level["late"]
     assert level["speed"] > 0
+    assert 0 < level["price"] < 10
     assert "newton/atwood" in outcome.out
 
 
 def test_99_of_100_frames_below_a_sixtieth_of_a_second_are_smooth() -> None:
-    assert Frames("a", 1.0, 0.01, 1 / 60, 1.0).smooth
-    assert not Frames("a", 1.0, 0.01, 0.017, 1.0).smooth
+    assert Frames("a", 1.0, 0.1, 0.01, 1 / 60, 1.0).smooth
+    assert not Frames("a", 1.0, 0.1, 0.01, 0.017, 1.0).smooth
 
 
 @pytest.mark.parametrize("size", ["big", "1280", "100x100", "9999x900"])

@@ -107,7 +107,8 @@ class Editor:
                 self.settle(session)
         if self.drafts.follow(self.work.draft, seconds):
             self.show()
-        self._look_at(session)
+        if watched:
+            self._look_at(session)
         return self.bench.told() or self.work.told()
 
     def cancel(self) -> None:

@@ -49,15 +49,14 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
     return card.drawn()
 
 
-def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pygame.Surface:
+def ledger(pen: Pen, width: int, books: Balance, covered: str) -> pygame.Surface:
     """Draw as bars where the energy is, where it came from and went, and what has no cause.
 
-    Books that are read in the middle of a drift are told to be half a step `ahead`.
+    Above them stands what is `covered` by the books.
     """
     card = Card(pen, width)
     card.heading(say("Energy"))
-    if ahead:
-        card.text(say("half a step ahead"), 12, theme.DIM)
+    card.text(covered, 12, theme.DIM)
     rows = [
         (say("kinetic"), books.kinetic, theme.KINETIC),
         *((say(name), value, theme.POTENTIAL) for name, value in books.potential.items()),

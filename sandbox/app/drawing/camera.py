@@ -59,7 +59,8 @@ class Camera:
 
     def path(self, points: Iterable[XY]) -> list[XY]:
         """Return the pixels of many points."""
-        return [self.to_screen(point) for point in points]
+        (width, height), (x, y), scale = self.size, self.center, self.scale
+        return [(width / 2 + (px - x) * scale, height / 2 - (py - y) * scale) for px, py in points]
 
     def to_world(self, pixel: XY) -> XY:
         """Return the point of the plane under a pixel."""

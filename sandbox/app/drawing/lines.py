@@ -15,7 +15,7 @@ INNER = 0.45  # of the radius of a star, where its inner corners are
 
 def near(points: Sequence[XY]) -> bool:
     """Whether all pixels are close enough to be drawn without being cut."""
-    return all(abs(x) < FAR and abs(y) < FAR for x, y in points)
+    return all(-FAR < x < FAR and -FAR < y < FAR for x, y in points)
 
 
 def distance(a: XY, b: XY, point: XY) -> float:

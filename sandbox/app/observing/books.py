@@ -4,11 +4,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.states import States
+from sandbox.app.words import wording
+from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.energy.balance import Balance
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.metering.meter import Meter
+from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 
 INSTANTS = 500
@@ -27,7 +30,10 @@ class Energies:
 
 
 class Books:
-    """Kept of a world from where it stands now; told of every step.
+    """The energies of a world from where it stands now; told of every step.
+
+    Where they come from and go is booked only while somebody wants to know: that takes as long as
+    the steps themselves, or longer.
 
     Attributes
     ----------
@@ -43,19 +49,54 @@ class Books:
     """
 
     def __init__(self, world: World, steps: int) -> None:
-        self._world, self._ledger = world, Ledger(world)
+        self._world = world
         self._meter = Meter(world, _ENERGIES)
         self._every = max(steps // INSTANTS, 1)
         self.start, self._let_go = self.energies, False
-        self._history = Trail(self._row())
+        self._history = States(self._rows, world.snapshot)
+        self._ledger: Ledger | None = None
+        self._since: float | None = None
 
     def note(self) -> None:
         """Take in a step."""
-        self._ledger.note()
+        if self._ledger is not None:
+            self._ledger.note()
         if self._let_go:
             self.start, self._let_go = self.energies, False
         if self._world.steps % self._every == 0:
-            self._history.add(self._row())
+            self._history.note(self._world.snapshot)
+
+    def keep(self, kept: bool) -> None:
+        """Book what steps do from now on, or no more."""
+        if kept and self._ledger is None:
+            self._open()
+        elif not kept:
+            self._ledger = None
+
+    @property
+    def kept(self) -> bool:
+        """Whether steps are booked."""
+        return self._ledger is not None
+
+    def _open(self) -> None:
+        """Begin to book steps, with none so far."""
+        self._ledger = Ledger(self._world)
+        self._since = self._world.t if self._world.steps else None
+
+    @property
+    def since(self) -> float | None:
+        """The time since which steps are booked [s]; None if all of the run are."""
+        return self._since if self.kept else self._world.t
+
+    @property
+    def covered(self) -> str:
+        """What the balance is of, in words: since when, and whether it is read at the step."""
+        told = [say("since the start")]
+        if self.since is not None:
+            told = [say("since t = {t}", t=wording.seconds(self.since))]
+        if not self._world.kicks.composed:
+            told.append(say("half a step ahead"))
+        return ", ".join(told)
 
     def hand_over(self) -> None:
         """Let energies be compared with those of now: a hand has worked, and lets go.
@@ -66,8 +107,9 @@ class Books:
 
     def restart(self) -> None:
         """Begin anew, as after a hand has put a body elsewhere; the start stays."""
-        self._ledger = Ledger(self._world)
-        self._history.restart(self._row())
+        if self.kept:
+            self._open()
+        self._history.restart(self._world.snapshot)
 
     @property
     def energies(self) -> Energies:
@@ -76,14 +118,15 @@ class Books:
 
     @property
     def balance(self) -> Balance:
-        """Where energy and momentum came from and went, since the run or the books began."""
-        return self._ledger.balance
+        """Where energy and momentum came from and went, since steps are booked."""
+        return (self._ledger or Ledger(self._world)).balance
 
     @property
     def history(self) -> Array:
         """Energies over time: (k, 4), [s], then kinetic, potential and total [J], up to now."""
-        return np.vstack((self._history.points, self._row()))
+        now = self._rows(Snapshot.stack([self._world.snapshot]))
+        return np.vstack((self._history.rows, now))
 
-    def _row(self) -> Array:
-        now = self.energies
-        return np.array([self._world.snapshot.t, now.kinetic, now.potential, now.total])
+    def _rows(self, snapshots: Snapshot) -> Array:
+        """Return time and energies of states: (k, 4)."""
+        return np.column_stack((snapshots.t, *self._meter(snapshots).values()))

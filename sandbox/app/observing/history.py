@@ -4,7 +4,7 @@ from dataclasses import fields
 
 import numpy as np
 
-from sandbox.app.observing.trail import Trail
+from sandbox.app.observing.states import States
 from sandbox.model.expressions import Array
 from sandbox.physics.state.snapshot import Snapshot
 
@@ -16,23 +16,23 @@ class History:
 
     def __init__(self, snapshot: Snapshot) -> None:
         self._shapes = [np.shape(getattr(snapshot, name)) for name in _FIELDS]
-        self._kept = Trail(_flat(snapshot))
+        self._kept = States(_flat, snapshot)
 
     def __len__(self) -> int:
         return len(self._kept)
 
     def note(self, snapshot: Snapshot) -> None:
         """Note the next state."""
-        self._kept.add(_flat(snapshot))
+        self._kept.note(snapshot)
 
     def restart(self, snapshot: Snapshot) -> None:
         """Forget everything, as after a body was put elsewhere."""
-        self._kept.restart(_flat(snapshot))
+        self._kept.restart(snapshot)
 
     @property
     def snapshots(self) -> Snapshot:
         """The states that are kept, time in front."""
-        rows, start, parts = self._kept.points, 0, {}
+        rows, start, parts = self._kept.rows, 0, {}
         for name, shape in zip(_FIELDS, self._shapes, strict=True):
             size = int(np.prod(shape))
             parts[name] = rows[:, start : start + size].reshape(len(rows), *shape)
@@ -40,5 +40,7 @@ class History:
         return Snapshot(**parts)
 
 
-def _flat(snapshot: Snapshot) -> Array:
-    return np.concatenate([np.ravel(getattr(snapshot, name)) for name in _FIELDS])
+def _flat(snapshots: Snapshot) -> Array:
+    """Return all fields of states beside each other, a row for each."""
+    parts = (np.asarray(getattr(snapshots, name)) for name in _FIELDS)
+    return np.concatenate([part.reshape(len(snapshots.t), -1) for part in parts], axis=1)

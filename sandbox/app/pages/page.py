@@ -171,6 +171,8 @@ class Page:
     """keys and what they do while it is open, and not otherwise: what the help tells then"""
     energy: bool = True
     """whether the energies stand below it"""
+    books: bool = False
+    """whether it tells where energy or momentum come from and go: it is booked while it is open"""
     suits: Callable[[Level], bool] | None = None
     """which levels it is made for: with those it is opened, and with others the first page is"""
     overlay: str = ""

@@ -48,6 +48,8 @@ class Foot:
         Where it begins [px].
     switch
         The button that leads to the next view of the energy.
+    books
+        Whether it tells where the energy comes from and goes.
     verdicts
         The button that counts the checks and leads to them; None for a level without any.
     """
@@ -56,6 +58,7 @@ class Foot:
         self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
     ) -> None:
         self._pen, self._session, self._view = pen, session, view
+        self.books = view == "bars"
         px = pen.px
         self._width = rect.width - 2 * px(MARGIN) - px(10)
         height = min(max(rect.height // 5 - px(CAPTION), px(HIGH[0])), px(HIGH[1]))
@@ -98,9 +101,8 @@ class Foot:
 
     def _drawn(self) -> pygame.Surface:
         session, books = self._session, self._session.books
-        if self._view == "bars":
-            ahead = not session.world.kicks.composed
-            return ledger(self._pen, self._width, books.balance, ahead=ahead)
+        if self.books:
+            return ledger(self._pen, self._width, books.balance, books.covered)
         if self._view == "total":
             return total(self._pen, self._width, books.start, books.energies)
         drawn = graph.energies(self._graph_size, books.history, session.duration)

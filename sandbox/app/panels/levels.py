@@ -20,6 +20,7 @@ from sandbox.app.files.listed import Entry, entry
 from sandbox.app.files.progress import Progress
 from sandbox.app.widgets.field import LONGEST, Field
 from sandbox.app.widgets.gui import press, scroll, scrolled
+from sandbox.app.widgets.row import Row
 from sandbox.app.words.language import plural, say
 from sandbox.model import catalog
 
@@ -156,7 +157,7 @@ class LevelList:
         room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)
         earned = plural("{count} star earned", "{count} stars earned", stars) if stars else None
-        return UIButton(
+        return Row(
             pygame.Rect(self._px(MARGIN), 0, self._width, self._px(ROW)), shown + mark, manager,
             container=self._container, object_id=ObjectID(class_id="@level"),
             tool_tip_text=earned if shown == level.title else level.title,

@@ -1,6 +1,7 @@
 """The column on the right: the pages of the level behind tabs, and the foot below them."""
 
 from collections.abc import Iterator
+from typing import Literal
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UIManager
@@ -34,6 +35,8 @@ class SidePanel:
         What the pages work with.
     foot
         What stays below the page; None below one that needs the room.
+    books
+        Whether anything in it tells where energy or momentum come from and go.
     """
 
     def __init__(
@@ -54,6 +57,7 @@ class SidePanel:
         upper = pygame.Rect(rect.x, top, rect.width, max(end - top, 1))
         self._sheet = Sheet(manager, pen, upper)
         self.page: Panel = register.page(page).open(self._sheet, self.desk)
+        self.books = register.page(page).books or bool(self.foot and self.foot.books)
         self._since, self._below = 0.0, False  # whether the foot is due
         self._shown = self._state
 
@@ -109,6 +113,12 @@ class SidePanel:
         news = self._workers.news
         looked_at = session.looking.body
         return session.world.snapshot, session.playing, session.companions, looked_at, *news
+
+    def coming(self, seconds: float) -> Literal["", "page", "foot"]:
+        """Return what is brought up to date after some time [s], while time runs."""
+        if self._below:
+            return "foot"
+        return "page" if self._since + seconds >= REFRESH else ""
 
     def update(self, seconds: float) -> None:
         """Bring the numbers up to date, a few times a second while time runs.

@@ -218,7 +218,9 @@ class LiveRun:
         self._fork, self.world, self.ahead = before, world, None
         self.actions.append(action)
         self.end = max(self.end, count_steps(world))
+        booked = self.books.kept
         self.books = Books(world, self.end)
+        self.books.keep(booked)
         self.blows, self.contacts = Blows(world), FirstContacts(world)
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)

@@ -1,7 +1,8 @@
 """Playing a run: how fast time passes, to which step, and what a hand does to it on the way.
 
-The time step belongs to the level. A frame only decides how many whole steps are due; what cannot
-be paid for within its budget is dropped and shown as a lower pace, never stretched.
+The time step belongs to the level. A frame only decides how many whole steps are due. What cannot
+be paid for within its budget is left to the next two; what is too much for these is dropped and
+shown as a lower pace, never stretched.
 """
 
 from abc import ABC, abstractmethod
@@ -21,6 +22,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
 
 BUDGET = 0.009  # s, of a frame for steps
+LATE = 2 / 60  # s, that steps may be late
 AT_ONCE = 0.15  # s, for a way back or ahead before a frame is drawn
 FADING = 0.25  # s, that a flash at an impact takes to fade
 ON_THE_WAY = 0.05  # s, of a frame for the rest of such a way
@@ -35,6 +37,8 @@ class Playback(RunView, ABC):
         Whether time passes by itself, and how fast.
     locked
         Whether no time passes: somebody is to say first what will come of the run.
+    booked
+        Whether it is booked where energy and momentum come from and go; see `Books`.
     sought
         The step to which the run is on its way, back or ahead; None if it is not.
 
@@ -51,11 +55,13 @@ class Playback(RunView, ABC):
         self.playing = False
         self.speed = 1.0
         self.locked = False
+        self.booked = False
         self._take_up(run)
 
     def _take_up(self, run: LiveRun) -> None:
         """Play a run from its start."""
         super().__init__(run)
+        run.books.keep(self.booked)
         self._grip = Grip(run)
         self._owed = 0.0  # steps
         self.sought: int | None = None
@@ -63,6 +69,11 @@ class Playback(RunView, ABC):
     @abstractmethod
     def _run_anew(self) -> LiveRun:
         """Return the present run at its start; raise a `SandboxError` if it cannot be built."""
+
+    def book(self, wanted: bool) -> None:
+        """Book energy and momentum from now on, in later runs from their start; or no more."""
+        self.booked = wanted
+        self.run.books.keep(wanted)
 
     def _stop(self, error: SandboxError) -> None:
         self.run.failure = error
@@ -186,13 +197,15 @@ class Playback(RunView, ABC):
             self._seek(ON_THE_WAY)
             return
         if not self.playing or self._stands:
+            self._owed %= 1
             return
-        self._owed += seconds * self.speed * self.world.stepping.rate
-        due = int(self._owed)
-        self._owed -= due
-        taken = self._take(due, budget)
-        dropped = due - taken if self.playing else 0
-        self.pace.note(seconds, taken * self.world.dt, dropped)
+        rate = self.speed * self.world.stepping.rate
+        self._owed += seconds * rate
+        taken = self._take(int(self._owed), budget)
+        left = int(self._owed) - taken
+        dropped = max(left - int(LATE * rate), 0) if self.playing else left
+        self._owed -= taken + dropped
+        self.pace.note(seconds, taken * self.world.dt, dropped if self.playing else 0)
 
     def _take(self, due: int, budget: float) -> int:
         deadline = perf_counter() + budget

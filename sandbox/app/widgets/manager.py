@@ -2,10 +2,18 @@
 
 import io
 import os
-from typing import Any, ClassVar
+from collections.abc import Sequence
+from typing import Any, ClassVar, cast
 
+import pygame
 from pygame_gui import PackageResource, UIManager
-from pygame_gui.core import UIAppearanceTheme
+from pygame_gui.core import UIAppearanceTheme, UIElement
+from pygame_gui.elements import UIButton, UIImage
+
+from sandbox.app.widgets.row import Row
+
+WAITING = 300
+"""So many looks may wait to be put away."""
 
 Ids = list[str | None] | None
 """What a widget and all that hold it are called, from the outermost inwards."""
@@ -13,6 +21,33 @@ Ids = list[str | None] | None
 
 class Manager(UIManager):
     """Keeps the widgets of a window."""
+
+    _touched: Sequence[UIElement] = ()
+    """the plain ones that the mouse was over in the last frame, or holds"""
+
+    def spare(self, wanted: bool) -> None:
+        """Leave to later what can wait, while something moves; or no more."""
+        theme = self.get_theme()
+        assert isinstance(theme, _Theme)
+        theme.spares = wanted
+
+    def _handle_hovering(self, time_delta: float) -> None:
+        """Tell the widgets under the mouse so, of which the uppermost is hovered, and no other.
+
+        pygame_gui goes through all of them by layers, and asks each. A plain one that the mouse is
+        far from, and was, has nothing to say; there are some hundred.
+        """
+        every = cast("list[UIElement]", self.get_sprite_group().sprites())
+        mouse = pygame.Rect(self.mouse_position, (1, 1))
+        touched = [each for each in self._touched if each.hovered or getattr(each, "held", False)]
+        near = {id(each) for each in (*touched, *mouse.collideobjectsall(every))}
+        asked = [each for each in every if type(each) not in _PLAIN or id(each) in near]
+        self._touched = [each for each in asked if type(each) in _PLAIN]
+        handled = False
+        for element in reversed(asked):
+            if element.visible and element.check_hover(time_delta, handled):
+                self.hovering_any_ui_element = element is not self.root_container
+                handled = handled or self.hovering_any_ui_element
 
     def create_new_theme(
         self,
@@ -26,12 +61,24 @@ class Manager(UIManager):
         return theme
 
 
+_PLAIN = UIButton, UIImage, Row
+"""What is under the mouse only if the mouse is in its rectangle, unless it is held."""
+
+
 class _Theme(UIAppearanceTheme):
     """Knows the names under which a look is declared, by where a widget is.
 
     pygame_gui keeps them by a text that joins what the widget, and all that hold it, are called: it
     grows with the product of four lengths, and takes longer to write than the names to find.
     """
+
+    spares = False
+    """whether looks wait to be put away for good"""
+
+    def update_caching(self, time_delta: float) -> None:
+        """Put away a look that a widget was drawn in, to be found again: that takes up to 2 ms."""
+        if not self.spares or len(self._shape_cache.cache_short_term_lookup) > WAITING:
+            super().update_caching(time_delta)
 
     _names: ClassVar[dict[tuple[tuple[str | None, ...] | None, ...], list[str]]] = {}
 

@@ -111,7 +111,8 @@ class Attribution:
         every = self._impulse(law, kick)
         impulse = np.where(kick.inertia > 0, every, 0.0)
         self._entries.give(law.effect.name, impulse, kick.place)
-        self._entries.do(law, kick.work(every))
+        if law.effect.book in ("work", "loss"):
+            self._entries.do(law, kick.work(every))
         if "bodies" in self._entries.works:
             self._entries.works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
         if isinstance(law, SpringForce) and law.damping:

@@ -16,8 +16,6 @@ class Entries:
 
     Attributes
     ----------
-    potential
-        What is stored [J].
     works
         What was put in, or taken out [J].
     losses
@@ -27,7 +25,6 @@ class Entries:
     """
 
     def __init__(self, level: Level) -> None:
-        self.potential = dict.fromkeys(accounts.potentials(level), 0.0)
         self.works = dict.fromkeys((*accounts.works(level), "hand"), 0.0)
         self.losses = dict.fromkeys(accounts.losses(level), 0.0)
         self.impulses = {name: np.zeros(3) for name in accounts.outside(level)}

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from sandbox.model import accounts
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.stages import Stage
 from sandbox.physics.contacts.impulse_work import Kick
@@ -85,7 +86,9 @@ class Ledger:
         start = self._middle(0.5 - self._back, self._velocity)
         if self._composed:
             start = Instant.of(self._step.snapshot)
-        self._start = self._store(start), self._momentum(start)
+        self._stores = dict.fromkeys(accounts.potentials(level), 0.0)
+        energy = self._kinetic(start) + sum(self._stored_by(start).values())
+        self._start = energy, self._momentum(start)
         self._end = start
 
     def note(self) -> None:
@@ -125,7 +128,6 @@ class Ledger:
             begun, slack = ended, slack | (tension <= 0)
         self._pulls = pulls, self._pulls[0]
         self._velocity, self._end = after, self._middle(0.5, after)
-        self._store(self._end)
 
     def _stages(self, after: Array, tension: Array) -> Iterable[Stage]:
         """Return the parts of the last kick, with impulses for forces."""
@@ -153,7 +155,6 @@ class Ledger:
         before = self._end._replace(velocity=velocity[:, :2], angular_velocity=velocity[:, 2])
         self._push(float(self._end.t), half, before, _velocity(self._end))
         self._velocity = self._scene.batch.velocity()
-        self._store(self._end)
 
     def _change_over(self) -> None:
         """Take up the half kick with which the world has gone over to leapfrog, for a hand."""
@@ -173,13 +174,14 @@ class Ledger:
     def balance(self) -> Balance:
         """How the books stand."""
         kinetic, entries = self._kinetic(self._end), self._entries
+        potential = self._stored_by(self._end)
         (begun, begun_with), given = self._start, sum(entries.impulses.values(), np.zeros(3))
         return Balance(
             kinetic,
-            dict(entries.potential),
+            potential,
             dict(entries.works),
             {name: -work for name, work in entries.losses.items()},
-            kinetic + sum(entries.potential.values()) - begun - entries.explained,
+            kinetic + sum(potential.values()) - begun - entries.explained,
             {name: impulse.copy() for name, impulse in entries.impulses.items()},
             self._momentum(self._end) - begun_with - given,
             self._overlaps,
@@ -210,14 +212,13 @@ class Ledger:
         stores = (law for law in self._laws if law.effect.book == "potential")
         return sum(float(law.potential_energy(motion).sum()) for law in stores)
 
-    def _store(self, motion: Instant) -> float:
-        """Note what is stored, and return the whole energy [J]."""
-        stored = dict.fromkeys(self._entries.potential, 0.0)
+    def _stored_by(self, motion: Instant) -> dict[str, float]:
+        """Return what is stored, by account [J]."""
+        stored = dict(self._stores)
         for law in self._laws:
             if law.effect.book == "potential":
                 stored[law.effect.booked] += float(law.potential_energy(motion).sum())
-        self._entries.potential = stored
-        return self._kinetic(motion) + sum(stored.values())
+        return stored
 
     def _momentum(self, motion: Instant) -> Array:
         return momentum(self._inertia(motion.t) * _velocity(motion), motion.position)
@@ -296,7 +297,6 @@ class Ledger:
         What is held there, other than along the way, is taken as if it had been from the start.
         """
         self._end = self._middle(-0.5, begun)
-        self._store(self._end)
         energy, momentum_then = self._start
         self._start = energy + lifted, momentum_then
 

@@ -22,7 +22,9 @@ BAR = 10  # px, its height
 
 
 def session_of(name: str) -> Session:
-    return Session(load(find(name)))
+    session = Session(load(find(name)))
+    session.book(True)
+    return session
 
 
 def of(session: Session) -> dict[str, list[float]]:

@@ -60,6 +60,31 @@ def test_a_frame_takes_whole_steps_and_owes_the_rest() -> None:
     assert session.world.steps == 3
 
 
+def test_what_one_frame_cannot_pay_the_next_one_makes_up_for() -> None:
+    session = Session(scenes.level(stepping={"rate": 240}))
+    session.toggle()
+
+    session.update(1 / 60, budget=0.0)
+    assert session.world.steps == 1
+    session.update(1 / 60, budget=10.0)
+
+    assert session.world.steps == 8
+    assert session.pace.reduced is None
+
+
+def test_steps_that_were_late_when_a_run_paused_are_not_made_up_for_later() -> None:
+    session = Session(scenes.level(stepping={"rate": 240}))
+    session.toggle()
+    session.update(1 / 60, budget=0.0)
+
+    session.pause()
+    session.update(1 / 60)
+    session.toggle()
+    session.update(1 / 60, budget=10.0)
+
+    assert session.world.steps == 5
+
+
 def test_what_the_budget_cannot_pay_is_dropped_and_told() -> None:
     session = Session(scenes.level(duration=100))
     session.toggle()

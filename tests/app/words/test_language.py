@@ -361,7 +361,7 @@ def test_no_name_of_an_account_lies_on_its_bar(
     pygame.font.init()
     language.use(name)
     try:
-        ledger(Pen(scale), round(270 * scale), books)
+        ledger(Pen(scale), round(270 * scale), books, "")
     finally:
         language.use(language.ENGLISH)
 

@@ -9,4 +9,5 @@ PAGE = Page(
     key="m",
     text="momentum of each body and of all together",
     card=momentum,
+    books=True,
 )

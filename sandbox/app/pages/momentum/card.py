@@ -47,7 +47,7 @@ def bodies(world: World) -> list[Momentum]:
 
 
 def given(session: Session) -> list[Momentum]:
-    """Return how much the total has changed since the start, and by which impulses from outside."""
+    """Return how much the total has changed, and by which impulses from outside."""
     books = session.books.balance
     impulses = [Momentum(say(name), value[:2]) for name, value in books.impulse.items()]
     outside = sum((each.value for each in impulses), np.zeros(2))
@@ -82,9 +82,9 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     for each in shown:
         _add_bars(card, each, scale, _axes())
     card.y += 4
-    card.heading(say("Since the start"))
-    note = "" if world.kicks.composed else say("half a step ahead")
-    _add_table(card, given(session), note)
+    card.heading(say("Change"))
+    card.text(session.books.covered, 12, theme.DIM)
+    _add_table(card, given(session))
     return card.drawn()
 
 
@@ -104,11 +104,9 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
     card.y += 3
 
 
-def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
-    """Add momenta as numbers, in a column for each axis, under a note."""
+def _add_table(card: Card, rows: Sequence[Momentum]) -> None:
+    """Add momenta as numbers, in a column for each axis."""
     pen, ends = card.pen, (card.width - card.pen.px(COLUMN), card.width)
-    if note:
-        card.text(note, 12, theme.DIM)
     for axis, color, end in zip("xy", _axes(), ends, strict=True):
         head = pen.write(f"{axis} [{momenta.UNIT}]", 12, color)
         card.put(head, end - head.width)

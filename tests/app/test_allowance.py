@@ -1,0 +1,36 @@
+"""A frame leaves to steps what it does not need itself."""
+
+import pytest
+
+from sandbox.app.allowance import LEAST, MEMORY, MOST, SPARE, Allowance
+from sandbox.app.load import FRAME
+
+
+def test_steps_have_what_frames_of_the_same_kind_have_left() -> None:
+    allowance = Allowance()
+    for _ in range(MEMORY):
+        allowance.note("", 0.005)
+        allowance.note("page", 0.008)
+
+    assert allowance.of("") == pytest.approx(FRAME - SPARE - 0.005)
+    assert allowance.of("page") == pytest.approx(FRAME - SPARE - 0.008)
+
+
+def test_a_frame_that_was_held_up_takes_nothing_from_the_steps_of_others() -> None:
+    allowance = Allowance()
+    for _ in range(MEMORY - 1):
+        allowance.note("", 0.005)
+    before = allowance.of("")
+
+    allowance.note("", 1.0)
+
+    assert allowance.of("") == before
+
+
+def test_steps_always_have_something_and_never_all() -> None:
+    allowance = Allowance()
+    assert LEAST < allowance.of("") < MOST
+    for seconds, expected in ((0.1, LEAST), (0.0, MOST)):
+        for _ in range(MEMORY):
+            allowance.note("", seconds)
+        assert allowance.of("") == expected
