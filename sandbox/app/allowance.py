@@ -2,7 +2,7 @@
 
 from collections import defaultdict, deque
 
-from sandbox.app.load import FRAME
+from sandbox.app.frame_load import FRAME
 
 LEAST, MOST = 0.005, 0.013
 """s, of a frame for steps, whatever else it takes."""

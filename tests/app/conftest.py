@@ -16,14 +16,13 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, progress, recent
-from sandbox.app.files.listed import Entry
+from sandbox.app.files.level_entries import Entry
 from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.window import Window
 from sandbox.app.words import language
 from sandbox.editing import recovery
 from tests.app.person import Person
-
 
 EVERY = 6
 """Of so many tests of a module that open a window, the quick tests take the first."""

@@ -3,7 +3,7 @@
 import pytest
 
 from sandbox.app.allowance import LEAST, MEMORY, MOST, SPARE, Allowance
-from sandbox.app.load import FRAME
+from sandbox.app.frame_load import FRAME
 
 
 def test_steps_have_what_frames_of_the_same_kind_have_left() -> None:

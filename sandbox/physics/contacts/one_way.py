@@ -20,14 +20,14 @@ from typing import NamedTuple
 
 import pymunk
 
-from sandbox.model.apart import apart
+from sandbox.model.collision_filter import apart
 from sandbox.model.expressions import Values
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve, Polyline, Segment
 from sandbox.physics.contacts.hollow_shapes import line_of
 from sandbox.physics.engine.bodies import local_points
-from sandbox.physics.engine.meetings import Meeting, address
+from sandbox.physics.engine.shape_pairs import Meeting, address
 from sandbox.physics.geometry.arcs import Arc, Placed, put
 from sandbox.physics.geometry.distance import dot, plain
 from sandbox.physics.geometry.sides import Curved, Line, Round, Straight, side

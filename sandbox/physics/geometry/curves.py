@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from sandbox.model.expressions import Values
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Curve
 from sandbox.model.wires import along
 from sandbox.physics.geometry import arcs

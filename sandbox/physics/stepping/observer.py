@@ -139,7 +139,7 @@ class Observer:
             return after, acceleration
         velocity = (before + after) / 2
         if (turning := self._forces.turning) is not None:
-            from sandbox.physics.forces.turning import at_the_step
+            from sandbox.physics.forces.velocity_rotation import at_the_step
 
             velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._kicks.clock.dt)
         if len(parts) > 1 and (joints := self._scene.joints.together):
@@ -157,7 +157,7 @@ class Observer:
         self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
     ) -> None:
         """Put right the velocities and accelerations of what pymunk has let collide in a kick."""
-        from sandbox.physics.contacts.post_impact import impacts
+        from sandbox.physics.contacts.post_impact_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
         scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt

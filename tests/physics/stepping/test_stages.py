@@ -12,7 +12,7 @@ from sandbox.physics.run import build
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.stepping import world
 from sandbox.physics.stepping.stage import set_up
-from sandbox.physics.stepping.stages.declared import STAGES
+from sandbox.physics.stepping.stages.register import STAGES
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, atwood, disc, floor, level, orbit
 
@@ -72,7 +72,7 @@ def test_a_level_that_declares_nothing_special_has_no_stage() -> None:
 LOADED = """
 import json, pathlib, sys
 from sandbox.model.loading import load
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 level = load(pathlib.Path("levels/kinematics/free-fall.json"))
 make_world(level, level.defaults, level.stepping).advance(3)
 names = [name for name in sys.modules if name.startswith("sandbox.physics")]

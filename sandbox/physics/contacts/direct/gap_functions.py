@@ -24,7 +24,12 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.curved import Curved, follow_curves, on_curves, roll_on_curves
+from sandbox.physics.contacts.direct.curve_contacts import (
+    Curved,
+    follow_curves,
+    on_curves,
+    roll_on_curves,
+)
 from sandbox.physics.contacts.direct.outlines import Figures, Outlines
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates
