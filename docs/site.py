@@ -55,7 +55,7 @@ def anchor(level: str) -> str:
 def draw() -> None:
     """Draw every level that has changed since its picture; without the folder, all of them."""
     os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
-    from sandbox.app.picture import save_picture
+    from sandbox.app.level_picture import save_picture
 
     for name in catalog.names():
         source, picture = catalog.find(name), PICTURES / f"{name}.png"

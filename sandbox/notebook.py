@@ -46,7 +46,7 @@ def picture(level: Level, at: float | None = None) -> bytes:
     SandboxError
         If the run has to stop before that time.
     """
-    from sandbox.app.picture import png, render
+    from sandbox.app.level_picture import png, render
 
     return png(render(level, level.defaults, at))
 

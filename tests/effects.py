@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sandbox.model.effects import EFFECTS
-from sandbox.model.mention import NAMES
+from sandbox.model.reference_fields import NAMES
 from sandbox.model.schema import grammar
 
 Part = dict[str, Any]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
-from sandbox.model.generating import generate
+from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
 
 PAGE = Path("docs") / "reference" / "chapter.md"

@@ -10,7 +10,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.effects import whatif
 from sandbox.app.panels import messages
 from sandbox.app.runs.session import Session
-from sandbox.app.words import language, wording
+from sandbox.app.words import formatting, language
 from sandbox.app.words.language import later, say
 from sandbox.physics.state.errors import SimulationError
 
@@ -61,7 +61,7 @@ class Banner:
             told = say("{reason} – Space goes on all the same", reason=session.halted)
             return told, theme.NOTICE
         if session.waiting:
-            asked = wording.error(session.level.stepping.accuracy or 0.0)
+            asked = formatting.error(session.level.stepping.accuracy or 0.0)
             text = say("Looking for the cheapest setting with an error of {asked} …", asked=asked)
             return text, theme.NOTICE
         if not (self._note and self._left > 0) and session.at_end and not session.playing:
@@ -71,7 +71,7 @@ class Banner:
     def _complete(self, session: Session) -> str:
         if session.changes:
             return self._compared(session)
-        when = wording.seconds(session.duration)
+        when = formatting.seconds(session.duration)
         return say("Run complete at {when} – R restarts, Space goes on", when=when)
 
     def _compared(self, session: Session) -> str:

@@ -10,11 +10,11 @@ from sandbox.app.keys import AT_HOME
 from sandbox.app.pages.page import Desk, PageCommand
 from sandbox.app.pages.register import PAGES
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.panels.foot import NEXT
+from sandbox.app.panels.footer import NEXT
 from sandbox.app.panels.layout import room
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.widgets.opening import SMALLEST
+from sandbox.app.widgets.file_dialog import SMALLEST
 from sandbox.app.words.language import say
 from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError

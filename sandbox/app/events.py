@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.offering import recover
+from sandbox.app.building.file_offers import recover
 from sandbox.app.command_table import CommandTable
 from sandbox.app.commands import command
 from sandbox.app.keys import WHILE_TYPING

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from sandbox.app.files.listed import entry
+from sandbox.app.files.level_entries import entry
 from sandbox.app.files.recent import Recent
 from sandbox.app.panels import levels
 

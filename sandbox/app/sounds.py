@@ -11,7 +11,7 @@ from math import log2
 import numpy as np
 import pygame
 
-from sandbox.app.observing.blows import Blow
+from sandbox.app.observing.impacts import Blow
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World

@@ -7,8 +7,8 @@ import pygame
 
 from sandbox.app.command_table import CommandTable
 from sandbox.app.events import Events
-from sandbox.app.files.watching import FileWatch
-from sandbox.app.hold_up import HoldUp
+from sandbox.app.files.open_level_watch import FileWatch
+from sandbox.app.long_frames import HoldUp
 from sandbox.app.painting import paint
 from sandbox.app.runs.session import Session
 from sandbox.app.sounds import Sounds

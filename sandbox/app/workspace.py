@@ -9,9 +9,9 @@ from sandbox.app.banner import Banner
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.files.preferences import Comfort
+from sandbox.app.frame_load import Load
 from sandbox.app.level_files import LevelFiles
-from sandbox.app.load import Load
-from sandbox.app.measuring.hand import Hand
+from sandbox.app.measuring.stage_mouse import Hand
 from sandbox.app.pages.page import OnStage
 from sandbox.app.pages.register import PAGES, opening
 from sandbox.app.pages.workers import Workers

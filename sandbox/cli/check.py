@@ -6,13 +6,13 @@ from typing import NoReturn
 
 import typer
 
-from sandbox.cli.usage import levels, open_level
+from sandbox.cli.argument_parsing import levels, open_level
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.file_watching import PAUSE, Watch
 from sandbox.model.level import Level
 from sandbox.model.remarks import remarks
 from sandbox.model.schemes import bounds_the_rate
-from sandbox.model.watching import PAUSE, Watch
 
 FEW = 30
 """Joints that are never too many for a step."""

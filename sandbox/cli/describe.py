@@ -6,8 +6,8 @@ from math import isfinite
 import numpy as np
 import typer
 
-from sandbox.app.observing.describing import describe as words
-from sandbox.cli import usage
+from sandbox.app.observing.scene_in_words import describe as words
+from sandbox.cli import argument_parsing
 from sandbox.model.loading import choose
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import Recorder, count_steps, needed
@@ -16,13 +16,13 @@ from sandbox.physics.run import build
 
 def describe(argument: str, pairs: Sequence[str], at: float, *, with_forces: bool) -> None:
     """Say what is on the stage of a level at a time [s], for a terminal or a screen reader."""
-    settings = usage.settings(pairs)
+    settings = argument_parsing.settings(pairs)
     if not (isfinite(at) and at >= 0):
-        raise usage.UsageError(f"--at {at:g}: must be a finite time, at least 0")
-    _, level = usage.open_level(argument)
+        raise argument_parsing.UsageError(f"--at {at:g}: must be a finite time, at least 0")
+    _, level = argument_parsing.open_level(argument)
     world = build(level, choose(level, settings))
     if at:
-        usage.payable(at, world.stepping, "--at")
+        argument_parsing.payable(at, world.stepping, "--at")
     with np.errstate(all="ignore"):  # what is not finite is told by name
         recorder = Recorder(world, needed(level))
         for _ in range(count_steps(world, at)):

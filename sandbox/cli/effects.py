@@ -6,14 +6,14 @@ from typing import NamedTuple
 import typer
 from rich.console import Console
 
-from sandbox.app.words import wording
-from sandbox.cli import usage, varying
-from sandbox.cli.columns import aligned
+from sandbox.app.words import formatting
+from sandbox.cli import argument_parsing, effect_options
+from sandbox.cli.text_columns import aligned
+from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 from sandbox.model.loading import choose
-from sandbox.model.variants import without
 from sandbox.physics.measuring.comparison import Difference, differences, watched
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.run import costs, simulate
@@ -42,8 +42,8 @@ class Weight(NamedTuple):
 
 def weigh(argument: str, pairs: Sequence[str]) -> None:
     """Switch each effect off in turn, and say what that changes: the largest change first."""
-    source, level = usage.open_level(argument)
-    values = choose(level, usage.settings(pairs))
+    source, level = argument_parsing.open_level(argument)
+    values = choose(level, argument_parsing.settings(pairs))
     declared = level.effects.declared
     if not declared:
         typer.echo(f"{source} declares no effect")
@@ -74,10 +74,10 @@ def _row(weight: Weight) -> tuple[str, ...]:
     worst = weight.worst
     if worst is None:
         return weight.effect, "the level cannot run without it", "", "", "", ""
-    cost = wording.step_cost(weight.cost)
+    cost = formatting.step_cost(weight.cost)
     if not worst.share:
-        return weight.effect, "nothing", "", "", wording.NO_DIFFERENCE, cost
-    return (weight.effect, *varying.row(worst), cost)
+        return weight.effect, "nothing", "", "", formatting.NO_DIFFERENCE, cost
+    return (weight.effect, *effect_options.row(worst), cost)
 
 
 def _remarks(weights: Sequence[Weight]) -> Iterator[str]:

@@ -12,13 +12,13 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
 from sandbox import processes
-from sandbox.cli import usage
-from sandbox.cli.accuracy import Choice, settled
-from sandbox.cli.usage import UsageError
-from sandbox.extras import needed_for
+from sandbox.cli import argument_parsing
+from sandbox.cli.accuracy_option import Choice, settled
+from sandbox.cli.argument_parsing import UsageError
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
-from sandbox.model.parts import Fault
+from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:
     from sandbox.experiments.executors import Executor
@@ -49,7 +49,7 @@ def experiment(asked: Asked, output: Path, jobs: int | None, address: str | None
         from sandbox.experiments import report
         from sandbox.experiments.storage import Store
     plan = _plan(asked)
-    store = Store(usage.output_folder(output), plan)
+    store = Store(argument_parsing.output_folder(output), plan)
     missing = sum(stop - start for start, stop in store.missing()) if not store.complete else 0
     if missing < plan.runs:
         typer.echo(f"{output}: {plan.runs - missing:,} of {plan.runs:,} runs are done already")
@@ -102,11 +102,11 @@ def fit(asked: Asked, names: Sequence[str], data: Path | None, output: Path) -> 
         from sandbox.experiments import data as measured
         from sandbox.experiments import fit_report
         from sandbox.experiments.fitting import fit
-    source, level = usage.open_level(asked.argument)
-    values = choose(level, usage.settings(asked.set))
+    source, level = argument_parsing.open_level(asked.argument)
+    values = choose(level, argument_parsing.settings(asked.set))
     choice = Choice(asked.others.get("rate"), asked.others.get("scheme"))
     stepping = settled(level, values, choice)
-    folder = usage.output_folder(output)
+    folder = argument_parsing.output_folder(output)
     found_data = measured.read(data, level)
     with Console(stderr=True).status(f"Fitting {source} ..."):
         found = fit(level, values, names, found_data, stepping)
@@ -128,12 +128,12 @@ def _plan(asked: Asked) -> "Plan":
                 "an experiment's file says all of it: --vary and --measure make one of a level"
             )
         return catalog.open_plan(catalog.find(asked.argument))
-    source, level = usage.open_level(asked.argument)
+    source, level = argument_parsing.open_level(asked.argument)
     given = {
         "level": source,
         "vary": _pairs(asked.vary),
         "measure": list(asked.measure),
-        "set": usage.settings(asked.set),
+        "set": argument_parsing.settings(asked.set),
         **asked.others,
     }
     found, faults = made(given)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import typer
 
-from sandbox.cli.usage import levels
+from sandbox.cli.argument_parsing import levels
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically

@@ -11,14 +11,14 @@ import typer
 from rich.console import Console
 from rich.progress import track
 
-from sandbox.cli import usage
-from sandbox.cli.columns import aligned
+from sandbox.cli import argument_parsing
 from sandbox.cli.render import go_headless
+from sandbox.cli.text_columns import aligned
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
 
 if TYPE_CHECKING:
-    from sandbox.app.frames import Frames
+    from sandbox.app.frame_timing import Frames
 
 LEAST, MOST = 480, 8000  # px, of a window's width and height
 HELD = 0.98
@@ -31,11 +31,11 @@ def measure(names: Sequence[str], size: str, seconds: float, json_file: Path | N
     """Measure levels, show the table, write it if asked to, and return the exit status."""
     window = _size(size)
     if json_file is not None:
-        usage.output_file(json_file)
+        argument_parsing.output_file(json_file)
     for name in names:
         catalog.find(name)
     go_headless()
-    from sandbox.app.frames import frames
+    from sandbox.app.frame_timing import frames
 
     console = Console(stderr=True)
     levels = track(list(names) or catalog.names(), "Playing", console=console, transient=True)
@@ -52,7 +52,7 @@ def _size(text: str) -> tuple[int, int]:
     """Return a width and a height [px]."""
     match = re.fullmatch(r"(\d{3,4})x(\d{3,4})", text)
     if match is None or not all(LEAST <= int(part) <= MOST for part in match.groups()):
-        raise usage.UsageError(
+        raise argument_parsing.UsageError(
             f"--size {text}: a width and a height in pixels from {LEAST} to {MOST}"
         )
     return int(match[1]), int(match[2])

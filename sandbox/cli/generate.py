@@ -4,8 +4,8 @@ from pathlib import Path
 
 import typer
 
-from sandbox.cli import usage
-from sandbox.model.crowds import crowd
+from sandbox.cli import argument_parsing
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import parse
 from sandbox.model.writing import text
@@ -13,7 +13,7 @@ from sandbox.model.writing import text
 
 def generate(kind: str, bodies: int, output: Path) -> None:
     """Write a level with so many bodies."""
-    usage.output_file(output)
+    argument_parsing.output_file(output)
     document = crowd(kind, bodies)
     said = text(document)
     parse(said, str(output))

@@ -28,6 +28,6 @@ def main() -> None:
 
 def _is_misuse(error: SandboxError) -> bool:
     """Whether it is about what was typed, not about a level."""
-    from sandbox.cli.usage import MISUSES
+    from sandbox.cli.argument_parsing import MISUSES
 
     return isinstance(error, MISUSES)

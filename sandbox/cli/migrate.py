@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 import typer
 
-from sandbox.cli.usage import levels
+from sandbox.cli.argument_parsing import levels
 from sandbox.model import catalog
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import SandboxError
+from sandbox.model.level_parts import Fault
 from sandbox.model.loading import read
-from sandbox.model.parts import Fault
 
 NEWEST = 1
 """The newest version of the level format."""

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import typer
 
-from sandbox.cli import usage
+from sandbox.cli import argument_parsing
 from sandbox.model import catalog, templates
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import LevelError, brief
 from sandbox.model.files import write_atomically
 from sandbox.model.loading import parse, read
-from sandbox.model.suggest import suggestion
 from sandbox.model.writing import with_schema
 
 _ENDING = ".json"
@@ -43,10 +43,10 @@ def _target(name: str) -> Path:
     """Return the path that a new level is written at."""
     stem = name.removesuffix(_ENDING)
     if not stem or stem.endswith((os.sep, "/", ".")):
-        raise usage.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
+        raise argument_parsing.UsageError(f"'{brief(name)}' is no name of a file; such as my-level")
     path = Path(stem + _ENDING)
     if not os.path.lexists(path):  # told by what writes it
-        usage.output_file(path)
+        argument_parsing.output_file(path)
     return path
 
 
@@ -61,7 +61,7 @@ def _source(template: str) -> Path:
         levels = catalog.names()
         hint = suggestion(template, levels if "/" in template else known)
         rule = f"is neither a template nor a level{hint}"
-        raise usage.UsageError(f"--from {brief(template)}: {rule}") from None
+        raise argument_parsing.UsageError(f"--from {brief(template)}: {rule}") from None
 
 
 def _schema(target: Path) -> str:

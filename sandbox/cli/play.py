@@ -6,8 +6,8 @@ from pathlib import Path
 
 import typer
 
-from sandbox.cli import usage
-from sandbox.cli.accuracy import asking, find_out
+from sandbox.cli import argument_parsing
+from sandbox.cli.accuracy_option import asking, find_out
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import choose
 
@@ -37,8 +37,8 @@ def play(
     argument: str, pairs: Sequence[str], accuracy: float | None = None, *, racing: bool = False
 ) -> None:
     """Open the window on a level."""
-    settings = usage.settings(pairs)
-    _, level = usage.open_level(argument)
+    settings = argument_parsing.settings(pairs)
+    _, level = argument_parsing.open_level(argument)
     values = choose(level, settings)  # a mistake is better told here than in a window
     find_out(asking(level, accuracy), values)
     _quiet()

@@ -16,7 +16,7 @@ from sandbox.cli.commands import app
 from sandbox.model import catalog, joints, quantities
 from sandbox.model.effects import EFFECTS
 from sandbox.model.files import write_atomically
-from sandbox.model.generating import generate
+from sandbox.model.generated_files import generate
 from sandbox.model.loading import parse
 from sandbox.model.schema import schema
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import typer
 
-from sandbox.cli import usage
-from sandbox.cli.accuracy import asking, find_out
-from sandbox.cli.varying import vary
+from sandbox.cli import argument_parsing
+from sandbox.cli.accuracy_option import asking, find_out
+from sandbox.cli.effect_options import vary
 from sandbox.model.loading import choose
 
 
@@ -33,22 +33,26 @@ def render(
 ) -> None:
     """Draw a level as it is at a time; with effects switched off or on, over the level as it is."""
     if racing and (off or on):
-        raise usage.UsageError("--race: the race is of the level as it is, without --with and such")
-    settings = usage.settings(pairs)
+        raise argument_parsing.UsageError(
+            "--race: the race is of the level as it is, without --with and such"
+        )
+    settings = argument_parsing.settings(pairs)
     if output.suffix.lower() != ".png":
-        raise usage.UsageError(f"--output {output}: the picture is a PNG; its name must end so")
-    usage.output_file(output)
+        raise argument_parsing.UsageError(
+            f"--output {output}: the picture is a PNG; its name must end so"
+        )
+    argument_parsing.output_file(output)
     if at is not None and not (isfinite(at) and at >= 0):
-        raise usage.UsageError(f"--at {at:g}: must be a finite time, at least 0")
-    source, level = usage.open_level(argument)
+        raise argument_parsing.UsageError(f"--at {at:g}: must be a finite time, at least 0")
+    source, level = argument_parsing.open_level(argument)
     values = choose(level, settings)
     level = asking(level, accuracy)
     stepping = find_out(level, values)
     if at is not None:
-        usage.payable(at, stepping, "--at")
+        argument_parsing.payable(at, stepping, "--at")
     varied = vary(level, off, on)
     go_headless()
-    from sandbox.app.picture import Beside, save_picture
+    from sandbox.app.level_picture import Beside, save_picture
 
     if varied:
         beside = Beside(level, varied.variations)

@@ -5,14 +5,14 @@ from pathlib import Path
 import typer
 
 from sandbox.app.runs import runfile
-from sandbox.cli import usage
+from sandbox.cli import argument_parsing
 from sandbox.physics.measuring.grading import grade
 
 
 def replay(path: Path) -> int:
     """Take a run again, say whether it is the same to the last bit, and return the exit status."""
     if not path.is_file():
-        raise usage.UsageError(f"{path}: there is no such file")
+        raise argument_parsing.UsageError(f"{path}: there is no such file")
     run = runfile.read(path)
     session = runfile.replay(run)
     same = runfile.is_same(run, session)

@@ -6,16 +6,16 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
-from sandbox.app.words import wording as telling
-from sandbox.cli import usage, varying, verdicts
-from sandbox.cli.accuracy import Choice, asking, settled
-from sandbox.cli.varying import Varied, vary
+from sandbox.app.words import formatting as telling
+from sandbox.cli import argument_parsing, check_verdicts, effect_options
+from sandbox.cli.accuracy_option import Choice, asking, settled
+from sandbox.cli.effect_options import Varied, vary
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import choose
 from sandbox.model.quantities import quantities, quantity
 from sandbox.physics import run as runs
-from sandbox.physics.accuracy.runs import lasting
+from sandbox.physics.accuracy.compared_runs import lasting
 from sandbox.physics.advising.remedies import tried
 from sandbox.physics.measuring.comparison import Difference, differences
 from sandbox.physics.measuring.csv_export import write_csv
@@ -40,18 +40,18 @@ def simulate(
 
     With effects switched off or on, that run is written, and held against the level as it is.
     """
-    settings = usage.settings(pairs)
-    usage.output_file(output)
+    settings = argument_parsing.settings(pairs)
+    argument_parsing.output_file(output)
     if duration is not None:
-        usage.positive(duration, "--duration")
-    source, level = usage.open_level(argument)
+        argument_parsing.positive(duration, "--duration")
+    source, level = argument_parsing.open_level(argument)
     values = choose(level, settings)
     names = chosen(level, record)
     asked = lasting(asking(level, accuracy, choice), values, duration)
     stepping = settled(asked, values, choice, names if record else ())
     varied = vary(level, off, on, stepping)
     if duration is not None:
-        usage.payable(duration, stepping, "--duration")
+        argument_parsing.payable(duration, stepping, "--duration")
     with Console(stderr=True).status(f"Simulating {source} ..."):
         recorded = dict.fromkeys([*names, *needed(level)])
         trace = _run(level, values, duration, recorded, stepping)
@@ -99,7 +99,7 @@ def _close(trace: Trace) -> None:
 def _compare(varied: Varied, found: Sequence[Difference], cost: float) -> None:
     """Say what a change of the effects makes of the quantities that the checks name."""
     if found:
-        for line in varying.differences(found):
+        for line in effect_options.differences(found):
             typer.echo(line)
     said = [*telling.summary(found, str), telling.step_cost(cost)]
     typer.echo(f"{varied.change.description}: {'; '.join(said)}")
@@ -134,7 +134,7 @@ def report(trace: Trace) -> int:
     The checks are made for the level's own duration: what goes beyond it is not graded, and a run
     that ends before is graded as far as it goes.
     """
-    for line in verdicts.challenge_lines(trace):
+    for line in check_verdicts.challenge_lines(trace):
         typer.echo(line)
     if not trace.level.checks:
         typer.echo("the level states no checks")
@@ -142,10 +142,10 @@ def report(trace: Trace) -> int:
     duration = trace.level.duration(trace.values)
     complete = trace.complete
     results = grade(trace.until(duration))
-    for line in verdicts.lines(results, complete=complete):
+    for line in check_verdicts.lines(results, complete=complete):
         typer.echo(line)
     if not complete:
         typer.echo(
             f"the run is shorter than the level's {duration:.6g} s: graded as far as it goes"
         )
-    return int(any(verdicts.failed(result, complete=complete) for result in results))
+    return int(any(check_verdicts.failed(result, complete=complete) for result in results))

@@ -10,14 +10,14 @@ from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from sandbox.app.declared import shown_keys, words
+from sandbox.app.declared_words import shown_keys, words
 from sandbox.app.words import language
-from sandbox.extras import needed_for
 from sandbox.model import catalog
 from sandbox.model.files import write_atomically
-from sandbox.model.generating import generate
+from sandbox.model.generated_files import generate
 from sandbox.model.loading import load
-from sandbox.model.prose import prose
+from sandbox.model.prose_fields import prose
+from sandbox.optional_packages import needed_for
 
 if TYPE_CHECKING:
     from babel.messages.catalog import Catalog
@@ -68,7 +68,7 @@ def of_the_window() -> "Catalog":
         with path.open("rb") as file:
             for line, message, _, context in extract("python", file, KEYWORDS):
                 found.add(message, locations=[(place, line)], context=context)
-    declared = [((FOLDER / "declared.py").as_posix(), 1)]
+    declared = [((FOLDER / "declared_words.py").as_posix(), 1)]
     for word in words():
         if word not in found:
             found.add(word, locations=declared)

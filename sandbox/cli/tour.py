@@ -9,24 +9,24 @@ from rich.progress import Progress
 from rich.table import Table
 from rich.text import Text
 
-from sandbox.cli import usage, verdicts
+from sandbox.cli import argument_parsing, check_verdicts
 from sandbox.cli.render import go_headless
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import write_atomically
 
 if TYPE_CHECKING:
-    from sandbox.cli.visits import Visit
+    from sandbox.cli.tour_visit import Visit
 
 INDEX = "index.html"
 
 
 def tour(folder: Path) -> int:
     """Visit every level, leave pictures and a page in a folder, and return the exit status."""
-    usage.output_folder(folder)
+    argument_parsing.output_folder(folder)
     go_headless()
-    from sandbox.cli.gallery import page
-    from sandbox.cli.visits import visit
+    from sandbox.cli.tour_page import page
+    from sandbox.cli.tour_visit import visit
 
     progress = Console(stderr=True)
     with Progress(console=progress, transient=True, disable=not progress.is_terminal) as bar:
@@ -37,7 +37,7 @@ def tour(folder: Path) -> int:
         _explain(visited)
     bad = sum(not visited.passed for visited in visits)
     where = "" if unwritten else f"; see {folder / INDEX}"
-    typer.echo(f"{usage.levels(len(visits))}, {bad or 'none'} failed{where}")
+    typer.echo(f"{argument_parsing.levels(len(visits))}, {bad or 'none'} failed{where}")
     if unwritten:
         typer.echo(unwritten, err=True)
     return int(bad > 0 or unwritten is not None)
@@ -59,7 +59,7 @@ def _table(visits: "list[Visit]") -> Table:
         table.add_column(title, justify="right", no_wrap=True)
     table.add_column("verdict")
     for visited in visits:
-        worst = verdicts.worst(visited.results)
+        worst = check_verdicts.worst(visited.results)
         table.add_row(
             visited.name,
             str(len(visited.results)),
@@ -86,5 +86,5 @@ def _explain(visited: "Visit") -> None:
         typer.echo(f"{visited.name}: {visited.error}", err=True)
     if visited.failures:
         typer.echo(f"{visited.name}:", err=True)
-        for line in verdicts.lines(visited.failures, complete=True):
+        for line in check_verdicts.lines(visited.failures, complete=True):
             typer.echo(f"  {line}", err=True)

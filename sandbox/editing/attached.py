@@ -4,8 +4,8 @@ from collections.abc import Collection, Mapping
 
 from sandbox.editing.formulas import shifted
 from sandbox.editing.layout import Json
-from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import Placed, placed, xy
+from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
     End,
@@ -18,8 +18,8 @@ from sandbox.model.joints import (
     body_of,
     ends_of,
 )
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level, place
-from sandbox.model.locating import Path
 from sandbox.model.shapes import evaluate
 
 APART = 1e-12

@@ -5,7 +5,7 @@ import os
 from collections import deque
 from pathlib import Path
 
-from sandbox.editing.steps import Step, step
+from sandbox.editing.undo_steps import Step, step
 from sandbox.model import templates
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.files import write_atomically

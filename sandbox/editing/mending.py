@@ -3,12 +3,12 @@
 import json
 from collections.abc import Iterable, Iterator
 
-from sandbox.editing.patches import put_all, remove
-from sandbox.editing.spans import Spans
+from sandbox.editing.json_spans import Spans
+from sandbox.editing.text_patches import put_all, remove
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import LevelError
+from sandbox.model.json_positions import Path
 from sandbox.model.loading import parse
-from sandbox.model.locating import Path
 
 COEFFICIENTS = tuple(name for name, effect in EFFECTS.items() if effect.coefficient)
 """What every body needs where it is declared; 1 leaves that of the other body as it is."""

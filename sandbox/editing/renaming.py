@@ -5,17 +5,17 @@ import re
 from collections.abc import Iterator, Mapping
 
 from sandbox.editing.formulas import renamed
+from sandbox.editing.json_spans import Spans
 from sandbox.editing.mending import accepted
-from sandbox.editing.patches import spliced
-from sandbox.editing.spans import Spans
+from sandbox.editing.text_patches import spliced
 from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError, brief
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
+from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
-from sandbox.model.locating import Path
 from sandbox.model.naming import NAME
-from sandbox.model.parts import expressions
 from sandbox.model.quantities import quantity
 
 PARTS = {"parameter": "parameters", "joints": "joints", "forces": ""}

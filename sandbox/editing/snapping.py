@@ -10,7 +10,7 @@ from itertools import islice, product
 from math import floor, log10
 from typing import Literal, NamedTuple
 
-from sandbox.editing.placed import Core, Placed, placed, xy
+from sandbox.editing.placement import Core, Placed, placed, xy
 from sandbox.model.expressions import Values
 from sandbox.model.joints import body_of, ends_of
 from sandbox.model.level import Level, place

@@ -5,11 +5,11 @@ from pathlib import Path
 from sandbox.experiments.document import Experiment, read
 from sandbox.experiments.plan import Plan, make
 from sandbox.model import catalog
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.document import refuse
 from sandbox.model.errors import LevelError, brief
+from sandbox.model.level_parts import Fault
 from sandbox.model.loading import load
-from sandbox.model.parts import Fault
-from sandbox.model.suggest import suggestion
 
 SCHEMA = "experiment.schema.json"
 

@@ -12,16 +12,16 @@ from pydantic import Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from sandbox.experiments.draws import Method
-from sandbox.model import wording
+from sandbox.model import parse_messages
 from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.base import Model
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import brief
 from sandbox.model.files import read_ordinary
 from sandbox.model.level import Finite
+from sandbox.model.level_parts import Fault
 from sandbox.model.naming import Name
-from sandbox.model.parts import Fault
-from sandbox.model.suggest import suggestion
 
 MAX_BYTES = 1_000_000
 """The largest file that is read."""
@@ -117,7 +117,7 @@ def _faults(error: ValidationError, document: Document | None, data: Any) -> Ite
         return
     for detail in error.errors(include_url=False):
         known = document.values.keys() if document else {detail["loc"][:1]}
-        path = wording.path_of(detail, known.__contains__)
+        path = parse_messages.path_of(detail, known.__contains__)
         yield Fault(path, _rule(detail))
 
 
@@ -126,4 +126,4 @@ def _rule(detail: ErrorDetails) -> str:
         keys = [f.alias or name for name, f in Experiment.model_fields.items()]
         name = str(detail["loc"][-1])
         return f"unknown key '{brief(name)}'{suggestion(name, keys, most=len(keys))}"
-    return wording.rule(detail)
+    return parse_messages.rule(detail)

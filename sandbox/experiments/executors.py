@@ -9,8 +9,8 @@ from contextlib import contextmanager, suppress
 from itertools import islice
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from sandbox.extras import needed_for
 from sandbox.model.errors import SandboxError, brief
+from sandbox.optional_packages import needed_for
 from sandbox.processes import AHEAD, spread
 from sandbox.version import __version__
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.experiments.data import Data
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, ValueRangeError, brief
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.model.suggest import suggestion
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.run import simulate
 

@@ -21,9 +21,9 @@ import numpy as np
 
 from sandbox.experiments.observables import Observable
 from sandbox.model.constants import let_use
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Expression
-from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     Check,
@@ -34,8 +34,8 @@ from sandbox.model.level import (
     Level,
     SeparationEvent,
 )
+from sandbox.model.measuring_instants import MOST_MEETINGS
 from sandbox.model.quantities import OVER_TIME, quantity
-from sandbox.model.suggest import suggestion
 from sandbox.physics.measuring.event_interpolation import value_at
 from sandbox.physics.measuring.grading import (
     applies,
@@ -44,8 +44,8 @@ from sandbox.physics.measuring.grading import (
     relative_error,
     samples,
 )
-from sandbox.physics.measuring.over_time import over_time
 from sandbox.physics.measuring.recording import Trace, needed_at
+from sandbox.physics.measuring.running_aggregates import over_time
 
 Place = Literal["end", "until"]
 

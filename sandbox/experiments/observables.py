@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantity
-from sandbox.model.suggest import suggestion
 
 _QUANTITY = re.compile(r"\b[A-Za-z]\w*(?:\.[A-Za-z]\w*)+")
 """A name with a dot in it; no other name of an expression has one."""

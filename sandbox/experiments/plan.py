@@ -15,16 +15,16 @@ from sandbox.experiments.document import Experiment
 from sandbox.experiments.draws import MOST_IN_A_HYPERCUBE, points
 from sandbox.experiments.measures import Measure, MeasureError
 from sandbox.experiments.observables import Observable
-from sandbox.model import variants, wording
+from sandbox.model import effect_variants, parse_messages
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.conditions.numbers import MAX_STEPS
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
+from sandbox.model.level_parts import Fault
 from sandbox.model.loading import choose
-from sandbox.model.parts import Fault
 from sandbox.model.rules import depending
-from sandbox.model.suggest import suggestion
 
 MOST_RUNS = 10**9
 """How many runs an experiment may have; at 10,000 runs a second those take a day."""
@@ -184,7 +184,7 @@ class Plan:
         """
         if without not in self._variants:
             names = [] if without == NONE else [name.strip() for name in without.split("+")]
-            level = variants.vary(self.level, names, {})[0]
+            level = effect_variants.vary(self.level, names, {})[0]
             self._variants[without] = Variant(level, depending(level))
         return self._variants[without]
 
@@ -261,7 +261,7 @@ def _unknown_names(name: str, values: list[str], plan: Plan) -> Iterator[str]:
 def _said(error: SandboxError | ValidationError) -> str:
     if isinstance(error, ValidationError):
         detail = error.errors(include_url=False)[0]
-        return wording.rule(detail)
+        return parse_messages.rule(detail)
     return str(error)
 
 

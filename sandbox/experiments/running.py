@@ -16,7 +16,7 @@ from sandbox.model.conditions.numbers import MAX_STEPS
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.ensemble.flight import Flight, accepts, suits
+from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build, simulate

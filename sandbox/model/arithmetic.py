@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from sandbox.model.derivatives import derivative
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.suggest import suggestion
 
 MAX_LENGTH = 500  # characters
 

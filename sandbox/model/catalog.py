@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
+from sandbox.model.did_you_mean import meant, suggestion
 from sandbox.model.document import refuse
 from sandbox.model.errors import SandboxError, brief
-from sandbox.model.suggest import meant, suggestion
 
 CHAPTERS = (
     "kinematics",

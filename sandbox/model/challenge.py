@@ -7,9 +7,9 @@ from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
-from sandbox.model.instants import Instant
-from sandbox.model.mention import ParameterName, QuantityName
-from sandbox.model.prose import Prose
+from sandbox.model.measuring_instants import Instant
+from sandbox.model.prose_fields import Prose
+from sandbox.model.reference_fields import ParameterName, QuantityName
 
 Sentence = Annotated[Prose, Field(min_length=1, max_length=200)]
 

@@ -5,7 +5,7 @@ from graphlib import CycleError, TopologicalSorter
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
-from sandbox.model.walking import expressions
+from sandbox.model.traversal import expressions
 
 
 def define(part: Model, constants: Mapping[str, Expression]) -> None:

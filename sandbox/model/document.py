@@ -7,11 +7,11 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any, NoReturn
 
-from sandbox.model import locating, wording
+from sandbox.model import json_positions, parse_messages
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, brief
-from sandbox.model.locating import Path, Position, Value
+from sandbox.model.json_positions import Path, Position, Value
+from sandbox.model.level_parts import Fault
 from sandbox.model.origin import Origin
-from sandbox.model.parts import Fault
 
 _NOT_FINITE = frozenset({"NaN", "Infinity", "-Infinity"})
 
@@ -40,7 +40,7 @@ class Document(Origin):
         try:
             data = json.loads(self.text, object_pairs_hook=pairs, parse_constant=suspects.append)
         except json.JSONDecodeError as error:
-            refuse(self.source, wording.syntax(error.msg), (error.lineno, error.colno))
+            refuse(self.source, parse_messages.syntax(error.msg), (error.lineno, error.colno))
         except RecursionError:
             refuse(self.source, "is nested too deeply")
         except ValueError:
@@ -69,7 +69,7 @@ class Document(Origin):
 
     def _suspects(self) -> Iterator[Mistake]:
         """Yield what JSON readers let pass, but a level does not."""
-        for value in locating.values(self.text):
+        for value in json_positions.values(self.text):
             if value.repeated:
                 key = brief(str(value.path[-1]))
                 yield self._at(value, value.path, f"the key '{key}' stands twice in one object")
@@ -85,7 +85,7 @@ class Document(Origin):
         return replace(mistake, value=brief(value.text)) if tells else mistake
 
     def _at(self, value: Value, path: Path, rule: str) -> Mistake:
-        line, column = locating.position(self.text, value.start)
+        line, column = json_positions.position(self.text, value.start)
         shown = ".".join(brief(str(step)) for step in path)
         return Mistake(self.source, line, column, shown, rule)
 

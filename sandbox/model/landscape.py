@@ -4,7 +4,7 @@ import numpy as np
 
 from sandbox.model.base import Model
 from sandbox.model.expressions import Array, Profile, Values
-from sandbox.model.mention import BodyName
+from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
 POINTS = 241

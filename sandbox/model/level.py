@@ -20,6 +20,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
+from sandbox.model.acting_events import MOST_EVENTS, Event, bouncing, breakable, cut, tied
 from sandbox.model.base import Model
 from sandbox.model.bounds import (
     LARGEST_PARAMETER,
@@ -39,25 +40,6 @@ from sandbox.model.challenge import Challenge
 from sandbox.model.constants import define
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression, Formula, Fraction, Positive, Values
-from sandbox.model.happenings import MOST_EVENTS, Event, bouncing, breakable, cut, tied
-from sandbox.model.instants import (
-    ApexEvent as ApexEvent,
-)
-from sandbox.model.instants import (
-    ContactEvent as ContactEvent,
-)
-from sandbox.model.instants import (
-    CrossingEvent as CrossingEvent,
-)
-from sandbox.model.instants import (
-    Instant as Instant,
-)
-from sandbox.model.instants import (
-    LandingEvent as LandingEvent,
-)
-from sandbox.model.instants import (
-    SeparationEvent as SeparationEvent,
-)
 from sandbox.model.joints import (
     End,
     Held,
@@ -69,12 +51,30 @@ from sandbox.model.joints import (
     is_exact,
     points,
 )
+from sandbox.model.json_positions import Path
 from sandbox.model.landscape import Landscape
-from sandbox.model.locating import Path
-from sandbox.model.mention import BodyNames, Mention, QuantityName
+from sandbox.model.measuring_instants import (
+    ApexEvent as ApexEvent,
+)
+from sandbox.model.measuring_instants import (
+    ContactEvent as ContactEvent,
+)
+from sandbox.model.measuring_instants import (
+    CrossingEvent as CrossingEvent,
+)
+from sandbox.model.measuring_instants import (
+    Instant as Instant,
+)
+from sandbox.model.measuring_instants import (
+    LandingEvent as LandingEvent,
+)
+from sandbox.model.measuring_instants import (
+    SeparationEvent as SeparationEvent,
+)
 from sandbox.model.naming import Name
 from sandbox.model.origin import Origin
-from sandbox.model.prose import Prose
+from sandbox.model.prose_fields import Prose
+from sandbox.model.reference_fields import BodyNames, Mention, QuantityName
 from sandbox.model.shapes import Point, Shape, Velocity, evaluate
 
 

@@ -14,20 +14,20 @@ import numpy as np
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from sandbox.model import rules, wording
+from sandbox.model import parse_messages, rules
 from sandbox.model.arithmetic import MAX_LENGTH
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import dangling
+from sandbox.model.did_you_mean import meant
 from sandbox.model.document import Document, refuse
 from sandbox.model.errors import MAX_MISTAKES, LevelError, Mistake, ValueRangeError, brief
 from sandbox.model.expressions import Values
+from sandbox.model.json_positions import Path as Place
+from sandbox.model.json_positions import position
 from sandbox.model.level import Level, Parameter
-from sandbox.model.locating import Path as Place
-from sandbox.model.locating import position
+from sandbox.model.level_parts import Fault
 from sandbox.model.origin import Origin
-from sandbox.model.parts import Fault
 from sandbox.model.shorthand import write_out
-from sandbox.model.suggest import meant
 
 MAX_BYTES = 5_000_000
 """The largest file that is read: as much as the most bodies need, of some 200 bytes each."""
@@ -138,7 +138,7 @@ def _parsed(text: str, source: str) -> Level:
     except ValidationError as error:
         details = error.errors(include_url=False)
         if details[0]["type"] == "json_invalid":  # the two readers of JSON differ here and there
-            rule, place = wording.refused(details[0]["ctx"]["error"])
+            rule, place = parse_messages.refused(details[0]["ctx"]["error"])
             refuse(source, rule, place if data is typed else None)
         document.refuse(_faults(document, data, details))
     if found := rules.faults(level):
@@ -227,7 +227,7 @@ def _content(path: Path, source: str) -> bytes:
 
 def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Iterator[Fault]:  # noqa: ANN401 (whatever JSON holds)
     """Yield pydantic's errors as they stand in the text, and what can be told in spite of them."""
-    paths = [wording.path_of(detail, document.has) for detail in details]
+    paths = [parse_messages.path_of(detail, document.has) for detail in details]
     placed = [
         (path, detail)
         for path, detail in zip(paths, details, strict=True)
@@ -235,7 +235,7 @@ def _faults(document: Document, data: Any, details: list[ErrorDetails]) -> Itera
     ]
     ordered = sorted(placed, key=lambda pair: document.start(pair[0]))
     for path, detail in ordered[: MAX_MISTAKES + 1]:
-        yield Fault(path, wording.rule(detail))
+        yield Fault(path, parse_messages.rule(detail))
     mended = _mend(document, data, details)
     if mended is not None:
         yield from dangling(mended)
@@ -253,7 +253,7 @@ def _mend(document: Document, data: Any, details: list[ErrorDetails]) -> Level |
     """
     try:
         for detail in details:
-            *outside, last = wording.path_of(detail, document.has)
+            *outside, last = parse_messages.path_of(detail, document.has)
             part = reduce(getitem, outside, data)
             if detail["type"] == "extra_forbidden":
                 del part[last]

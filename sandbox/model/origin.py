@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from functools import cached_property
 
-from sandbox.model import locating
+from sandbox.model import json_positions
 from sandbox.model.errors import brief
-from sandbox.model.locating import Path, Value
+from sandbox.model.json_positions import Path, Value
 
 
 def _there(path: Path) -> Path:
@@ -41,7 +41,7 @@ class Origin:
     @cached_property
     def values(self) -> dict[Path, Value]:
         """Every value of the text, by its path."""
-        return {value.path: value for value in locating.values(self.text)}
+        return {value.path: value for value in json_positions.values(self.text)}
 
     def has(self, path: Path) -> bool:
         """Whether something was typed for a path of the level."""
@@ -56,5 +56,5 @@ class Origin:
 
     def place(self, path: Path) -> str:
         """Return the file, line and column of a part, and its path, as messages begin."""
-        line, column = locating.position(self.text, self.nearest(path).start)
+        line, column = json_positions.position(self.text, self.nearest(path).start)
         return f"{self.source}:{line}:{column}: {'.'.join(brief(str(step)) for step in path)}"

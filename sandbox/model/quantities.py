@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Literal
 
-from sandbox.model import accounts
+from sandbox.model import ledger_accounts
+from sandbox.model.did_you_mean import closest, suggestion
 from sandbox.model.errors import SandboxError, brief
 from sandbox.model.level import Level
-from sandbox.model.suggest import closest, suggestion
 
 Component = Literal["x", "y"]
 Owner = Literal["body", "joint", "system", "time"]
@@ -277,10 +277,13 @@ def _owners(level: Level) -> dict[str, Owner]:
 
 def _of_accounts(level: Level) -> Iterator[Quantity]:
     """Yield what a level's forces store, and what its ledger keeps."""
-    outside = accounts.outside(level)
-    for name in accounts.potentials(level):
+    outside = ledger_accounts.outside(level)
+    for name in ledger_accounts.potentials(level):
         yield _of_system(f"potential_energy.{name}", "J")
-    for book, names in {"work": accounts.works(level), "loss": accounts.losses(level)}.items():
+    for book, names in {
+        "work": ledger_accounts.works(level),
+        "loss": ledger_accounts.losses(level),
+    }.items():
         for name in names:
             yield _of_system(f"{book}.{name}", _BOOKS[book])
     for attribute in (*(f"impulse.{name}" for name in outside), "unexplained_momentum"):

@@ -10,7 +10,7 @@ from contextlib import suppress
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Expression, Formula
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault, expressions
+from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.rules import corners
 
 

@@ -17,9 +17,9 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.consistency import contradictions, dangling, inconsistencies, too_much
 from sandbox.model.errors import MAX_MISTAKES, brief
 from sandbox.model.expressions import Array, Expression, Formula, Values
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
-from sandbox.model.parts import Fault, expressions, instants
+from sandbox.model.level_parts import Fault, expressions, instants
 
 MAX_CORNERS = 256
 """How many combinations of the parameters' bounds are tried at the most."""

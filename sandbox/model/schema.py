@@ -12,9 +12,9 @@ from sandbox.model import catalog
 from sandbox.model.base import Model
 from sandbox.model.expressions import Expression
 from sandbox.model.files import write_atomically
-from sandbox.model.generating import generate
+from sandbox.model.generated_files import generate
 from sandbox.model.level import Level
-from sandbox.model.mention import NAMES
+from sandbox.model.reference_fields import NAMES
 from sandbox.model.shorthand.schema import Each, Typed, with_repeats
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

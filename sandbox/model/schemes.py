@@ -6,11 +6,11 @@ rods, pins, rails and wires: it holds back in time as well.
 
 from collections.abc import Iterator
 
+from sandbox.model.acting_events import breakable
 from sandbox.model.errors import brief
-from sandbox.model.happenings import breakable
 from sandbox.model.joints import Joint, Spring, is_exact
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 
 
 def bounds_the_rate(level: Level) -> bool:

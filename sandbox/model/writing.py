@@ -9,8 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sandbox.model.json_positions import TOKEN
 from sandbox.model.level import Level
-from sandbox.model.locating import TOKEN
 from sandbox.model.shorthand.repeating import GROUPS, order
 
 WIDTH = 100

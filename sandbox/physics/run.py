@@ -14,13 +14,13 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.accuracy.cache import resolved
-from sandbox.physics.accuracy.runs import lasting
-from sandbox.physics.energy.closure import Closer
+from sandbox.physics.accuracy.compared_runs import lasting
+from sandbox.physics.energy.book_closure import Closer
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.measuring.step_timing import step_costs
 from sandbox.physics.state.errors import BreakdownError
-from sandbox.physics.stepping.making import make_world
-from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.make_world import make_world
+from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
 
 

@@ -16,7 +16,7 @@ import pytest
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import preferences, progress, recent
-from sandbox.app.files.listed import Entry
+from sandbox.app.files.level_entries import Entry
 from sandbox.app.home import pictures
 from sandbox.app.panels import levels
 from sandbox.app.window import Window

@@ -7,7 +7,7 @@ from typing import TypeVar
 
 import pygame
 
-from sandbox.app.panels.side import SidePanel
+from sandbox.app.panels.side_panel import SidePanel
 from sandbox.app.runs.session import Session
 from sandbox.app.window import Window
 from sandbox.model.shapes import XY

@@ -13,7 +13,7 @@ from pygame_gui.elements import UIButton
 
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import language
 from tests.app.person import Person
 

@@ -10,8 +10,8 @@ from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
-from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError
+from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import load
 from tests.app.person import Person
 from tests.app.test_time_travel import go_to

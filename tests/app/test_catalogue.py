@@ -15,10 +15,10 @@ from babel.messages.catalog import Catalog, Message
 from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 
-from sandbox.app import declared
+from sandbox.app import declared_words
 from sandbox.app.words import language
 from sandbox.cli import texts
-from sandbox.model import accounts, catalog
+from sandbox.model import catalog, ledger_accounts
 from sandbox.model.loading import load
 
 TRANSLATED = [name for name in language.NAMES if name != language.ENGLISH]
@@ -140,10 +140,15 @@ def test_a_language_that_is_new_begins_with_all_messages_and_no_translation(
 
 def test_every_account_of_every_level_is_a_word_that_is_declared() -> None:
     """What a joint or an effect books is found; so is what the ledger books of its own."""
-    words = set(declared.words())
+    words = set(declared_words.words())
     for name in catalog.names():
         level = load(catalog.root() / f"{name}.json")
-        every = accounts.potentials, accounts.works, accounts.losses, accounts.outside
+        every = (
+            ledger_accounts.potentials,
+            ledger_accounts.works,
+            ledger_accounts.losses,
+            ledger_accounts.outside,
+        )
         booked = {account for kind in every for account in kind(level)}
         assert booked <= words, name
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import pygame
 import pytest
 
-from sandbox.app.observing.blows import FAINTEST, MOST, Blow
+from sandbox.app.observing.impacts import FAINTEST, MOST, Blow
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.runs.playback import FADING
 from sandbox.app.runs.session import Session

@@ -10,7 +10,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.register import PAGES
 from sandbox.app.panels import focus
-from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.text_field import Field
 from tests.app.person import Person
 from tests.app.scenes import falling
 

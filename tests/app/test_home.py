@@ -13,7 +13,7 @@ from sandbox.app.building.editor import Editor
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.files import progress
-from sandbox.app.home import pictures, strip
+from sandbox.app.home import draft_strip, pictures
 from sandbox.app.home.home import Home
 from sandbox.app.home.pictures import SIZE
 from sandbox.editing import recovery
@@ -396,7 +396,7 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     person.press(pygame.K_F2)
     person.wait()
     (left,) = recoverable()
-    assert strip.told(left).startswith("Not saved: Lost and found, drawn ")
+    assert draft_strip.told(left).startswith("Not saved: Lost and found, drawn ")
     assert card(person, "Free fall").top > home(person).strip.place(0).bottom
 
     person.click(home(person).strip.place(0))
@@ -424,4 +424,4 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
 
     (left,) = recoverable()
 
-    assert "a level without a name" in strip.told(left)
+    assert "a level without a name" in draft_strip.told(left)

@@ -11,8 +11,8 @@ from sandbox.app.cards.mistakes import excerpt, groups
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.model.errors import LevelError, Mistake
+from sandbox.model.file_watching import PAUSE
 from sandbox.model.loading import parse
-from sandbox.model.watching import PAUSE
 from tests.app import scenes
 from tests.app.person import Person
 

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from sandbox.app import sounds
-from sandbox.app.observing.blows import Blow
+from sandbox.app.observing.impacts import Blow
 from sandbox.app.pages.settings import panel
 from sandbox.app.pages.settings.panel import SettingsPage
 from sandbox.app.sounds import APART, AT_ONCE, PITCH, RATE, SEMITONES, Sounds, semitones, tone

@@ -12,7 +12,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.level.panel import LevelPage
 from sandbox.app.panels import messages
-from sandbox.app.panels.foot import counted
+from sandbox.app.panels.footer import counted
 from sandbox.app.panels.layout import divide
 from sandbox.model import catalog
 from sandbox.physics.measuring.recording import count_steps

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from sandbox.app.frames import Frames
+from sandbox.app.frame_timing import Frames
 from tests.cli.helpers import Run
 
 

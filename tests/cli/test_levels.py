@@ -6,7 +6,7 @@ import pytest
 from rich.console import Console
 
 from sandbox.cli import list as listing
-from sandbox.cli.usage import open_level
+from sandbox.cli.argument_parsing import open_level
 from sandbox.model import catalog
 from tests.cli.helpers import Run, Write
 

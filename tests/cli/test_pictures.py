@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from sandbox.cli import tour
-from sandbox.cli.visits import visit
+from sandbox.cli.tour_visit import visit
 from sandbox.model.errors import SandboxError
 from tests.cli.helpers import NEVER, WRONG, Run, Write, height
 

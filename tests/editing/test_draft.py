@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.editing.draft import MOST_STEPS, Draft
-from sandbox.editing.patches import put
+from sandbox.editing.text_patches import put
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import read

@@ -12,8 +12,8 @@ import pytest
 
 from sandbox.editing import recovery
 from sandbox.editing.draft import Draft
-from sandbox.editing.patches import put
 from sandbox.editing.recovery import Recovery, recoverable
+from sandbox.editing.text_patches import put
 from sandbox.model import catalog, files
 
 
@@ -113,7 +113,7 @@ WRITES = """
     from pathlib import Path
     from sandbox.editing import recovery
     from sandbox.editing.draft import Draft
-    from sandbox.editing.patches import put
+    from sandbox.editing.text_patches import put
     recovery.data_folder = lambda: Path(sys.argv[1])
     draft, kept = Draft.empty(), recovery.Recovery()
     target = Path(sys.argv[1]) / "level.json"

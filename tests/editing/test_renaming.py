@@ -2,12 +2,12 @@
 
 import pytest
 
-from sandbox.editing.plain import plain
 from sandbox.editing.renaming import rename
+from sandbox.editing.written_out import plain
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
+from sandbox.model.json_positions import TOKEN
 from sandbox.model.loading import digest, parse, read
-from sandbox.model.locating import TOKEN
 from tests.sample import sampled
 
 LEVELS = [*catalog.textbook()[::2], *catalog.challenges()[::3]]

@@ -19,18 +19,18 @@ from sandbox.editing.edits import (
     mirroring,
     transforms,
 )
-from sandbox.editing.plain import plain
 from sandbox.editing.renaming import rename
 from sandbox.editing.snapping import snap_body
 from sandbox.editing.suggest import suggestions, take
+from sandbox.editing.written_out import plain
 from sandbox.model import catalog
 from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
+from sandbox.model.level_parts import expressions
 from sandbox.model.loading import read
-from sandbox.model.locating import Path
-from sandbox.model.parts import expressions
 
 SMALL = [name for name in catalog.textbook() if catalog.find(name).stat().st_size < 3000]
 FIRST = [Draft.empty().text, *(plain(read(catalog.find(name))) for name in SMALL)]

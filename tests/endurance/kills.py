@@ -27,7 +27,7 @@ from unittest.mock import patch
 import typer
 
 from sandbox import interrupts
-from sandbox.app import picture  # noqa: F401 (imported before anything is forked)
+from sandbox.app import level_picture  # noqa: F401 (imported before anything is forked)
 from sandbox.app.files.progress import Progress
 from sandbox.cli import commands as sandbox_commands
 from sandbox.cli import experiment, format, generate, migrate, new, render, simulate, tour  # noqa: A004, F401 (as above)

@@ -22,8 +22,8 @@ import typer
 from sandbox.model import catalog
 from sandbox.model.consistency.mentions import named_bodies
 from sandbox.model.errors import LevelError
+from sandbox.model.json_positions import TOKEN, Position, position
 from sandbox.model.loading import parse
-from sandbox.model.locating import TOKEN, Position, position
 from sandbox.processes import spread
 
 TOLD, HARMLESS, OTHER = "told", "harmless", "another body"

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.accounts import damps
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Joint, Spring
+from sandbox.model.ledger_accounts import damps
 from sandbox.model.level import Level
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.measuring.recording import needed

@@ -7,9 +7,9 @@ must that of its compositions.
 import numpy as np
 import pytest
 
-from sandbox.model import catalog, happenings
-from sandbox.model.accounts import losses, works
+from sandbox.model import acting_events, catalog
 from sandbox.model.joints import Rope
+from sandbox.model.ledger_accounts import losses, works
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps
 from sandbox.physics.run import build, simulate
@@ -81,8 +81,8 @@ def conservative(level: Level) -> bool:
         and set(losses(level)) <= {"impacts"}
         and (effects.contact is None or bouncing)
         and not any(isinstance(joint, Rope) for joint in level.joints.values())
-        and not happenings.tied(level.events)
-        and all(e(values) == 1 for _, e in happenings.bouncing(level.joints))
+        and not acting_events.tied(level.events)
+        and all(e(values) == 1 for _, e in acting_events.bouncing(level.joints))
     )
 
 

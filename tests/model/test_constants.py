@@ -5,9 +5,9 @@ import pickle
 import numpy as np
 import pytest
 
+from sandbox.model.effect_variants import including
 from sandbox.model.expressions import Expression, Formula
 from sandbox.model.level import Level
-from sandbox.model.variants import including
 from sandbox.physics.run import build
 from tests.model.levels import Data, bare, level, mistakes
 

@@ -13,7 +13,7 @@ from sandbox.model.consistency.mentions import named_bodies
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
 from sandbox.model.schema import grammar
-from sandbox.model.shorthand.written_out import write_out
+from sandbox.model.shorthand.expansion import write_out
 from tests.model.levels import Data, bare, hanging, mistakes, mistakes_in
 
 SCHEMA = grammar()

@@ -8,14 +8,14 @@ from typing import Any, ClassVar
 import pytest
 from pydantic import create_model
 
-from sandbox.model import accounts, effects
+from sandbox.model import effects, ledger_accounts
 from sandbox.model.base import Model
 from sandbox.model.bounds import Strength
+from sandbox.model.effect_variants import DEFAULTS, including
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.effects.contract import Effect, IncompleteError
 from sandbox.model.effects.register import register
-from sandbox.model.mention import ActedOn
-from sandbox.model.variants import DEFAULTS, including
+from sandbox.model.reference_fields import ActedOn
 from tests.effects import examples
 from tests.model.levels import Data, bare, level, touching
 
@@ -125,7 +125,11 @@ FORCES = [name for name, effect in EFFECTS.items() if effect.is_force]
 
 @pytest.mark.parametrize("name", FORCES)
 def test_a_force_has_the_account_that_it_says(name: str) -> None:
-    books = {"potential": accounts.potentials, "work": accounts.works, "loss": accounts.losses}
+    books = {
+        "potential": ledger_accounts.potentials,
+        "work": ledger_accounts.works,
+        "loss": ledger_accounts.losses,
+    }
     effect = EFFECTS[name]
     for said in examples(name):
         data = bare()
@@ -139,6 +143,6 @@ def test_a_force_has_the_account_that_it_says(name: str) -> None:
         this = level(data)
         (one,) = (one for found, _, one in this.effects.said if found.name == name)
 
-        assert (name in accounts.outside(this)) is not effect.inside
+        assert (name in ledger_accounts.outside(this)) is not effect.inside
         for book, names in books.items():
             assert (effect.booked in names(this)) is (effect.book_of(one) == book)

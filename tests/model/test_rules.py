@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 
 from sandbox.model.errors import MAX_MISTAKES
-from sandbox.model.parts import expressions
+from sandbox.model.level_parts import expressions
 from sandbox.model.rules import broken, corners, depending
 from tests.model.levels import (
     Change,

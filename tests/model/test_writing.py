@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from sandbox.model import catalog, templates
-from sandbox.model.crowds import crowd
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
 from sandbox.model.writing import WIDTH, formatted, text, with_schema
 

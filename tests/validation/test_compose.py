@@ -18,14 +18,14 @@ from sandbox.model.loading import load
 from sandbox.physics.run import build
 from tests.sample import thinned
 from validation import cli
-from validation.compose import judges, outcome
-from validation.compose.course import Course, Refused, led, run, start
-from validation.compose.draft import Draft
+from validation.compose import invariants, outcome
 from validation.compose.families import FAMILIES
-from validation.compose.judges import MARGIN, Case, Judge, Judgement, judge
-from validation.compose.keeping import Keeping, Places
+from validation.compose.invariants import MARGIN, Case, Judge, Judgement, judge
+from validation.compose.joint_constraints import Keeping, Places
 from validation.compose.outcome import Outcome, judge_scene, judged
+from validation.compose.recorded_run import Course, Refused, led, run, start
 from validation.compose.report import complaints
+from validation.compose.scene_builder import Draft
 from validation.compose.scenes import Scene, scene, seeds
 from validation.compose.separation import Couple, couples, gap
 from validation.compose.shapes import centroid, moment, outline
@@ -254,21 +254,23 @@ def pushed(found: Course) -> Course:
 
 
 DOCTORED: dict[str, tuple[Judge, str, Callable[[Course], Course]]] = {
-    "runs": (judges.runs, "wedged", short),
-    "statics": (judges.statics, "wedged", pulling),
-    "drift": (judges.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
-    "energy": (judges.energy, "four_bar", faster),
-    "books": (judges.energy, "four_bar", unbooked),
-    "momentum": (judges.momentum, "four_bar", pushed),
-    "joints": (judges.joints, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
-    "overlap": (judges.overlap, "wedged", lambda c: sinking(c, "box")),
-    "mirror": (judges.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
-    "rotation": (judges.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "runs": (invariants.runs, "wedged", short),
+    "statics": (invariants.statics, "wedged", pulling),
+    "drift": (invariants.statics, "wedged", lambda c: shifted(c, "box", (2e-5, 0))),
+    "energy": (invariants.energy, "four_bar", faster),
+    "books": (invariants.energy, "four_bar", unbooked),
+    "momentum": (invariants.momentum, "four_bar", pushed),
+    "joints": (invariants.joints, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "overlap": (invariants.overlap, "wedged", lambda c: sinking(c, "box")),
+    "mirror": (invariants.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
+    "rotation": (invariants.symmetry, "four_bar", lambda c: shifted(c, "a", (2e-9, 0))),
 }
 
 
 def test_every_judge_has_a_run_that_it_fails() -> None:
-    assert {judge for judge, _, _ in DOCTORED.values()} == set(judges.JUDGES) - {judges.order}
+    assert {judge for judge, _, _ in DOCTORED.values()} == set(invariants.JUDGES) - {
+        invariants.order
+    }
 
 
 @pytest.mark.parametrize("name", DOCTORED)
@@ -286,8 +288,8 @@ def test_stock_pymunk_is_of_first_order() -> None:
     level = make(document)
     naive = run(replace(found, document=document), level, build(level), 0.2)
 
-    assert named(judge(course("four_bar"), [judges.order]), "order").figure > 1.9
-    order = named(judge(naive, [judges.order]), "order")
+    assert named(judge(course("four_bar"), [invariants.order]), "order").figure > 1.9
+    order = named(judge(naive, [invariants.order]), "order")
     assert order.figure < 1.3
     assert not order.passed
 
@@ -352,7 +354,7 @@ def test_an_overlap_may_last_as_long_as_pymunk_takes_where_it_is_left_to_it(
     position[touches.argmax() :, row, 1] = 1.2 - 2e-3 * left**after
     doctored = replace(seen, seen=replace(seen.seen, position=position))
 
-    assert named(judge(doctored, [judges.overlap]), "overlap").passed is passed
+    assert named(judge(doctored, [invariants.overlap]), "overlap").passed is passed
 
 
 def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
@@ -362,12 +364,12 @@ def test_an_overlap_of_an_impact_found_late_is_let_pass_and_no_other() -> None:
     level = make(document)
     found = Scene(0, "beam", document)
     seen = run(found, level, build(level), 0.6)
-    fell = named(judge(seen, [judges.overlap]), "overlap")
+    fell = named(judge(seen, [invariants.overlap]), "overlap")
     last = seen.steps - int(0.1 * seen.rate)
 
     assert max(-couple.separation.min() for couple in Case(seen).couples) > 1e-4
     assert fell.passed
-    assert not named(judge(sinking(seen, "load", last), [judges.overlap]), "overlap").passed
+    assert not named(judge(sinking(seen, "load", last), [invariants.overlap]), "overlap").passed
 
 
 def test_a_second_corner_that_comes_down_is_an_impact_of_its_own_and_a_deeper_first_is_none() -> (

@@ -18,10 +18,10 @@ from tests.physics.scenes import small_swings
 from validation.cli import app
 from validation.cost import command
 from validation.cost.report import as_json, milliseconds, order_in_words, times
+from validation.cost.run_error import yardstick
 from validation.cost.summary import cost_to_reach, failed, headline, next_digit, order, pareto
 from validation.cost.sweep import QUICK, Budget, Point, Sweep, errors, timed
-from validation.cost.trusted import digits
-from validation.cost.yardstick import yardstick
+from validation.cost.trusted_digits import digits
 
 LEVELS = ["kinematics/free-fall", "lagrange/simple-pendulum"]
 
@@ -159,7 +159,7 @@ def test_a_formula_that_is_an_approximation_gives_way_to_a_finer_run() -> None:
 def test_under_a_clock_that_ticks_too_seldom_it_is_the_finest_run(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("validation.cost.yardstick.perf_counter", lambda: 0.0)
+    monkeypatch.setattr("validation.cost.run_error.perf_counter", lambda: 0.0)
     level = small_swings()
 
     stick = yardstick(level, level.defaults, budget=0.2)

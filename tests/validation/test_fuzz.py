@@ -15,7 +15,7 @@ from tests.model.levels import bare, hanging
 from validation.cli import app
 from validation.fuzz import command, trial
 from validation.fuzz.command import Findings, made
-from validation.fuzz.mending import mended
+from validation.fuzz.repair import mended
 from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import (
     ENDED,

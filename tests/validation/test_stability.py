@@ -25,12 +25,12 @@ from validation.stability.families import (
     compositions,
     cradles,
 )
-from validation.stability.figures import drift, separation
 from validation.stability.frontier import furthest, reach, step_cost, trial
 from validation.stability.levels import FOLDER
-from validation.stability.naive import naive
 from validation.stability.report import failures, out_of_reach
 from validation.stability.run import Outcome, run_case, run_frontier
+from validation.stability.run_measures import drift, separation
+from validation.stability.stock_pymunk import naive
 
 CASES = {case.name: case for case in all_cases()}
 FRONTIERS = {frontier.name: frontier for frontier in all_frontiers()}

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from sandbox.extras import needed_for
+from sandbox.optional_packages import needed_for
 from validation.cli.options import FAILED, reported_errors
 
 

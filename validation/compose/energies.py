@@ -3,8 +3,8 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from validation.compose.course import Course
-from validation.compose.keeping import Keeping, Places
+from validation.compose.joint_constraints import Keeping, Places
+from validation.compose.recorded_run import Course
 from validation.compose.shapes import is_dynamic, moment
 from validation.stability.scene import Document
 

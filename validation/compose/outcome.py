@@ -4,8 +4,8 @@ from dataclasses import asdict, dataclass
 from time import perf_counter
 
 from sandbox.model.errors import SandboxError
-from validation.compose.course import Refused, led
-from validation.compose.judges import Judgement, judge
+from validation.compose.invariants import Judgement, judge
+from validation.compose.recorded_run import Refused, led
 from validation.compose.scenes import Scene, scene
 from validation.output import finite
 from validation.stability.scene import Document

@@ -4,7 +4,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.model.level import is_direct
-from validation.compose.course import Course
+from validation.compose.recorded_run import Course
 from validation.compose.separation import Couple
 
 SKIN = 1.1e-6

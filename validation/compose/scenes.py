@@ -5,8 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sandbox.model.level import Level
-from validation.compose.draft import Draft
 from validation.compose.families import FAMILIES
+from validation.compose.scene_builder import Draft
 from validation.stability.case import make
 from validation.stability.scene import Document
 

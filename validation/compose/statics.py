@@ -15,7 +15,7 @@ from scipy.optimize import linprog
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Integers
-from validation.compose.keeping import Keeping, Places
+from validation.compose.joint_constraints import Keeping, Places
 from validation.compose.separation import body_of, gap, placed, solids
 from validation.compose.shapes import extent, is_dynamic, outline
 from validation.stability.scene import Document

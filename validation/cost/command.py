@@ -6,9 +6,9 @@ from pathlib import Path
 
 import typer
 
-from sandbox.extras import needed_for
 from sandbox.model import catalog
 from sandbox.model.files import check_writable, make_folder
+from sandbox.optional_packages import needed_for
 from validation import output
 from validation.cost.report import as_json, asked, asked_table, summed, table
 from validation.cost.run import sweeps

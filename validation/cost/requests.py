@@ -11,7 +11,7 @@ from sandbox.physics.accuracy.calibration import calibrate
 from sandbox.physics.measuring.recording import needed
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.run import build, simulate
-from validation.cost.yardstick import Yardstick
+from validation.cost.run_error import Yardstick
 
 EXPENSIVE = 3.0
 """How much more than the cheapest setting of the sweep a setting may cost."""

@@ -10,14 +10,14 @@ from sandbox.model.catalog import find
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import BUDGET
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
 from validation.cost.requests import Request, ask, prices
-from validation.cost.trusted import digits
-from validation.cost.yardstick import Yardstick, run, yardstick
+from validation.cost.run_error import Yardstick, run, yardstick
+from validation.cost.trusted_digits import digits
 
 RATES = tuple(15.0 * 2**i for i in range(10))
 """Hz, 15 to 7,680."""

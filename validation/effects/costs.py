@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from sandbox.model import catalog, effects, variants
-from sandbox.model.crowds import crowd
+from sandbox.model import catalog, effect_variants, effects
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level, is_direct
 from sandbox.model.loading import load, parse
 from sandbox.model.shapes import Arc, Curve
@@ -23,7 +23,7 @@ COUNTS = (1, 10, 100, 1000, 10_000)
 QUICK = COUNTS[:3]
 
 DECLARED: Mapping[str, object] = {
-    **variants.DEFAULTS,
+    **effect_variants.DEFAULTS,
     "friction": {},
     "restitution": {},
     "attraction": [{"mu": 1, "center": [-50, -50]}],

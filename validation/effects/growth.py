@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from sandbox.model.crowds import crowd
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
 from sandbox.model.writing import text
 from sandbox.physics.measuring.step_timing import step_seconds

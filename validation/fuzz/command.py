@@ -16,8 +16,8 @@ from sandbox.model.files import check_writable, make_folder, write_atomically
 from validation import output
 from validation.environment import environment
 from validation.fuzz.grammar import Grammar
-from validation.fuzz.mending import ROUNDS, mended
 from validation.fuzz.mutation import mutated
+from validation.fuzz.repair import ROUNDS, mended
 from validation.fuzz.shrinking import shrunk
 from validation.fuzz.trial import Trial
 

@@ -6,7 +6,7 @@ from functools import cache
 from random import Random
 from typing import Any
 
-from sandbox.model.mention import NAMES
+from sandbox.model.reference_fields import NAMES
 from sandbox.model.schema import grammar
 
 Part = Mapping[str, Any]

@@ -10,7 +10,7 @@ from sandbox.model.loading import load
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.run import build
 from sandbox.physics.stepping.world import World
-from validation.pace.yardstick import REFERENCE, yardstick
+from validation.pace.machine_speed import REFERENCE, yardstick
 
 REPEATS = 3
 """How often a run is timed at the most; the quickest counts, for whatever else runs only adds."""

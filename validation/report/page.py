@@ -9,7 +9,7 @@ from markupsafe import Markup
 from matplotlib.figure import Figure
 
 from sandbox.model.errors import SandboxError
-from sandbox.physics.accuracy.trust import MOST_DIGITS
+from sandbox.physics.accuracy.trusted_digits import MOST_DIGITS
 from sandbox.reporting import pages, plots
 from sandbox.reporting.svg import inline
 from validation.cost import figure as cost_figure

@@ -14,10 +14,10 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level, Stepping
 from sandbox.model.loading import load
 from sandbox.physics.accuracy.calibration import Setting, calibrate
+from sandbox.physics.accuracy.compared_runs import Watched, record, scaled, watched
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.runs import Watched, record, scaled, watched
-from sandbox.physics.accuracy.work import step_work
+from sandbox.physics.accuracy.step_work import step_work
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError

@@ -14,7 +14,7 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
-from validation.stability.figures import Run
+from validation.stability.run_measures import Run
 from validation.stability.scene import Document
 
 Figure = Callable[[Run], float]

@@ -18,8 +18,8 @@ from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.world import World
 from validation.stability.case import Frontier, figure_of, make, watch
-from validation.stability.figures import Run
-from validation.stability.naive import naive
+from validation.stability.run_measures import Run
+from validation.stability.stock_pymunk import naive
 
 GALLOPS = 7
 """In how many leaps the search goes from the least difficulty to the greatest."""

@@ -16,9 +16,9 @@ from sandbox.physics.run import build
 from sandbox.processes import spread
 from validation.stability.case import Frontier, HardCase, figure_of, make, watch
 from validation.stability.families import all_cases, all_frontiers
-from validation.stability.figures import Run
 from validation.stability.frontier import QUICK_TIME, reach, trial
 from validation.stability.history import last, moved_inward, read
+from validation.stability.run_measures import Run
 
 HALVINGS = 2
 """How often the step is halved, down to the level's own, to see by which power the error falls."""

@@ -4,8 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Literal
 
-from sandbox.app.building.act import Act
-from sandbox.app.building.work import Work
+from sandbox.app.building.button_action import Act
+from sandbox.app.building.edited_level import Work
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.mirroring import mirror

@@ -13,13 +13,13 @@ import pygame
 
 from sandbox.app.building import keys, painting
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.live import KEPT
-from sandbox.app.building.spot import Spot
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.live_edits import KEPT
+from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.joining import JoinTool
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
-from sandbox.app.building.trial import Trial
-from sandbox.app.building.work import Work
+from sandbox.app.building.trial_run import Trial
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage

@@ -17,8 +17,8 @@ from sandbox.editing.layout import Json
 from sandbox.model.base import Model
 from sandbox.model.effects import Effects
 from sandbox.model.expressions import Expression
-from sandbox.model.locating import Path
-from sandbox.model.mention import Mention
+from sandbox.model.json_positions import Path
+from sandbox.model.reference_fields import Mention
 
 LEFT_OUT = ("$schema", "format", "bodies", "joints")
 """Of a level: what is no concern of who draws it, and what is drawn and selected."""

@@ -6,7 +6,7 @@ from math import hypot
 
 import pygame
 
-from sandbox.app.building.sketch import Drawn
+from sandbox.app.building.partial_level import Drawn
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.model.shapes import XY, Arc, Box, Curve

@@ -5,24 +5,24 @@ from functools import partial
 from typing import Any, Literal
 
 from sandbox.app.building import fields
-from sandbox.app.building.act import Act
-from sandbox.app.building.examples import example
+from sandbox.app.building.button_action import Act
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.effect_examples import example
 from sandbox.app.building.fields import Entry, Row
-from sandbox.app.building.work import Work
 from sandbox.app.words.language import later, plural, say
 from sandbox.editing import suggest
 from sandbox.editing.edits import effects
 from sandbox.editing.edits.checks import add_checks, complete, drop_told, flight, set_ghost
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
-from sandbox.editing.patches import put
 from sandbox.editing.renaming import rename
 from sandbox.editing.suggest.scene import Suggestion
+from sandbox.editing.text_patches import put
+from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.joints import Joint
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Body, Level
-from sandbox.model.locating import Path
-from sandbox.model.parts import expressions
-from sandbox.model.variants import DEFAULTS
+from sandbox.model.level_parts import expressions
 
 NAMED = later("what it is called: a letter, then letters, digits or _; all mentions of it follow")
 

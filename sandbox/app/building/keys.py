@@ -6,9 +6,9 @@ from typing import Protocol
 
 import pygame
 
+from sandbox.app.building.edited_level import Work
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.building.tools.tool import Tool
-from sandbox.app.building.work import Work
 from sandbox.app.keys import CONTROL
 from sandbox.app.runs.session import Session
 

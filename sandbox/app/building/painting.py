@@ -6,9 +6,9 @@ from math import sqrt
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.sketch import Sketch
-from sandbox.app.building.spot import Part
-from sandbox.app.building.work import Work
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.partial_level import Sketch
+from sandbox.app.building.pointer import Part
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen

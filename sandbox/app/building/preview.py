@@ -4,12 +4,12 @@ from collections.abc import Sequence
 
 import pygame
 
-from sandbox.app.building.spot import Snapped
+from sandbox.app.building.pointer import Snapped
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
+from sandbox.app.words.formatting import number
 from sandbox.app.words.language import say
-from sandbox.app.words.wording import number
 from sandbox.model.shapes import XY
 
 MARK = 6.0  # px, the radius of the mark where a point is caught

@@ -9,7 +9,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.grading import Reading
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check
@@ -71,32 +71,32 @@ def _check(card: Card, reading: Reading, words: Say, split: Split | None) -> Non
         told = say("does not apply: it needs {condition}", condition=source)
         card.text(told, 12, theme.DIM, indent=card.indent)
     elif reading.measured is None:
-        told = say("waiting for {moment}", moment=wording.moment(check))
+        told = say("waiting for {moment}", moment=formatting.moment(check))
         card.text(told, 12, color, indent=card.indent)
     elif reading.expected is None or result.error is None:
         ahead = reading.expected
-        expected = "–" if ahead is None else wording.quantity(ahead, result.unit)
-        until = (wording.occasion(check), color)
-        now = wording.quantity(reading.measured, result.unit)
+        expected = "–" if ahead is None else formatting.quantity(ahead, result.unit)
+        until = (formatting.occasion(check), color)
+        now = formatting.quantity(reading.measured, result.unit)
         card.columns(((now, theme.DIM), (expected, theme.TEXT), until), 13)
     else:
-        expected = wording.quantity(reading.expected, result.unit)
+        expected = formatting.quantity(reading.expected, result.unit)
         measured = (
-            wording.measured(reading.measured, reading.expected, result.unit)
+            formatting.measured(reading.measured, reading.expected, result.unit)
             if split is None
-            else wording.certain(reading.measured, split.off, result.unit)
+            else formatting.certain(reading.measured, split.off, result.unit)
         )
-        error = wording.error(result.error)
+        error = formatting.error(result.error)
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
         if split is not None:
-            off = wording.quantity(split.off, result.unit, 1)
+            off = formatting.quantity(split.off, result.unit, 1)
             told = say("± {off} by halving the step", off=off)
             card.text(told, 12, theme.DIM, indent=card.indent)
     if result.verdict == "failed" and result.t is not None:
         worst = say(
             "worst at {t}; {error} is allowed",
-            t=wording.seconds(result.t),
-            error=wording.error(check.tolerance),
+            t=formatting.seconds(result.t),
+            error=formatting.error(check.tolerance),
         )
         card.text(worst, 12, color, indent=card.indent)
 

@@ -8,9 +8,9 @@ from sandbox.app.cards.card import GAP, Card, bar
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import graph
-from sandbox.app.observing.books import Energies
-from sandbox.app.words import wording
+from sandbox.app.observing import energy_graph
+from sandbox.app.observing.energy_books import Energies
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say, say_in
 from sandbox.physics.energy.balance import Balance
 
@@ -44,7 +44,7 @@ def total(pen: Pen, width: int, start: Energies, now: Energies) -> pygame.Surfac
     """Draw the sum of the energies alone, and what has become of it."""
     card = Card(pen, width)
     card.heading(say("Energy"))
-    whole = wording.quantity(now.total, "J", 4)
+    whole = formatting.quantity(now.total, "J", 4)
     card.text(say("{energy}, change {change}", energy=whole, change=_change(start, now)), 13)
     return card.drawn()
 
@@ -77,7 +77,7 @@ def ledger(pen: Pen, width: int, books: Balance, *, ahead: bool = False) -> pyga
     left = min(max(widest, pen.px(LABEL)), width - pen.px(NUMBER + LEAST))
     for name, value, color in rows:
         card.put(pen.write(pen.shorten(name, left - pen.px(GAP), 13), 13, theme.DIM), 0)
-        text = pen.write(wording.quantity(value, "J", 4), 13)
+        text = pen.write(formatting.quantity(value, "J", 4), 13)
         card.put(text, width - text.width)
         length = width - left - pen.px(NUMBER)
         drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
@@ -94,8 +94,8 @@ def _named(kind: str, account: str) -> str:
 def _change(start: Energies, now: Energies) -> str:
     """Tell by how much the sum has changed, and by which share of it."""
     change = now.total - start.total
-    share = f"  ({wording.share(change / abs(start.total))})" if start.total else ""
-    return f"{wording.quantity(change, 'J', 3)}{share}"
+    share = f"  ({formatting.share(change / abs(start.total))})" if start.total else ""
+    return f"{formatting.quantity(change, 'J', 3)}{share}"
 
 
 def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
@@ -104,6 +104,8 @@ def _legend(card: Card, rows: Sequence[tuple[str, float, Color]]) -> None:
     for i, (name, value, color) in enumerate(rows):
         word = pen.write(name, 12, color)
         card.put(word, i * column)
-        card.put(graph.sample(i, (pen.px(18), word.height)), i * column + word.width + pen.px(5))
-        card.put(pen.write(wording.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
+        card.put(
+            energy_graph.sample(i, (pen.px(18), word.height)), i * column + word.width + pen.px(5)
+        )
+        card.put(pen.write(formatting.quantity(value, "J", 4), 13), i * column, pen.height(12) - 2)
     card.y += pen.height(12) + pen.height(13)

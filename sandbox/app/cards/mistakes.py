@@ -10,7 +10,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen, legible
 from sandbox.app.words.language import say
 from sandbox.model.errors import Mistake
-from sandbox.model.locating import TOKEN
+from sandbox.model.json_positions import TOKEN
 
 AROUND = 2
 """Lines that are shown before and after that of a mistake."""

@@ -6,7 +6,7 @@ from typing import Annotated
 from pydantic import AfterValidator, BaseModel, ConfigDict, TypeAdapter
 
 from sandbox.app.drawing.theme import DARK, NAMES, Name
-from sandbox.app.files import kept
+from sandbox.app.files import user_data
 from sandbox.app.words.language import Name as Language
 from sandbox.app.words.language import of_system, say
 from sandbox.model.files import data_folder
@@ -68,7 +68,7 @@ class Comfort:
     """
 
     def __init__(self, desktop: int = 0) -> None:
-        self.chosen = kept.read(file(), _KIND, Preferences())
+        self.chosen = user_data.read(file(), _KIND, Preferences())
         self._suiting = suiting(desktop)
 
     @property
@@ -89,7 +89,7 @@ class Comfort:
     def choose(self, **changes: object) -> str:
         """Choose, and keep that; return why it cannot be kept, if so."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
-        why = kept.keep(file(), _KIND, self.chosen)
+        why = user_data.keep(file(), _KIND, self.chosen)
         return say("the settings are not kept for the next time: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import Field, TypeAdapter
 
-from sandbox.app.files import kept
+from sandbox.app.files import user_data
 from sandbox.app.words.language import say
 from sandbox.model.files import data_folder
 
@@ -35,9 +35,9 @@ class Progress:
         if stars <= self.stars(title):
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
-        why = kept.keep(file(), _STARS, self._stars)
+        why = user_data.keep(file(), _STARS, self._stars)
         return say("the stars are not kept for the next time: {why}", why=why) if why else ""
 
 
 def _read() -> dict[str, int]:
-    return kept.read(file(), _STARS, {})
+    return user_data.read(file(), _STARS, {})

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from sandbox.app.files import kept
+from sandbox.app.files import user_data
 from sandbox.app.words.language import later, say
 from sandbox.model.files import data_folder
 
@@ -40,11 +40,11 @@ class Recent:
             return ""
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # another window's, too
-        why = kept.keep(file(), _PATHS, [str(path), *others][:MOST])
+        why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
         told = later("that this file was opened is not kept for the next time: {why}")
         return say(told, why=why) if why else ""
 
 
 def _read() -> list[str]:
-    found = kept.read(file(), _PATHS, [])
+    found = user_data.read(file(), _PATHS, [])
     return [path for path in found if "\0" not in path and Path(path).is_absolute()][:MOST]

@@ -8,11 +8,11 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.listed import Entry
+from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.progress import Progress
-from sandbox.app.home.grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.card_grid import HEADING, MARGIN, Grid, lay_out, sections
+from sandbox.app.home.draft_strip import Strip
 from sandbox.app.home.preview import Preview
-from sandbox.app.home.strip import Strip
 from sandbox.app.home.thumbnails import Thumbnails
 from sandbox.app.words.language import say
 from sandbox.editing.recovery import Recoverable, recoverable

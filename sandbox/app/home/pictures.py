@@ -12,7 +12,7 @@ from typing import NamedTuple
 import platformdirs
 import pygame
 
-from sandbox.app import picture
+from sandbox.app import level_picture
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
@@ -89,7 +89,7 @@ def made(paths: Sequence[Path], where: Path) -> Iterator[Picture]:
 def _made(path: Path, pen: Pen, where: Path) -> Picture:
     try:
         known = key(path)
-        png = kept(known, where) or picture.png(draw(path, pen))
+        png = kept(known, where) or level_picture.png(draw(path, pen))
     except OSError:
         return Picture(path, "", b"")
     except SandboxError:
@@ -115,7 +115,7 @@ def draw(path: Path, pen: Pen) -> pygame.Surface:
         stage.shown[overlay] = overlay == "trail"
     stage.fit()
     begun = perf_counter()
-    for _ in range(ceil(session.end * picture.TELLING)):
+    for _ in range(ceil(session.end * level_picture.TELLING)):
         if session.waiting or session.failure or perf_counter() - begun > PATIENCE:
             break
         session.step()

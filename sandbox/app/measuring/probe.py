@@ -10,7 +10,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.observing.history import History
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.view import View
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.model.shapes import XY
 
 REACH = 8.0
@@ -41,7 +41,7 @@ class Found(NamedTuple):
     @property
     def text(self) -> str:
         """What is told of it."""
-        x, y, speed = (wording.number(value, DIGITS) for value in (*self.place, self.speed))
+        x, y, speed = (formatting.number(value, DIGITS) for value in (*self.place, self.speed))
         return f"{self.body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 
 

@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words.wording import number
+from sandbox.app.words.formatting import number
 from sandbox.model.shapes import XY
 
 

@@ -3,10 +3,10 @@
 from collections.abc import Iterator
 from math import hypot, sqrt
 
-from sandbox.app.observing.looking import FAINT, cleared
-from sandbox.app.words import wording
-from sandbox.physics.measuring.free_bodies import FreeBodies
+from sandbox.app.observing.selected_body import FAINT, cleared
+from sandbox.app.words import formatting
 from sandbox.physics.measuring.free_body import Acting, FreeBody
+from sandbox.physics.measuring.free_body_forces import FreeBodies
 from sandbox.physics.stepping.world import World
 
 DIGITS = 4
@@ -61,8 +61,8 @@ def _told(found: FreeBody) -> Iterator[str]:
     if not any(net):
         yield "together no force"
         return
-    force = wording.quantity(hypot(*net), "N", DIGITS)
-    rate = wording.quantity(hypot(*found.acceleration), "m/s²", DIGITS)
+    force = formatting.quantity(hypot(*net), "N", DIGITS)
+    rate = formatting.quantity(hypot(*found.acceleration), "m/s²", DIGITS)
     when = "in an impact it accelerates" if found.struck else "it accelerates"
     yield f"together {force} {way(*net)}: {when} at {rate}"
 
@@ -70,10 +70,10 @@ def _told(found: FreeBody) -> Iterator[str]:
 def _acting(acting: Acting) -> str:
     """Return a force with its name, who gives it, its size and where it points."""
     name = f"{acting.name} from {acting.by}" if acting.by else acting.name
-    torque = wording.quantity(acting.couple, "N m", DIGITS)
+    torque = formatting.quantity(acting.couple, "N m", DIGITS)
     if not acting.size:
         return f"{name} as a torque of {torque}"
-    size = wording.quantity(acting.size, "N", DIGITS)
+    size = formatting.quantity(acting.size, "N", DIGITS)
     told = f"{name} {size} {way(*acting.force)}"
     return (
         f"{told}, with a torque of {torque}" if abs(acting.couple) > TURNS * acting.size else told

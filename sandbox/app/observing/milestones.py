@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import (
     ApexEvent,
@@ -71,7 +71,7 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
         here = found[key]
         here.passed = here.passed and result.verdict == "passed"
         if len(here.told) < MOST:
-            value = wording.quantity(result.measured, result.unit, 3)
+            value = formatting.quantity(result.measured, result.unit, 3)
             here.told.append((result.check, value))
     return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
 

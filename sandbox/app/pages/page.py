@@ -9,8 +9,8 @@ import pygame
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.files.preferences import Comfort
+from sandbox.app.frame_load import Load
 from sandbox.app.keys import Binding
-from sandbox.app.load import Load
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.stage import Stage
 from sandbox.app.widgets.sheet import Panel, Sheet, below

@@ -12,8 +12,8 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.runs.session import Session
 from sandbox.app.stage.overlays.register import OVERLAYS
-from sandbox.app.widgets.gui import press
-from sandbox.app.words import wording
+from sandbox.app.widgets.widget_helpers import press
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 
 HEIGHT = 34  # px, of a button
@@ -127,7 +127,7 @@ class Controls:
     def _draw_clock(self, surface: pygame.Surface, session: Session) -> None:
         area, pen = self._clock, self._pen
         middle = area.centery
-        now = pen.write(f"t = {wording.seconds(session.t)}", 15, bold=True)
+        now = pen.write(f"t = {formatting.seconds(session.t)}", 15, bold=True)
         surface.blit(now, (area.x, middle - pen.px(20)))
         room = area.width - now.width - pen.px(10)
         notes = (pen.write(text, 13, color) for text, color in _notes(session))
@@ -155,11 +155,11 @@ def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     """Yield what is said beside the time, the longest first: there may be no room for it."""
     reduced = session.pace.reduced if session.playing else None
     if reduced is None:
-        yield say("of {time}", time=wording.seconds(session.duration)), theme.DIM
+        yield say("of {time}", time=formatting.seconds(session.duration)), theme.DIM
         return
     told = say("running at {speed:.2g}×", speed=reduced)
     if session.remaining:
-        more = wording.span(session.remaining)
+        more = formatting.span(session.remaining)
         wanted = say(
             "{told}, not {speed:g}×: {time} more", told=told, speed=session.speed, time=more
         )

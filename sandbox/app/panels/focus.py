@@ -9,8 +9,8 @@ from pygame_gui.elements import UIButton, UIHorizontalSlider, UIScrollingContain
 
 from sandbox.app.drawing import theme
 from sandbox.app.panels.layout import Layout
-from sandbox.app.widgets.field import Field
-from sandbox.app.widgets.gui import scroll, scrolled
+from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.widget_helpers import scroll, scrolled
 
 Containers = Mapping[int, UIScrollingContainer]
 Stop = UIButton | Field | UIHorizontalSlider

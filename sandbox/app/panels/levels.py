@@ -16,10 +16,10 @@ from pygame_gui.elements import UIButton, UIImage, UIScrollingContainer
 from sandbox.app.commands import tip
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.listed import Entry, entry
+from sandbox.app.files.level_entries import Entry, entry
 from sandbox.app.files.progress import Progress
-from sandbox.app.widgets.field import LONGEST, Field
-from sandbox.app.widgets.gui import press, scroll, scrolled
+from sandbox.app.widgets.text_field import LONGEST, Field
+from sandbox.app.widgets.widget_helpers import press, scroll, scrolled
 from sandbox.app.words.language import plural, say
 from sandbox.model import catalog
 

@@ -10,10 +10,10 @@ from pygame_gui.core import UIContainer
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.files.listed import Entry
+from sandbox.app.files.level_entries import Entry
 from sandbox.app.files.preferences import Comfort
+from sandbox.app.frame_load import Load
 from sandbox.app.home.home import Home
-from sandbox.app.load import Load
 from sandbox.app.pages import register
 from sandbox.app.pages.workers import Workers
 from sandbox.app.panels import messages
@@ -22,18 +22,18 @@ from sandbox.app.panels.focus import Focus
 from sandbox.app.panels.layout import Layout, divide
 from sandbox.app.panels.levels import LevelList
 from sandbox.app.panels.refusal import Refusal
-from sandbox.app.panels.side import SidePanel
+from sandbox.app.panels.side_panel import SidePanel
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.field import Field
+from sandbox.app.widgets.file_dialog import OpenDialog
 from sandbox.app.widgets.manager import Manager
-from sandbox.app.widgets.opening import OpenDialog
+from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import language
 from sandbox.model.errors import SandboxError
 
 if TYPE_CHECKING:
     from pygame_gui.elements import UIButton
 
-    from sandbox.app.panels.foot import View
+    from sandbox.app.panels.footer import View
 
 
 class Panels:

@@ -12,15 +12,15 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.grading import Grading, Reading
 from sandbox.app.observing.trail import Trail
 from sandbox.app.runs.clock import Clock
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
+from sandbox.model.effect_variants import Variation
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme
-from sandbox.model.variants import Variation
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
 from sandbox.physics.run import build
-from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.time_limit import Patience
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class Changes:
     @property
     def told(self) -> str:
         """What is changed, in words."""
-        told = wording.variations(self.effects)
+        told = formatting.variations(self.effects)
         return say("{changes}, both by leapfrog", changes=told) if self.left else told
 
 

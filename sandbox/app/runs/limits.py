@@ -4,10 +4,10 @@ Nothing is wrong with such a run, so that it goes on whenever somebody wants it 
 answers between any two steps.
 """
 
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.physics.measuring.recording import Recorder
-from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.time_limit import Patience
 
 SLOW = 1.0
 """s, that a step may take; a frame waits for it."""
@@ -37,7 +37,7 @@ class Limits:
         """Take note of a step and how long it took [s]."""
         if self._patience and self._patience.lost(seconds):
             told = later("A step takes {time}; the window waits for each")
-            self.told = say(told, time=wording.seconds(seconds))
+            self.told = say(told, time=formatting.seconds(seconds))
             self._patience = None  # somebody knows
         elif self._room and self._recorder.full:
             self.told = say(

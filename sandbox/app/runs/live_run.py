@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from sandbox.app.observing import milestones
-from sandbox.app.observing.blows import Blows
-from sandbox.app.observing.books import Books
-from sandbox.app.observing.earlier import Earlier, Observed, kept
+from sandbox.app.observing.earlier_runs import Earlier, Observed, kept
+from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.grading import Grading, Ration, Reading
 from sandbox.app.observing.history import History
+from sandbox.app.observing.impacts import Blows
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.trail import Trail
 from sandbox.app.runs.actions import Action, perform
@@ -24,7 +24,7 @@ from sandbox.model.loading import choose
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.goals import Attempt, attempt
 from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed
-from sandbox.physics.stepping.patience import Patience
+from sandbox.physics.stepping.time_limit import Patience
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:

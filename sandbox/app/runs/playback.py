@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from math import inf
 from time import perf_counter
 
-from sandbox.app.observing.blows import Flash
 from sandbox.app.observing.grading import Reading
+from sandbox.app.observing.impacts import Flash
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.grip import Grip

@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from sandbox.app.observing.books import Books
-from sandbox.app.observing.earlier import Earlier
+from sandbox.app.observing.earlier_runs import Earlier
+from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.history import History
 from sandbox.app.observing.trail import Trail
 from sandbox.app.runs.actions import Action

@@ -14,8 +14,8 @@ from sandbox.model.base import Model
 from sandbox.model.errors import SandboxError
 from sandbox.model.files import read_ordinary, write_atomically
 from sandbox.model.level import Level
+from sandbox.model.level_parts import names_in
 from sandbox.model.loading import choose, parse
-from sandbox.model.parts import names_in
 from sandbox.physics.state.snapshot import Snapshot
 
 LARGEST = 100_000_000

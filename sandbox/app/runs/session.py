@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sandbox.app.observing.looking import Looking
+from sandbox.app.observing.selected_body import Looking
 from sandbox.app.runs.actions import Action
 from sandbox.app.runs.beginning import Beginning, at_rate, begin
 from sandbox.app.runs.companions import NONE, Changes, Variant

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sandbox.app.runs.companions import Changes, Variant
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
@@ -179,7 +179,7 @@ def _words(before: Setup, after: Setup) -> str:
     """Say what is as it was."""
     names = [name for name in after.values if after.values[name] != before.values.get(name)]
     parts = [
-        say("{name} is {value}", name=name, value=wording.setting(after.values[name]))
+        say("{name} is {value}", name=name, value=formatting.setting(after.values[name]))
         for name in names
     ]
     if not _same_form(before, after):

@@ -12,13 +12,13 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
 from sandbox.app.stage.labels import Labels
+from sandbox.app.words.formatting import MINUS, number
 from sandbox.app.words.language import say
-from sandbox.app.words.wording import MINUS, number
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.effects.force import Force
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.rules import corners
 from sandbox.model.shapes import XY, evaluate
 from sandbox.physics.stepping.world import World

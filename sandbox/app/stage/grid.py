@@ -7,7 +7,7 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words.wording import MINUS, nice
+from sandbox.app.words.formatting import MINUS, nice
 
 MINOR = 22  # px, the least distance of two lines
 LABELLED = 75  # px, the least distance of two numbers

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words.wording import nice, number, quantity
+from sandbox.app.words.formatting import nice, number, quantity
 from sandbox.model.expressions import Array
 from sandbox.model.landscape import Landscape
 from sandbox.model.shapes import XY, evaluate

@@ -13,8 +13,8 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.outline import Outline
+from sandbox.app.words.formatting import nice, number
 from sandbox.app.words.level_words import Say
-from sandbox.app.words.wording import nice, number
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array, Formula, Values
 from sandbox.model.shapes import XY

@@ -6,7 +6,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from sandbox.app.stage.marks import PATH_POINTS, places
-from sandbox.app.words.wording import rounded_up
+from sandbox.app.words.formatting import rounded_up
 from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.physics.measuring.recording import count_steps

@@ -11,7 +11,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.trail import Trail
 from sandbox.app.runs.companions import Companion
-from sandbox.app.stage import bodies, flows, grid, joints, liquid, marks, texts
+from sandbox.app.stage import belts_and_flames, bodies, grid, joints, liquid, marks, texts
 from sandbox.app.stage.forces import Arrow
 from sandbox.app.stage.labels import Labels
 from sandbox.app.stage.landscape import Relief
@@ -100,8 +100,8 @@ class Stage:
         if self._relief:
             self._relief.draw_point(surface, self.camera, self._pen)
         self._draw_joints(surface, in_front=False)
-        flows.draw_belts(surface, self.camera, world, outlines)
-        flows.draw_flames(surface, self.camera, world, outlines)
+        belts_and_flames.draw_belts(surface, self.camera, world, outlines)
+        belts_and_flames.draw_flames(surface, self.camera, world, outlines)
         self._draw_bodies(surface)
         liquid.draw_veil(surface, self.camera, world)
         self._draw_joints(surface, in_front=True)

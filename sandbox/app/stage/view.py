@@ -17,8 +17,8 @@ from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.stepping.world import World
 
 if TYPE_CHECKING:
-    from sandbox.app.observing.blows import Flash
-    from sandbox.app.observing.looking import Looking
+    from sandbox.app.observing.impacts import Flash
+    from sandbox.app.observing.selected_body import Looking
     from sandbox.app.observing.trail import Trail
 
 NAMED = 12

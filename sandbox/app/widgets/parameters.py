@@ -10,8 +10,8 @@ from pygame_gui.elements import UIHorizontalSlider, UIImage, UIScrollingContaine
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.widgets.field import Field
-from sandbox.app.words import wording
+from sandbox.app.widgets.text_field import Field
+from sandbox.app.words import formatting
 from sandbox.app.words.level_words import Say
 from sandbox.app.words.rounding import rounded, step
 from sandbox.model.expressions import Values
@@ -85,7 +85,7 @@ class Parameters:
             pygame.Rect(rect.x, rect.y + px(29), rect.width, px(13)), value,
             (parameter.min, parameter.max), manager, container=container,
         )  # fmt: skip
-        text = wording.setting(value)
+        text = formatting.setting(value)
         field.set_text(text)
         return Row(parameter, slider, field, text)
 
@@ -94,7 +94,7 @@ class Parameters:
         for name, row in self._rows.items():
             if name not in values:
                 continue
-            text = wording.setting(values[name])
+            text = formatting.setting(values[name])
             if text != row.shown or not row.field.is_focused:
                 if row.field.get_text() != text:
                     row.field.set_text(text)
@@ -140,7 +140,7 @@ class Parameters:
         """Round what the slider says to a number that a person would choose."""
         value = rounded(row.parameter, row.slider.get_current_value())
         shifted = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
-        return Change(name, wording.setting(value), value, shifted)
+        return Change(name, formatting.setting(value), value, shifted)
 
     def _typed(self, name: str, row: Row) -> Change:
         text = row.field.get_text().strip().replace(",", ".")
@@ -161,7 +161,7 @@ class Parameters:
         many = 10 if event.mod & pygame.KMOD_SHIFT else 1
         value = base + directions[event.key] * many * step(row.parameter)
         value = float(f"{min(max(value, row.parameter.min), row.parameter.max):.9g}")
-        return Change(name, wording.setting(value), value)
+        return Change(name, formatting.setting(value), value)
 
 
 def _title(pen: Pen, text: str, width: int) -> pygame.Surface:

@@ -10,7 +10,7 @@ import pygame
 from sandbox.app.drawing import lines, signs, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.model.expressions import Array
 from sandbox.model.shapes import XY
 
@@ -61,7 +61,7 @@ class Scale(NamedTuple):
 
     def ticks(self, most: int) -> Iterator[float]:
         """Yield round numbers along it, about so many at the most."""
-        step = wording.nice((self.high - self.low) / most)
+        step = formatting.nice((self.high - self.low) / most)
         for i in range(ceil(self.low / step), floor(self.high / step) + 1):
             yield i * step
 
@@ -187,4 +187,4 @@ def _offset(up: Scale) -> float:
 
 def _brief(value: float) -> str:
     """Write the number of a tick."""
-    return f"{0.0 if abs(value) < 1e-15 else value:.5g}".replace("-", wording.MINUS)
+    return f"{0.0 if abs(value) < 1e-15 else value:.5g}".replace("-", formatting.MINUS)

@@ -11,7 +11,7 @@ from pathlib import Path
 from sandbox.app.words import language
 from sandbox.model import catalog
 from sandbox.model.level import Check, Level
-from sandbox.model.prose import prose
+from sandbox.model.prose_fields import prose
 
 Say = Callable[[str], str]
 """Returns what is shown of words of a level."""

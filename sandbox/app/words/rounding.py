@@ -1,6 +1,6 @@
 """Numbers as a person would choose them."""
 
-from sandbox.app.words.wording import nice
+from sandbox.app.words.formatting import nice
 from sandbox.model.level import Parameter
 
 

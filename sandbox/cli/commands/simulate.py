@@ -43,7 +43,7 @@ def command(
     With --without or --with the changed run is written, and what is printed is how it differs from
     the level as it is, in the quantities of its checks and in time.
     """
-    from sandbox.cli.accuracy import Choice
+    from sandbox.cli.accuracy_option import Choice
     from sandbox.cli.simulate import simulate
 
     raise typer.Exit(

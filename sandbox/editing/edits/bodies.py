@@ -9,11 +9,11 @@ from math import pi
 
 import numpy as np
 
-from sandbox.editing.edits.made import Made, new_name
+from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.layout import Json, plain
 from sandbox.editing.mending import COEFFICIENTS, first_that_loads, without_meaning
 from sandbox.editing.outlines import centroid, simplified
-from sandbox.editing.patches import put, put_all, remove
+from sandbox.editing.text_patches import put, put_all, remove
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY

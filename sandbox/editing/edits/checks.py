@@ -5,7 +5,7 @@ from typing import Any, Literal
 
 from sandbox.editing.layout import Json
 from sandbox.editing.mending import accepted, without_meaning
-from sandbox.editing.patches import Changes, put, put_all, remove
+from sandbox.editing.text_patches import Changes, put, put_all, remove
 from sandbox.model.expressions import Expression
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities

@@ -8,14 +8,14 @@ from typing import Any, cast
 from pydantic import ValidationError
 
 from sandbox.editing.attached import shifted_point
-from sandbox.editing.edits.made import Made, new_name
+from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.mending import without_meaning
-from sandbox.editing.patches import Changes, put_all
+from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.consistency.mentions import mentions
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import Joint, Wire, bodies_of, body_of, ends_of
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import XY, Point
 
 Data = dict[str, Any]

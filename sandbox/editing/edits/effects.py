@@ -4,13 +4,13 @@ from collections.abc import Mapping
 from typing import Any, get_args, get_origin
 
 from sandbox.editing.mending import COEFFICIENTS, accepted, without_meaning
-from sandbox.editing.patches import Changes, put, put_all, remove
+from sandbox.editing.text_patches import Changes, put, put_all, remove
+from sandbox.model.did_you_mean import suggestion
+from sandbox.model.effect_variants import DEFAULTS, including, without
 from sandbox.model.effects import EFFECTS, Effects
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.suggest import suggestion
-from sandbox.model.variants import DEFAULTS, including, without
 from sandbox.physics.run import costs
 
 COEFFICIENT = 0.5

@@ -8,13 +8,13 @@ from math import floor, isfinite, log10
 
 from sandbox.editing.layout import Json, plain
 from sandbox.editing.mending import accepted, without_meaning
-from sandbox.editing.patches import PatchError, put, put_all, remove, shown, type_in, value_at
+from sandbox.editing.text_patches import PatchError, put, put_all, remove, shown, type_in, value_at
 from sandbox.model.errors import LevelError, Mistake, SandboxError
 from sandbox.model.expressions import Expression, Fraction
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
+from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse
-from sandbox.model.locating import Path
-from sandbox.model.parts import expressions
 
 _NUMBER = re.compile(r"-?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?")
 """A number as JSON writes it."""

@@ -10,12 +10,12 @@ from collections.abc import Sequence
 from sandbox.editing.attached import attached, shifted_point
 from sandbox.editing.edits.bodies import SMALLEST, drawn_mass
 from sandbox.editing.formulas import scaled, towards
-from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import Placed, placed, xy
+from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
 from sandbox.model.shapes import (
     XY,
     Arc,

@@ -7,17 +7,17 @@ from collections.abc import Callable, Mapping, Sequence
 from math import pi
 from typing import NamedTuple
 
-from sandbox.editing.edits.made import Made, new_name
+from sandbox.editing.edits.edit_result import Made, new_name
 from sandbox.editing.layout import Json, plain
 from sandbox.editing.mending import accepted
-from sandbox.editing.patches import put
-from sandbox.editing.placed import Placed, placed, xy
+from sandbox.editing.placement import Placed, placed, xy
+from sandbox.editing.text_patches import put
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.joints import KINDS
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
-from sandbox.model.suggest import suggestion
 
 CENTRAL = 1e-9
 """m, within which a point of a body is its centre."""

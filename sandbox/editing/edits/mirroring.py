@@ -6,8 +6,8 @@ from typing import Literal
 from sandbox.editing.attached import attached
 from sandbox.editing.formulas import negative, shifted
 from sandbox.editing.layout import Json
-from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import around, chosen
+from sandbox.editing.placement import around, chosen
+from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import (
     AngleStop,
@@ -22,8 +22,8 @@ from sandbox.model.joints import (
     bodies_of,
     ends_of,
 )
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Body, Level
-from sandbox.model.locating import Path
 from sandbox.model.shapes import Arc, Curve, Polygon, Polyline, Segment, points_of
 
 Pair = tuple[Expression, Expression]

@@ -10,8 +10,8 @@ from typing import Literal
 
 from sandbox.editing.attached import attached, pinned, shifted_point
 from sandbox.editing.formulas import turned
-from sandbox.editing.patches import Changes, put_all
-from sandbox.editing.placed import around, chosen
+from sandbox.editing.placement import around, chosen
+from sandbox.editing.text_patches import Changes, put_all
 from sandbox.model.expressions import Values
 from sandbox.model.joints import Wire, body_of
 from sandbox.model.level import Level

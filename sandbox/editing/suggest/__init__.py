@@ -8,9 +8,9 @@ a time before it is met.
 from collections.abc import Callable, Iterator
 
 from sandbox.editing.edits.checks import add_checks
-from sandbox.editing.patches import Changes
 from sandbox.editing.suggest import atwood, collision, incline, oscillator, pendulum, projectile
 from sandbox.editing.suggest.scene import Scene, Suggestion
+from sandbox.editing.text_patches import Changes
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
 

@@ -7,7 +7,7 @@ from math import cos, sin
 import numpy as np
 
 from sandbox.editing.layout import plain
-from sandbox.editing.placed import Core, Placed
+from sandbox.editing.placement import Core, Placed
 from sandbox.editing.suggest.scene import (
     SAFE,
     SAMPLES,
@@ -21,7 +21,7 @@ from sandbox.editing.suggest.scene import (
     said,
 )
 from sandbox.model.expressions import Expression
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Box, Polygon
 from sandbox.physics.geometry.distance import Gap, gap
 

@@ -22,7 +22,7 @@ from sandbox.editing.suggest.scene import (
 )
 from sandbox.model.joints import Joint, Rod, Rope, body_of
 from sandbox.model.level import place
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 
 NEAR = 1e-4
 """Of the closed form at the rate below: the leapfrog is second order."""

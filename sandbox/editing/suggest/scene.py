@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sandbox.editing.layout import plain
-from sandbox.editing.placed import Core, Placed, placed
+from sandbox.editing.placement import Core, Placed, placed
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.joints import Joint, bodies_of
 from sandbox.model.level import Level

@@ -12,7 +12,7 @@ from sandbox.model.conditions import (
     massflow,
     numbers,
     shapes,
-    time,
+    whole_duration,
     wires,
 )
 from sandbox.model.conditions.condition import Condition
@@ -27,7 +27,7 @@ _TOPICS = (
     friction,
     gravitation,
     massflow,
-    time,
+    whole_duration,
     wires,
 )
 

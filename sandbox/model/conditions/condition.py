@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Values
-from sandbox.model.locating import Path
+from sandbox.model.json_positions import Path
 
 
 class Condition(NamedTuple):

@@ -11,9 +11,9 @@ from sandbox.model.effects.field import Field
 from sandbox.model.effects.potential import Potential
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Function, Values
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Body, Level
-from sandbox.model.locating import Path
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import evaluate
 
 

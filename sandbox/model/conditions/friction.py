@@ -5,8 +5,8 @@ from functools import partial
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import NonNegative, Values
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
 
 
 def conditions(level: Level) -> Iterator[Condition]:

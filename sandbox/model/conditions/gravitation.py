@@ -10,7 +10,7 @@ from sandbox.model.effects.gravitation import Gravitation
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Point, evaluate
 
 NEAR = 1e-9

@@ -5,12 +5,12 @@ from functools import partial
 
 import numpy as np
 
+from sandbox.model.acting_events import tied
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.bounds import Extent
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Values
-from sandbox.model.happenings import tied
 from sandbox.model.joints import (
     AngleStop,
     Gear,
@@ -30,7 +30,7 @@ from sandbox.model.joints import (
     body_of,
 )
 from sandbox.model.level import Level, place, span
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import evaluate
 
 NEAR = 1e-9

@@ -7,7 +7,7 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Positive, Values
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 
 
 def conditions(level: Level) -> Iterator[Condition]:

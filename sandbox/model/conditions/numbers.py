@@ -7,7 +7,7 @@ from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Expression, Values
 from sandbox.model.level import Level
-from sandbox.model.parts import expressions
+from sandbox.model.level_parts import expressions
 
 MAX_STEPS = 10_000_000
 """How long a run may be: some minutes of computing."""

@@ -5,7 +5,7 @@ from functools import partial
 
 from sandbox.model.conditions.condition import Condition
 from sandbox.model.level import Level
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Polygon, Polyline, Segment, fault, points_of
 
 

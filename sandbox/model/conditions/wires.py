@@ -10,7 +10,7 @@ from sandbox.model.conditions.condition import Condition
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import Wire, bodies_of
 from sandbox.model.level import Level, place
-from sandbox.model.parts import names_in
+from sandbox.model.level_parts import names_in
 from sandbox.model.shapes import Curve
 from sandbox.model.wires import NEAR, PIECES, Points, along, is_closed, places
 

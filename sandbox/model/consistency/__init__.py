@@ -17,7 +17,7 @@ from sandbox.model.consistency import (
     surfaces,
 )
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 
 _NAMES: tuple[Callable[[Level], Iterator[Fault]], ...] = (
     names.known_names,

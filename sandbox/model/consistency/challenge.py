@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.consistency.mentions import named_parameters
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
-from sandbox.model.suggest import suggestion
+from sandbox.model.level_parts import Fault
 
 
 def known_parameters(level: Level) -> Iterator[Fault]:

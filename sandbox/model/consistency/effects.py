@@ -9,7 +9,7 @@ from sandbox.model.effects import EFFECTS
 from sandbox.model.errors import brief
 from sandbox.model.joints import Held, points
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 from sandbox.model.shapes import Area
 
 

@@ -2,15 +2,15 @@
 
 from collections.abc import Iterator
 
+from sandbox.model.acting_events import breakable
 from sandbox.model.consistency.mentions import mentions
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
-from sandbox.model.happenings import breakable
-from sandbox.model.instants import CrossingEvent
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
+from sandbox.model.measuring_instants import CrossingEvent
 from sandbox.model.quantities import QuantityError, quantity
-from sandbox.model.suggest import suggestion
 from sandbox.model.switches import switchable
 
 

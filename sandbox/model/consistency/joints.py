@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
+from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.consistency.mentions import bodies_of_flows
 from sandbox.model.errors import brief
-from sandbox.model.happenings import bouncing, tied
 from sandbox.model.joints import (
     Joint,
     Own,
@@ -17,7 +17,7 @@ from sandbox.model.joints import (
     points,
 )
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault, names_in
+from sandbox.model.level_parts import Fault, names_in
 from sandbox.model.shapes import Curve
 
 MAX_WIRES = 200

@@ -7,10 +7,10 @@ from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.effects.friction import Friction
 from sandbox.model.effects.restitution import Restitution
+from sandbox.model.field_marks import marked
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
-from sandbox.model.marked import marked
-from sandbox.model.mention import Mention
+from sandbox.model.reference_fields import Mention
 
 
 class Mentioned(NamedTuple):

@@ -6,12 +6,12 @@ from keyword import iskeyword
 from sandbox.model.arithmetic import RESERVED
 from sandbox.model.consistency.mentions import couples, named_bodies, named_quantities
 from sandbox.model.constants import circle
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expressions import VARIABLES, Curve, Formula
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault, expressions
+from sandbox.model.level_parts import Fault, expressions
 from sandbox.model.quantities import QuantityError, quantity
-from sandbox.model.suggest import suggestion
 
 LONGEST_CIRCLE = 10
 """How many constants of a circle are named; of a longer one only where it begins and ends."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 
 MOST_PULLS = 4_000_000
 """How many pulls there may be in a step, of bodies on each other and of centres on bodies: with so

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from sandbox.model.level import FINEST, Level
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 from sandbox.model.schemes import unsmooth
 
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from sandbox.model.apart import apart
 from sandbox.model.bounds import MOST_PAIRS
+from sandbox.model.collision_filter import apart
 from sandbox.model.consistency.bodies import given
 from sandbox.model.consistency.mentions import (
     bodies_of_flows,
@@ -14,9 +14,9 @@ from sandbox.model.consistency.mentions import (
 from sandbox.model.effects.pair import Pair
 from sandbox.model.errors import brief
 from sandbox.model.joints import Own, bodies_of, is_exact
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Body, ContactEvent, Level, SeparationEvent, is_alone
-from sandbox.model.locating import Path
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop
 
 

@@ -33,7 +33,7 @@ from sandbox.model.effects.sticking import Sticking
 from sandbox.model.effects.thrust import Thrust
 from sandbox.model.effects.torque import Torque
 from sandbox.model.effects.torsion import Torsion
-from sandbox.model.locating import Path
+from sandbox.model.json_positions import Path
 
 SEVERAL = Field(min_length=1, max_length=MOST_FORCES)
 

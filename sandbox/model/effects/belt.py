@@ -4,7 +4,7 @@ from typing import ClassVar
 
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import BodyName
+from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Velocity
 
 

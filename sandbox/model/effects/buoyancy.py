@@ -7,7 +7,7 @@ from pydantic import Field
 from sandbox.model.base import Model
 from sandbox.model.bounds import Coordinate, Density, Pull
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import ActedOnBodies
+from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Buoyancy(Model):

@@ -8,7 +8,7 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import MOST_PAIRS, Width
 from sandbox.model.effects.contract import Effect
 from sandbox.model.expressions import Fraction
-from sandbox.model.mention import ActedOnBodies, BodyNames
+from sandbox.model.reference_fields import ActedOnBodies, BodyNames
 
 
 class Contact(Model):

@@ -14,8 +14,8 @@ switched on by `--with`, the accounts of the ledger and the quantities that tell
 that a level may have, and the tests that go through all effects. What is forgotten is told when the
 package is loaded, with the file that it belongs in.
 
-Which fields name bodies is not said here: it is their type (see `sandbox.model.mention`). Nor are
-units: the types in `sandbox.model.bounds` have them, and a field's docstring says them.
+Which fields name bodies is not said here: it is their type (see `sandbox.model.reference_fields`).
+Nor are units: the types in `sandbox.model.bounds` have them, and a field's docstring says them.
 """
 
 from collections.abc import Callable, Mapping

@@ -7,7 +7,7 @@ from pydantic import Field as Constrained
 from sandbox.model.base import Model
 from sandbox.model.bounds import ForceInField
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import ActedOnBodies
+from sandbox.model.reference_fields import ActedOnBodies
 
 
 class Field(Model):

@@ -8,7 +8,7 @@ from sandbox.model.base import Model
 from sandbox.model.bounds import MOST_PAIRS, Coefficient
 from sandbox.model.effects.contract import Effect
 from sandbox.model.effects.pair import Pair
-from sandbox.model.mention import ActedOnBodies
+from sandbox.model.reference_fields import ActedOnBodies
 
 
 class FrictionPair(Pair):

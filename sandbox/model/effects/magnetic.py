@@ -7,7 +7,7 @@ from pydantic import Field
 from sandbox.model.base import Model
 from sandbox.model.bounds import MOST_FORCES, Strength
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import ActedOn
+from sandbox.model.reference_fields import ActedOn
 
 
 class Charge(Model):

@@ -1,7 +1,7 @@
 """Two bodies that touch, for which an effect says something."""
 
 from sandbox.model.base import Model
-from sandbox.model.mention import Couple
+from sandbox.model.reference_fields import Couple
 
 
 class Pair(Model):

@@ -5,8 +5,8 @@ from typing import ClassVar
 from sandbox.model.base import Model
 from sandbox.model.bounds import TorqueOfTurning
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import ActedOn, BodyName
 from sandbox.model.naming import Name
+from sandbox.model.reference_fields import ActedOn, BodyName
 
 
 class Torque(Model):

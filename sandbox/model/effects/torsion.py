@@ -5,7 +5,7 @@ from typing import ClassVar
 from sandbox.model.base import Model
 from sandbox.model.bounds import Angle, Twist
 from sandbox.model.effects.contract import Effect
-from sandbox.model.mention import ActedOn, BodyName
+from sandbox.model.reference_fields import ActedOn, BodyName
 
 
 class Torsion(Model):

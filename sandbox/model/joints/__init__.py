@@ -30,8 +30,8 @@ from sandbox.model.joints.gears import Gear as Gear
 from sandbox.model.joints.gears import Rack as Rack
 from sandbox.model.joints.stops import AngleStop as AngleStop
 from sandbox.model.joints.stops import Stop as Stop
-from sandbox.model.locating import Path
-from sandbox.model.mention import BodyName
+from sandbox.model.json_positions import Path
+from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
 ELASTIC = Effect(name="spring", book="potential", sees=("position", "angle"))

@@ -7,7 +7,7 @@ from pydantic import Discriminator, Tag
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import Coordinate
-from sandbox.model.mention import BodyName
+from sandbox.model.reference_fields import BodyName
 from sandbox.model.shapes import Point
 
 

@@ -5,5 +5,5 @@ where everything was typed, for messages. Only what is written out has a meaning
 shorthand is the same level as the one typed out at length.
 """
 
-from sandbox.model.shorthand.written_out import WrittenOut as WrittenOut
-from sandbox.model.shorthand.written_out import write_out as write_out
+from sandbox.model.shorthand.expansion import WrittenOut as WrittenOut
+from sandbox.model.shorthand.expansion import write_out as write_out

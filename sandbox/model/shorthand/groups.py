@@ -16,15 +16,15 @@ from pydantic import Field
 
 from sandbox.model.base import Model
 from sandbox.model.bounds import Angle, Coordinate
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.joints import Joint
+from sandbox.model.json_positions import Path
 from sandbox.model.level import MAX_BODIES, Body
-from sandbox.model.locating import Path
 from sandbox.model.naming import Name
 from sandbox.model.shapes import Point
-from sandbox.model.shorthand.notes import Notes, followed
+from sandbox.model.shorthand.expansion_notes import Notes, followed
 from sandbox.model.shorthand.repeating import GROUPS
-from sandbox.model.suggest import suggestion
 
 INTO_EACH = 10
 """Into how many numbers of a body the place and the angle of a copy come, at the most."""

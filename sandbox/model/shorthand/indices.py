@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sandbox.model.arithmetic import RESERVED, ExpressionError
+from sandbox.model.did_you_mean import suggestion
 from sandbox.model.errors import brief
 from sandbox.model.expressions import Expression
-from sandbox.model.locating import Path
-from sandbox.model.shorthand.notes import Notes
-from sandbox.model.suggest import suggestion
+from sandbox.model.json_positions import Path
+from sandbox.model.shorthand.expansion_notes import Notes
 
 Indices = Mapping[str, float]
 

@@ -9,10 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, get_origin
 
 from sandbox.model.errors import brief
+from sandbox.model.json_positions import Path
 from sandbox.model.level import Level
-from sandbox.model.locating import Path
+from sandbox.model.shorthand.expansion_notes import Notes
 from sandbox.model.shorthand.indices import IndexFault, Indices, filled, runs
-from sandbox.model.shorthand.notes import Notes
 
 REPEAT = "repeat"
 EACH = "each"

@@ -24,8 +24,8 @@ from sandbox.model.files import read_ordinary, write_atomically
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import digest
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.runs import Stop, never
-from sandbox.physics.accuracy.search import Progress
+from sandbox.physics.accuracy.compared_runs import Stop, never
+from sandbox.physics.accuracy.refinement_search import Progress
 from sandbox.physics.scene.schemes import require
 from sandbox.physics.state.errors import SchemeError
 

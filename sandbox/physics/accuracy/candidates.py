@@ -6,9 +6,9 @@ from math import floor
 from typing import NamedTuple
 
 from sandbox.model.level import HIGHEST_RATE, Stepping
+from sandbox.physics.accuracy.compared_runs import Watched
+from sandbox.physics.accuracy.event_errors import lateness
 from sandbox.physics.accuracy.refinement import PARTS, SLOWEST, Refinement, furthest, in_step
-from sandbox.physics.accuracy.runs import Watched
-from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.recording import Trace
 
 REAL_TIME = 0.5

@@ -10,13 +10,13 @@ import numpy as np
 
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy.compared_runs import BLOCK, Stop, Watched, departure
 from sandbox.physics.accuracy.errors import Cancelled
+from sandbox.physics.accuracy.event_errors import timely
 from sandbox.physics.accuracy.refinement import Refinement
-from sandbox.physics.accuracy.runs import BLOCK, Stop, Watched, departure
-from sandbox.physics.accuracy.sudden import timely
 from sandbox.physics.measuring.recording import count_steps
 from sandbox.physics.state.errors import SimulationError
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 from sandbox.physics.stepping.world import World
 
 NUDGE = 1e-9

@@ -7,12 +7,12 @@ from math import ceil, floor, inf, log2
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Stepping
+from sandbox.physics.accuracy.compared_runs import Watched, apart, scale, size
+from sandbox.physics.accuracy.event_errors import lateness
 from sandbox.physics.accuracy.richardson import ORDERS, extrapolated
-from sandbox.physics.accuracy.runs import Watched, apart, scale, size
-from sandbox.physics.accuracy.sudden import lateness
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 
 NEARLY = 0.75
 """The share of its order that a scheme shows where its steps are small enough for it."""

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from math import inf, log2
 
-from sandbox.physics.accuracy.runs import Watched, apart, size, unit
+from sandbox.physics.accuracy.compared_runs import Watched, apart, size, unit
 from sandbox.physics.measuring.recording import Trace
 
 LEAST_ORDER = 0.5

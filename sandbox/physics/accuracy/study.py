@@ -16,15 +16,8 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.quantities import momentary
 from sandbox.physics.accuracy.calibration import Setting, calibrate
-from sandbox.physics.accuracy.refinement import (
-    Refinement,
-    foot,
-    held_against,
-    judged,
-    step_prices,
-)
-from sandbox.physics.accuracy.richardson import extrapolated
-from sandbox.physics.accuracy.runs import (
+from sandbox.physics.accuracy.cheapest_setting import with_scales
+from sandbox.physics.accuracy.compared_runs import (
     Watched,
     by_check,
     never,
@@ -32,14 +25,21 @@ from sandbox.physics.accuracy.runs import (
     scaled,
     watched,
 )
-from sandbox.physics.accuracy.search import Refiner, refine
-from sandbox.physics.accuracy.seeking import with_scales
-from sandbox.physics.accuracy.trust import Trust, trusts
+from sandbox.physics.accuracy.refinement import (
+    Refinement,
+    foot,
+    held_against,
+    judged,
+    step_prices,
+)
+from sandbox.physics.accuracy.refinement_search import Refiner, refine
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.accuracy.trusted_digits import Trust, trusts
 from sandbox.physics.measuring.grading import Result, grade
 from sandbox.physics.measuring.recording import Trace
 from sandbox.physics.measuring.step_timing import brief_costs
 from sandbox.physics.scene.schemes import usable
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 
 REFINING = 2.0
 """s, for the runs of one scheme; the one that is under way is not cut short."""

@@ -8,7 +8,7 @@ from sandbox.model.expressions import Values
 from sandbox.model.level import HIGHEST_RATE, Level
 from sandbox.model.rules import FEWEST, MAX_CORNERS, corners
 from sandbox.model.schemes import bounds_the_rate
-from sandbox.model.walking import expressions
+from sandbox.model.traversal import expressions
 from sandbox.physics.advising.remedies import tried
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.errors import BreakdownError, JointFailure, SimulationError

@@ -14,7 +14,7 @@ import pymunk
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.engine.meetings import Meeting, address
+from sandbox.physics.engine.shape_pairs import Meeting, address
 from sandbox.physics.geometry.arcs import Piece, Placed, Touch, Verdict, way_along
 from sandbox.physics.geometry.curves import verdict
 

@@ -12,7 +12,14 @@ from sandbox.model.level import Body, Level
 from sandbox.model.shapes import ROUND_OFF, Box, Disc, Hoop, Polygon
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Curve as CurveShape
-from sandbox.physics.contacts.feelers import FELT, HOLLOW, ORDINARY, Made, half_of, make_feeler
+from sandbox.physics.contacts.corner_feelers import (
+    FELT,
+    HOLLOW,
+    ORDINARY,
+    Made,
+    half_of,
+    make_feeler,
+)
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.contacts.line_ends import make_ends
 from sandbox.physics.engine.bodies import center_of, local_points

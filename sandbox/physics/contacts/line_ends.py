@@ -13,7 +13,7 @@ import pymunk
 from sandbox.model.expressions import Values
 from sandbox.model.shapes import Arc as ArcShape
 from sandbox.model.shapes import Polyline, Segment
-from sandbox.physics.contacts.feelers import FELT, Made, disc_like, half_of, make_feeler
+from sandbox.physics.contacts.corner_feelers import FELT, Made, disc_like, half_of, make_feeler
 from sandbox.physics.geometry.arcs import Arc, Piece
 from sandbox.physics.geometry.distance import dot
 from sandbox.physics.geometry.plane_curve import Course

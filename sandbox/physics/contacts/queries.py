@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
-from sandbox.physics.contacts.apart import meets
+from sandbox.physics.contacts.collision_filter import meets
 from sandbox.physics.contacts.hollow_contacts import Hollows
 from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
 from sandbox.physics.geometry.distance import dot

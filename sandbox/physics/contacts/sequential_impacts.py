@@ -17,7 +17,7 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.kinematics import over_bodies, pair_jacobian
-from sandbox.physics.contacts.post_impact import reached
+from sandbox.physics.contacts.post_impact_velocity import reached
 from sandbox.physics.contacts.simultaneous_impacts import ROUNDING, Pile, responses
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.reactions import Grip

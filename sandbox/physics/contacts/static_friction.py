@@ -18,7 +18,7 @@ from pymunk import Vec2d
 
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics.contacts.coefficients import own_coefficient, own_static_coefficient
+from sandbox.physics.contacts.pair_coefficients import own_coefficient, own_static_coefficient
 
 ROUNDING = 1e-9
 """Friction that is below its limit by less than this share of it is at its limit."""

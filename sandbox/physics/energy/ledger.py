@@ -23,22 +23,22 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.stages import Stage
-from sandbox.physics.contacts.impulse_work import Kick
-from sandbox.physics.energy.attribution import Attribution
+from sandbox.physics.contacts.contact_work import Kick
+from sandbox.physics.contacts.direct.kick_parts import Stage
 from sandbox.physics.energy.balance import Balance
-from sandbox.physics.energy.entries import Entries
+from sandbox.physics.energy.impulse_attribution import Attribution
+from sandbox.physics.energy.ledger_entries import Entries
 from sandbox.physics.energy.step_record import Recorded
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.events.acting import Acted
+from sandbox.physics.events.drift_events import Acted
 from sandbox.physics.events.impact_response import Collided
-from sandbox.physics.events.slip import Stop
+from sandbox.physics.events.slip_phases import Stop
 from sandbox.physics.forces.variable_mass import MassFlows
-from sandbox.physics.joints.pulls import pulls_of
+from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.state.motion import Instant, momentum
 
 if TYPE_CHECKING:
-    from sandbox.physics.contacts.direct.dividing import Divided
+    from sandbox.physics.contacts.direct.drift_subdivision import Divided
     from sandbox.physics.forces.law import Law
 
 SEEN = 1e-12

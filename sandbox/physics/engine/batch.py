@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pymunk.batch import BodyFields, Buffer, get_space_bodies
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.handles import Pair, Table
+from sandbox.physics.engine.private_handles import Pair, Table
 
 if TYPE_CHECKING:
     from sandbox.physics.engine.arbiters import Arbiters

@@ -62,7 +62,7 @@ def make_body(name: str, level: Level, values: Values) -> pymunk.Body:
         body.velocity = evaluate(spec.velocity, values)
         body.angular_velocity = spec.angular_velocity(values)
     if spec.motion:
-        from sandbox.physics.engine.motions import velocities_at_start
+        from sandbox.physics.engine.kinematic_bodies import velocities_at_start
 
         body.velocity, body.angular_velocity = velocities_at_start(spec.motion, values)
     return body

@@ -18,9 +18,9 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.joints import bodies_of
 from sandbox.model.level import Level
-from sandbox.physics.contacts.apart import meets
-from sandbox.physics.contacts.coefficients import pair_coefficients
-from sandbox.physics.contacts.post_impact import impacts
+from sandbox.physics.contacts.collision_filter import meets
+from sandbox.physics.contacts.pair_coefficients import pair_coefficients
+from sandbox.physics.contacts.post_impact_velocity import impacts
 from sandbox.physics.contacts.simultaneous_impacts import PRESSED
 from sandbox.physics.engine.batch import Booleans, Contacts
 from sandbox.physics.events.impact_order import Tally, Turns

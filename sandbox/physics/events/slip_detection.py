@@ -6,8 +6,8 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.engine.batch import Batch, Booleans, Contacts
-from sandbox.physics.events.restart import Onwards
-from sandbox.physics.events.slip import Slips
+from sandbox.physics.events.restart_kick import Onwards
+from sandbox.physics.events.slip_phases import Slips
 
 WEAKER = 1e-6
 """The share by which friction is below what it can be where it no longer slips."""

@@ -49,7 +49,7 @@ class Turn(Protocol):
     """A force at right angles to the velocity, F = m ω (−vy, vx): it turns it, and does no work.
 
     A law says how fast, and no more: the kick turns velocities by it without changing how long they
-    are (see `sandbox.physics.forces.turning`).
+    are (see `sandbox.physics.forces.velocity_rotation`).
     """
 
     @property

@@ -11,17 +11,17 @@ from typing import NoReturn
 
 import numpy as np
 
-from sandbox.model import accounts
+from sandbox.model import ledger_accounts
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Body, Level, Stepping
 from sandbox.model.shapes import Arc, Box, Curve, Disc, Hoop, Polygon, Polyline, Segment
-from sandbox.physics.contacts.crowding import crowded, most_pairs
+from sandbox.physics.contacts.pair_count import crowded, most_pairs
 from sandbox.physics.engine.batch import Contacts, Integers
 from sandbox.physics.engine.bodies import local_points
 from sandbox.physics.geometry.convex_decomposition import twice_area
 from sandbox.physics.guarding.energy_audit import Audit
 from sandbox.physics.guarding.energy_drift import Gains
-from sandbox.physics.guarding.lost import is_sound, refuse_beyond, refuse_lost, stop
+from sandbox.physics.guarding.lost_bodies import is_sound, refuse_beyond, refuse_lost, stop
 from sandbox.physics.guarding.rate_limits import Need, called, slowing, steepness
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.stability_limits import MARGIN, limit
@@ -110,7 +110,7 @@ class Watchdog:
         swing = self._swings(start) if self._strict else DIVERGED
         thickness = np.where(np.isfinite(self._thick), self._thick, 0.0)
         self._gains = Gains(scene, start, thickness, swing, stepping.rate)
-        self._closed = not accounts.works(level)
+        self._closed = not ledger_accounts.works(level)
         self._audit = None
         if stepping.scheme != "fourth-order" and not self._closed:
             self._audit = audit(self._gains.least, swing, not self._strict)

@@ -11,10 +11,10 @@ from typing import cast
 import numpy as np
 import pymunk
 
+from sandbox.model.acting_events import bouncing, tied
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.expressions import Array, Formula, Values
-from sandbox.model.happenings import bouncing, tied
 from sandbox.model.joints import (
     AngleStop,
     End,
@@ -60,14 +60,14 @@ from sandbox.physics.joints.exact.angles import (
 )
 from sandbox.physics.joints.exact.constraints import Coordinates, Equation
 from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.equation_count import refuse_too_many
+from sandbox.physics.joints.exact.joint_system import JointSystem
 from sandbox.physics.joints.exact.shake import ExactJoints
-from sandbox.physics.joints.exact.sizes import refuse_too_many
-from sandbox.physics.joints.exact.system import JointSystem
 from sandbox.physics.joints.exact.wire import WireEquation
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.joints.latches import Latches
-from sandbox.physics.joints.native import OwnJoint
 from sandbox.physics.joints.pulley import PulleyString
+from sandbox.physics.joints.pymunk_joints import OwnJoint
 from sandbox.physics.state.anchor import Anchor
 from sandbox.physics.state.errors import JointFailure
 

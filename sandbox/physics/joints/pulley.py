@@ -26,7 +26,7 @@ from math import hypot
 import pymunk
 
 from sandbox.model.shapes import XY
-from sandbox.physics.engine.handles import Pair
+from sandbox.physics.engine.private_handles import Pair
 from sandbox.physics.state.errors import JointFailure
 from sandbox.physics.state.kick import Kick
 

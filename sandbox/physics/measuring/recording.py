@@ -6,9 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
-from sandbox.extras import needed_for
 from sandbox.model.expressions import Array, Values
-from sandbox.model.instants import MOST_MEETINGS
 from sandbox.model.level import (
     ApexEvent,
     CrossingEvent,
@@ -17,12 +15,14 @@ from sandbox.model.level import (
     Level,
     Stepping,
 )
-from sandbox.model.parts import measured
+from sandbox.model.level_parts import measured
+from sandbox.model.measuring_instants import MOST_MEETINGS
 from sandbox.model.quantities import TIME, base, quantity
-from sandbox.physics.energy.closure import Closing
+from sandbox.optional_packages import needed_for
+from sandbox.physics.energy.book_closure import Closing
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.engine.batch import Integers
-from sandbox.physics.measuring.over_time import over_time
+from sandbox.physics.measuring.running_aggregates import over_time
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.snapshot import Snapshot

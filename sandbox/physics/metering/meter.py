@@ -106,7 +106,7 @@ class Meter:
         """Measure a point of a body, or a body relative to another, or in a sensor."""
         row, (kind, _, attribute) = self._rows[quantity.subject], quantity.attribute.partition(".")
         if kind == WITHIN:
-            from sandbox.physics.metering.sensing import sensing
+            from sandbox.physics.metering.sensor_depth import sensing
 
             return sensing(
                 row, self._rows[quantity.other], self._bodies[quantity.other], self._values

@@ -15,11 +15,11 @@ from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.batch import Batch
 from sandbox.physics.engine.bodies import make_body
-from sandbox.physics.forces.declared import Gravity, Law, Turn, gravity, laws, mass_share
+from sandbox.physics.forces.declared_laws import Gravity, Law, Turn, gravity, laws, mass_share
 from sandbox.physics.forces.law import Given
 from sandbox.physics.forces.variable_mass import Share
 from sandbox.physics.joints.joints import Joints
-from sandbox.physics.scene.parts import Made, Pairs
+from sandbox.physics.scene.build_context import Made, Pairs
 
 if TYPE_CHECKING:
     from sandbox.physics.contacts.direct.solver import Direct
@@ -178,7 +178,7 @@ def _touching(
     """Give bodies the shapes with which they touch, if they do."""
     if not level.effects.contact:
         return Pairs()
-    from sandbox.physics.scene.touching import make_contacts
+    from sandbox.physics.scene.contact_setup import make_contacts
 
     return make_contacts(space, bodies, level, values, stepping)
 
@@ -196,7 +196,7 @@ def _make_joints(
     if not (level.joints or contact or level.effects.sticking):
         return Joints()
     from sandbox.physics.joints.assembly import assemble
-    from sandbox.physics.scene.touching import touches_of
+    from sandbox.physics.scene.contact_setup import touches_of
 
     space = next(iter(bodies.values())).space
     assert space
@@ -212,6 +212,6 @@ def _solvers(made: Made, pairs: Pairs) -> "tuple[Direct | None, Sequential | Non
     """Make what solves contacts, or impacts, where that is not pymunk."""
     if not made.level.effects.contact:
         return None, None
-    from sandbox.physics.scene.touching import make_direct, make_sequence
+    from sandbox.physics.scene.contact_setup import make_direct, make_sequence
 
     return make_direct(made, pairs.hollows), make_sequence(made, pairs.restitution)

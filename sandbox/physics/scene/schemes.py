@@ -5,7 +5,7 @@ from typing import get_args
 
 from sandbox.model.level import Level, Scheme
 from sandbox.model.schemes import unsmooth
-from sandbox.physics.forces.declared import any_law
+from sandbox.physics.forces.declared_laws import any_law
 from sandbox.physics.state.errors import SchemeError
 
 

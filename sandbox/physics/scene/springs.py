@@ -9,7 +9,7 @@ from sandbox.model.level import Stepping
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
 from sandbox.physics.forces.variable_mass import MassFlows, Share
-from sandbox.physics.scene.parts import Made
+from sandbox.physics.scene.build_context import Made
 from sandbox.physics.scene.stability_limits import check_drag, check_springs, check_turn
 from sandbox.physics.state.motion import Reading
 
@@ -34,7 +34,7 @@ def _reach(stepping: Stepping, *, held: bool) -> float:
     """Return the largest ω h at which the scheme is stable; 2 for leapfrog."""
     if stepping.scheme != "fourth-order":
         return 2.0
-    from sandbox.physics.scene.compositions import fourth_order
+    from sandbox.physics.scene.composition_schemes import fourth_order
 
     return fourth_order(held=held).reach
 
@@ -53,7 +53,7 @@ def hooked_springs(made: Made, share: Share) -> Iterator[SpringForce]:
         held = any(end.body is not None and moves[end.body] for end in spring.ends)
         plain = not (spring.damping or spring.pushes_only or spring.law or spring.switch)
         if simple and space and held and plain:
-            from sandbox.physics.joints.native import pull_by_pymunk
+            from sandbox.physics.joints.pymunk_joints import pull_by_pymunk
 
             pull_by_pymunk(spring, bodies, space)
         else:

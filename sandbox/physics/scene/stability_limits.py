@@ -6,10 +6,10 @@ from math import inf
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.model.locating import Path
+from sandbox.model.json_positions import Path
 from sandbox.physics.forces.law import Law, Turn
 from sandbox.physics.forces.spring import SpringForce
-from sandbox.physics.joints.exact.refusals import SINGULAR
+from sandbox.physics.joints.exact.joint_failures import SINGULAR
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.errors import SimulationError
 from sandbox.physics.state.motion import Instant, Motion

@@ -3,8 +3,8 @@
 from math import ceil
 
 from sandbox.model.errors import SandboxError
+from sandbox.model.json_positions import Path
 from sandbox.model.level import HIGHEST_RATE, Level
-from sandbox.model.locating import Path
 
 
 def way_out(needed: float, rate: float) -> str:

@@ -132,7 +132,7 @@ class Forces:
 
     def _turn(self, reading: Reading, wrench: Array, gained: Array, length: float) -> None:
         """Add what turns velocities in a kick of a length [s], beside all else that acts in it."""
-        from sandbox.physics.forces.turning import rates, turning_acceleration
+        from sandbox.physics.forces.velocity_rotation import rates, turning_acceleration
 
         self.turning = rates(self._turns, reading)
         velocity = self._older[:, :2] if self._guesses else reading.velocity

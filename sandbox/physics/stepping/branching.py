@@ -1,16 +1,16 @@
 """A run that goes on from where it stands with other parameters, or with other parts.
 
-`taking_over.py` says how.
+`state_transfer.py` says how.
 """
 
 from functools import partial
 
-from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.physics.stepping.making import make_world
-from sandbox.physics.stepping.taking_over import begin_late, take_over
+from sandbox.model.live_parameters import obstacle
+from sandbox.physics.stepping.make_world import make_world
+from sandbox.physics.stepping.state_transfer import begin_late, take_over
 from sandbox.physics.stepping.world import World
 
 

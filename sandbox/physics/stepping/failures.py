@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from sandbox.model.errors import SandboxError
-from sandbox.physics.contacts.direct.problem import TooMuch
+from sandbox.physics.contacts.direct.constraint_rows import TooMuch
 from sandbox.physics.scene.stability_limits import MARGIN
 from sandbox.physics.state.errors import (
     BreakdownError,

@@ -45,7 +45,7 @@ def place(setup: Setup, stages: Stages, positions: Mapping[str, XY], now: Snapsh
     scene, t = setup.scene, setup.kicks.clock.after(0)
     for name, position in positions.items():
         if isfinite(scene.reach) and not max(map(abs, position)) < scene.reach:
-            from sandbox.physics.stepping.stages.bounds import beyond
+            from sandbox.physics.stepping.stages.grid_bounds import beyond
 
             raise beyond(name, scene, t)
     for name, position in positions.items():

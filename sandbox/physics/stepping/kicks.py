@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.engine.handles import stepper
+from sandbox.physics.engine.private_handles import stepper
 from sandbox.physics.scene.scene import Scene
 from sandbox.physics.scene.substeps import Substep, once
 from sandbox.physics.state.kick import Clock, Kick, Work
@@ -21,7 +21,7 @@ from sandbox.physics.stepping.applied_forces import Forces
 from sandbox.physics.stepping.held_kicks import HeldKicks
 
 if TYPE_CHECKING:
-    from sandbox.physics.engine.hook import Hook
+    from sandbox.physics.engine.step_hook import Hook
 
 
 class Kicks:
@@ -76,7 +76,7 @@ class Kicks:
         bodies = self._scene.bodies.values()
         dynamic = next((b for b in bodies if b.body_type == pymunk.Body.DYNAMIC), None)
         if dynamic is not None and (in_kick or after_kick):
-            from sandbox.physics.engine.hook import Hook
+            from sandbox.physics.engine.step_hook import Hook
 
             self._hook = Hook(self._space, dynamic, in_kick, after_kick)
             self.take = self._calling(self._hook)

@@ -1,8 +1,8 @@
 """The state at a step, from the velocities half a kick before and after it.
 
 The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
-Where something hits there is no such mean (see `post_impact` and `sequential_impacts`), and joints
-know better where a step has several kicks (see `shake`).
+Where something hits there is no such mean (see `post_impact_velocity` and `sequential_impacts`).
+Where a step has several kicks, the joints know better (see `shake`).
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -139,7 +139,7 @@ class Observer:
             return after, acceleration
         velocity = (before + after) / 2
         if (turning := self._forces.turning) is not None:
-            from sandbox.physics.forces.turning import at_the_step
+            from sandbox.physics.forces.velocity_rotation import at_the_step
 
             velocity[:, :2] = at_the_step(turning, velocity[:, :2], self._kicks.clock.dt)
         if len(parts) > 1 and (joints := self._scene.joints.together):
@@ -157,7 +157,7 @@ class Observer:
         self, state: Array, before: Array, contacts: Contacts, rates: tuple[Array, Array]
     ) -> None:
         """Put right the velocities and accelerations of what pymunk has let collide in a kick."""
-        from sandbox.physics.contacts.post_impact import impacts
+        from sandbox.physics.contacts.post_impact_velocity import impacts
 
         (velocity, acceleration), after = rates, state[:, 3:]
         scene, smooth, dt = self._scene, self._forces.smooth, self._kicks.clock.dt

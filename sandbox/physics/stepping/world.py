@@ -1,7 +1,7 @@
 """A level that runs, step by step.
 
 A step is a drift and a kick (`kicks.py`). What only some levels call for takes part in it as a
-stage: `stage.py` says how, and `stages/declared.py` lists them.
+stage: `stage.py` says how, and `stages/register.py` lists them.
 """
 
 from collections.abc import Mapping
@@ -12,12 +12,12 @@ import numpy as np
 from sandbox.model.expressions import Array, Values
 from sandbox.model.level import Level, Stepping
 from sandbox.physics.engine.batch import Contacts
-from sandbox.physics.guarding.watch import make_watch
+from sandbox.physics.guarding.choose_watch import make_watch
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.state.snapshot import Snapshot
 from sandbox.physics.stepping.observer import Observer
 from sandbox.physics.stepping.stage import Begin, Stages, set_up
-from sandbox.physics.stepping.stages.declared import declared
+from sandbox.physics.stepping.stages.register import declared
 from sandbox.physics.stepping.start import start
 
 if TYPE_CHECKING:

@@ -8,7 +8,7 @@ from pygame_gui.core import UIElement
 
 from sandbox.app.building.editor import Editor
 from sandbox.app.pages.build.panel import BuildPage
-from sandbox.app.widgets.gui import scroll, scrolled
+from sandbox.app.widgets.widget_helpers import scroll, scrolled
 from sandbox.model.shapes import XY
 from tests.app.person import Person
 

@@ -5,8 +5,8 @@ import json
 import pytest
 
 from sandbox.app.building.drafts import Drafts
-from sandbox.app.building.readings import Readings
-from sandbox.app.building.sketch import Sketch, _body
+from sandbox.app.building.parsed_parts import Readings
+from sandbox.app.building.partial_level import Sketch, _body
 from sandbox.model import catalog
 from sandbox.model.level import Body
 from sandbox.model.loading import load

@@ -8,7 +8,7 @@ import pytest
 from sandbox.app import legend
 from sandbox.app.drawing import signs, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import graph
+from sandbox.app.observing import energy_graph
 from sandbox.app.pages.graph.choice import Choice
 from sandbox.app.pages.race import race
 from tests.app.person import Person
@@ -49,7 +49,7 @@ def test_the_lanes_are_dashed_each_in_a_way_of_its_own(pen: Pen) -> None:
 def test_the_energies_are_told_apart_without_their_colours() -> None:
     samples = []
     for series in range(3):
-        image = graph.sample(series, SIZE)
+        image = energy_graph.sample(series, SIZE)
         samples.append(bytes(image.get_at((x, y))[3] for x in range(SIZE[0]) for y in range(16)))
 
     assert len(set(samples)) == 3

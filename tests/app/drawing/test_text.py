@@ -9,7 +9,7 @@ import pytest
 
 from sandbox.app.drawing.text import Pen, legible, typed
 from sandbox.app.panels.levels import LevelList
-from sandbox.app.widgets.field import LONGEST
+from sandbox.app.widgets.text_field import LONGEST
 from tests.app.person import Person
 from tests.model.levels import bare
 from tests.sample import thinned
@@ -37,7 +37,7 @@ def enter(player: Person, text: str) -> None:
 
 
 def paste(player: Person, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("sandbox.app.widgets.field.clipboard_paste", lambda: text)
+    monkeypatch.setattr("sandbox.app.widgets.text_field.clipboard_paste", lambda: text)
     player.press(pygame.K_v, mod=pygame.KMOD_CTRL)
 
 

@@ -8,15 +8,15 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.load import FRAME, Load
+from sandbox.app.frame_load import FRAME, Load
 from sandbox.app.pages.accuracy import diagram
 from sandbox.app.pages.accuracy.panel import AccuracyPage
 from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.physics.accuracy import cache, study
 from sandbox.physics.accuracy.study import Here, Point
-from sandbox.physics.accuracy.trust import surviving
+from sandbox.physics.accuracy.trusted_digits import surviving
 from sandbox.physics.run import build
 from tests.app import scenes, work
 from tests.app.person import Person, until
@@ -266,9 +266,9 @@ def test_digits_survive_that_are_larger_than_the_error(
 
 def test_digits_survive_in_the_unit_that_is_read() -> None:
     """0.1 rad to 4e-4 has three digits, 5.73° to 0.023 but two."""
-    assert wording.certain(0.1, 4e-4, "rad") == "5.7°"
-    assert wording.certain(1234.0, 40.0, "J") == "1.2e3 J"
-    assert wording.certain(0.02, 1.0, "m") == "0 m"
+    assert formatting.certain(0.1, 4e-4, "rad") == "5.7°"
+    assert formatting.certain(1234.0, 40.0, "J") == "1.2e3 J"
+    assert formatting.certain(0.02, 1.0, "m") == "0 m"
 
 
 def test_closing_the_window_ends_the_work(player: Person) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.pages.experiment.card import nearest, span_of
-from sandbox.app.pages.experiment.exploring import Exploring
+from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.experiment.sampling import COUNT, Point, Refused, coarse_first, sample
 from sandbox.app.pages.graph.choice import offered

@@ -8,7 +8,7 @@ import pytest
 
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import looking
+from sandbox.app.observing import selected_body
 from sandbox.app.pages.forces import card, diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.pages.forces.panel import ForcesPage
@@ -54,7 +54,7 @@ def words(pen: Pen, net: float) -> pygame.Surface:
     """Return what the polygon says of the sum, as it stands there."""
     sheet = pygame.Surface((WIDTH, 20))
     sheet.fill(theme.STAGE)
-    sheet.blit(pen.write(f"sum {looking.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
+    sheet.blit(pen.write(f"sum {selected_body.newtons(net)} N", 12, theme.RESULTANT), (4, 2))
     return sheet
 
 
@@ -147,7 +147,7 @@ def test_the_polygon_ends_where_the_sum_does(pen: Pen, level: str) -> None:
 
     picture = diagram.polygon(pen, (WIDTH, card.POLYGON), found)
 
-    net = hypot(*looking.cleared(found.net, found))
+    net = hypot(*selected_body.cleared(found.net, found))
     arrow = pixels(picture, theme.RESULTANT) - pixels(words(pen, net), theme.RESULTANT)
     assert (arrow > 20) == (net > 0)
 
@@ -158,8 +158,8 @@ def test_a_force_that_is_rounding_beside_the_others_is_left_out() -> None:
     more = FreeBody(**{f: getattr(found, f) for f in found.__slots__} | {
         "forces": (*found.forces, faint)})  # fmt: skip
 
-    assert faint not in looking.felt(more)
-    assert looking.felt(more) == looking.felt(found)
+    assert faint not in selected_body.felt(more)
+    assert selected_body.felt(more) == selected_body.felt(found)
 
 
 def test_a_level_in_which_nothing_moves_by_forces_says_so(pen: Pen) -> None:
@@ -191,7 +191,7 @@ def test_the_scale_of_the_arrows_changes_seldom() -> None:
 
 def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
     found = at(stepped("hard/stack-of-40-directly"))
-    texts = [looking.text(acting, found) for acting in looking.felt(found)]
+    texts = [selected_body.text(acting, found) for acting in selected_body.felt(found)]
 
     assert "weight 9.81 N" in texts
     assert any(text.startswith("from ground ") for text in texts)
@@ -199,8 +199,12 @@ def test_of_several_forces_of_a_name_who_gives_each_is_told() -> None:
 
 
 def test_every_force_has_a_colour() -> None:
-    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(looking.colors())
-    assert looking.colors()["weight"] != looking.colors()[NORMAL] != looking.colors()[FRICTION]
+    assert {"weight", NORMAL, FRICTION, "tension", "drag"} <= set(selected_body.colors())
+    assert (
+        selected_body.colors()["weight"]
+        != selected_body.colors()[NORMAL]
+        != selected_body.colors()[FRICTION]
+    )
 
 
 @pytest.mark.parametrize("overlay", [forces.OVERLAY, center.OVERLAY, accelerations.OVERLAY])

@@ -19,10 +19,10 @@ from sandbox.app.pages.graph.zoom import NOTCH, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 from tests.app.person import Person, until
 
 
@@ -161,12 +161,12 @@ def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> N
     known, _ = graphs(pen, 278, session, [name], "t", None, {name: told})
 
     assert known.height - without.height == pen.height(12)
-    assert wording.trusted(told) == "4 digits hold; foretold until t = 1.25 s"
+    assert formatting.trusted(told) == "4 digits hold; foretold until t = 1.25 s"
 
 
 def test_a_quantity_that_is_all_error_has_no_digits() -> None:
-    assert wording.trusted(Trust("x", size=1.0, off=2.0, until=None)) == "no digit holds"
-    assert wording.trusted(Trust("x", size=1.0, off=0.3, until=None)) == "1 digit holds"
+    assert formatting.trusted(Trust("x", size=1.0, off=2.0, until=None)) == "no digit holds"
+    assert formatting.trusted(Trust("x", size=1.0, off=0.3, until=None)) == "1 digit holds"
 
 
 def test_a_quantity_is_drawn_against_another(person: Person) -> None:

@@ -18,7 +18,7 @@ from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, read, when
 from sandbox.app.runs.session import Session
 from sandbox.model.arithmetic import ExpressionError
-from sandbox.model.variants import Variation
+from sandbox.model.effect_variants import Variation
 from sandbox.physics.run import simulate
 from tests.app import scenes
 from tests.app.person import Person, until

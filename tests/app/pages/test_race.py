@@ -7,9 +7,9 @@ import pygame
 import pytest
 
 from sandbox.app.drawing import theme
+from sandbox.app.level_picture import render
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.panel import RacePage
-from sandbox.app.picture import render
 from sandbox.app.runs.session import Session
 from sandbox.model.catalog import find
 from sandbox.model.level import Stepping

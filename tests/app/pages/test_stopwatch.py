@@ -5,7 +5,9 @@ from math import sqrt
 import pygame
 import pytest
 
-from sandbox.app.pages.table.occasions import (
+from sandbox.app.pages.table.panel import TablePage
+from sandbox.app.pages.table.stopwatch import Reading, Stopwatch
+from sandbox.app.pages.table.stopwatch_triggers import (
     AT_ONCE,
     BY_HAND,
     Found,
@@ -14,8 +16,6 @@ from sandbox.app.pages.table.occasions import (
     find,
     occasions,
 )
-from sandbox.app.pages.table.panel import TablePage
-from sandbox.app.pages.table.stopwatch import Reading, Stopwatch
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog

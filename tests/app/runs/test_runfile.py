@@ -7,10 +7,10 @@ import pytest
 from sandbox.app.runs import runfile
 from sandbox.app.runs.session import Session
 from sandbox.model import catalog
+from sandbox.model.effect_variants import without
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Stepping
 from sandbox.model.loading import load
-from sandbox.model.variants import without
 
 LEVELS = catalog.names()[::15]
 

@@ -7,7 +7,7 @@ import pytest
 
 from sandbox.app.runs.pace import SPEEDS, Pace
 from sandbox.app.runs.session import Session
-from sandbox.model.crowds import crowd
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.errors import ValueRangeError
 from sandbox.model.loading import parse
 from sandbox.physics.measuring.recording import count_steps

@@ -30,7 +30,7 @@ from sandbox.model.base import Model
 from sandbox.model.effects import EFFECTS
 from sandbox.model.level import Level
 from sandbox.model.loading import parse
-from sandbox.model.prose import Words, prose
+from sandbox.model.prose_fields import Words, prose
 from sandbox.physics.energy.balance import Balance
 from tests.app.building.builder import Builder
 from tests.app.person import Person, until

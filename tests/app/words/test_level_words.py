@@ -12,7 +12,7 @@ from sandbox.app.panels.levels import LevelList
 from sandbox.app.words import language, level_words
 from sandbox.model import catalog
 from sandbox.model.loading import load
-from sandbox.model.prose import prose
+from sandbox.model.prose_fields import prose
 from tests.app.person import Person
 from tests.app.scenes import falling
 

@@ -14,8 +14,8 @@ from sandbox.editing.edits.bodies import (
     add_surface,
     take_out,
 )
-from sandbox.editing.edits.made import Made
-from sandbox.editing.plain import plain
+from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.written_out import plain
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level

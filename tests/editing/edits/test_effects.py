@@ -6,11 +6,11 @@ from typing import Any
 import pytest
 
 from sandbox.editing.edits.effects import COEFFICIENT, cost, declare, drop
-from sandbox.editing.patches import value_at
+from sandbox.editing.text_patches import value_at
 from sandbox.model import catalog
+from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import parse, read
-from sandbox.model.variants import DEFAULTS
 
 ATWOOD = read(catalog.find("newton/atwood"))
 SETTINGS: dict[str, dict[str, Any]] = {

@@ -7,14 +7,14 @@ import pytest
 from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import add_box
 from sandbox.editing.edits.fields import make_parameter, parameter_name, set_field
-from sandbox.editing.patches import put, value_at
-from sandbox.editing.plain import plain
+from sandbox.editing.text_patches import put, value_at
+from sandbox.editing.written_out import plain
 from sandbox.model import catalog
 from sandbox.model.errors import LevelError, SandboxError
 from sandbox.model.expressions import Expression
+from sandbox.model.json_positions import Path
+from sandbox.model.level_parts import expressions
 from sandbox.model.loading import parse, read
-from sandbox.model.locating import Path
-from sandbox.model.parts import expressions
 from sandbox.model.rules import corners
 
 MASS: Path = ("bodies", "box1", "mass")

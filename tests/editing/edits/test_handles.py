@@ -6,8 +6,8 @@ from sandbox.editing.draft import Draft
 from sandbox.editing.edits.bodies import DENSITY, add_box, add_disc, add_polygon, add_surface
 from sandbox.editing.edits.handles import drag_handle, handles, scale
 from sandbox.editing.edits.transforms import turn
-from sandbox.editing.patches import put, value_at
-from sandbox.editing.placed import placed
+from sandbox.editing.placement import placed
+from sandbox.editing.text_patches import put, value_at
 from sandbox.model import catalog
 from sandbox.model.errors import SandboxError
 from sandbox.model.loading import parse, read

@@ -10,8 +10,8 @@ from sandbox.editing.edits.effects import declare
 from sandbox.editing.edits.fields import make_parameter
 from sandbox.editing.edits.joints import Pick, add_joint
 from sandbox.editing.edits.transforms import move, turn
-from sandbox.editing.patches import put_all, remove
 from sandbox.editing.suggest import MOST_MOVING, suggestions, take
+from sandbox.editing.text_patches import put_all, remove
 from sandbox.model import catalog
 from sandbox.model.loading import parse, read
 from sandbox.physics.measuring.grading import grade

@@ -26,16 +26,16 @@ from sandbox.physics.accuracy import (
     cache,
     calibration,
     candidates,
-    search,
-    seeking,
+    cheapest_setting,
+    refinement_search,
 )
 from sandbox.physics.accuracy.cache import calibrated
 from sandbox.physics.accuracy.calibration import Setting, calibrate
 from sandbox.physics.accuracy.chaos import chaotic
+from sandbox.physics.accuracy.compared_runs import apart, checked, never, record
+from sandbox.physics.accuracy.error_estimate import estimate
 from sandbox.physics.accuracy.errors import AccuracyError, Cancelled
-from sandbox.physics.accuracy.estimation import estimate
 from sandbox.physics.accuracy.refinement import Refinement
-from sandbox.physics.accuracy.runs import apart, checked, never, record
 from sandbox.physics.measuring import step_timing
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import build, simulate
@@ -89,7 +89,7 @@ def test_whatever_a_clock_says_the_search_comes_to_an_end(
     monkeypatch: pytest.MonkeyPatch, clock: Callable[[], float]
 ) -> None:
     """No rate is beyond the highest, and each scheme gets there in a few doublings."""
-    monkeypatch.setattr(search, "thread_time", clock)
+    monkeypatch.setattr(refinement_search, "thread_time", clock)
     monkeypatch.setattr(step_timing, "perf_counter", clock)
     begun = time.monotonic()
 
@@ -508,7 +508,9 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
 ) -> None:
     for module in (calibration, candidates):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
-    monkeypatch.setattr(seeking, "step_prices", lambda _level, _values, *of: (3e-5,) * len(of))
+    monkeypatch.setattr(
+        cheapest_setting, "step_prices", lambda _level, _values, *of: (3e-5,) * len(of)
+    )
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)
 

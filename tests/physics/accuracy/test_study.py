@@ -8,10 +8,10 @@ from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load, parse
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import Setting
+from sandbox.physics.accuracy.compared_runs import motion, record, scaled
 from sandbox.physics.accuracy.refinement import furthest
-from sandbox.physics.accuracy.runs import motion, record, scaled
 from sandbox.physics.accuracy.study import Failed, Finding, Here, Point, Progress, Split
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import grade
 from sandbox.physics.run import simulate
 from tests.app import scenes

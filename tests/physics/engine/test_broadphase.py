@@ -5,7 +5,7 @@ from math import inf
 import pymunk
 import pytest
 
-from sandbox.model.crowds import crowd
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.loading import parse
 from sandbox.model.writing import text

@@ -16,7 +16,7 @@ from sandbox.model.expressions import Array
 from sandbox.model.level import Level
 from sandbox.model.quantities import quantities
 from sandbox.physics import forces
-from sandbox.physics.forces import declared
+from sandbox.physics.forces import declared_laws
 from sandbox.physics.forces.law import Law
 from sandbox.physics.run import build, simulate
 from sandbox.physics.state.motion import Instant
@@ -196,7 +196,7 @@ def test_what_turns_velocities_keeps_speeds_and_looks_at_no_velocity() -> None:
 @pytest.mark.parametrize("path", sorted(Path(str(forces.__file__)).parent.glob("*.py")))
 def test_what_makes_laws_is_of_an_effect(path: Path) -> None:
     module = import_module(f"{forces.__name__}.{path.stem}")
-    if hasattr(module, "laws") and module is not declared:
+    if hasattr(module, "laws") and module is not declared_laws:
         assert path.stem in {effect.name for effect in LAWS}
 
 
@@ -204,7 +204,7 @@ AETHER = Effect(name="aether", book="potential")
 
 
 def test_an_effect_without_a_law_is_told_with_the_file_that_is_missing() -> None:
-    assert list(declared.missing([*LAWS, AETHER])) == [
+    assert list(declared_laws.missing([*LAWS, AETHER])) == [
         "the effect 'aether' is declared in sandbox/model/effects/aether.py, but it has no law:"
         " add sandbox/physics/forces/aether.py with a function 'laws'"
     ]
@@ -215,8 +215,8 @@ def test_a_law_without_its_parts_is_told_with_its_file() -> None:
     turning = Effect(name="drag", book="none", sees=("velocity",))
 
     with pytest.raises(IncompleteError, match=r"Turn, but Drag in .*forces/drag.py has no 'rate'"):
-        declared._require(turning, law)
+        declared_laws._require(turning, law)
     with pytest.raises(IncompleteError, match=r"aether.py says that it is of 'drag'"):
-        declared._require(AETHER, law)
+        declared_laws._require(AETHER, law)
     with pytest.raises(IncompleteError, match=r"add a function 'flows' to .*forces/drag.py"):
-        declared.part_of(EFFECTS["drag"], "flows")
+        declared_laws.part_of(EFFECTS["drag"], "flows")

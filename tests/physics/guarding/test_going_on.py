@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from sandbox.model.crowds import crowd
+from sandbox.model.crowd_levels import crowd
 from sandbox.model.loading import parse
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import SimulationError

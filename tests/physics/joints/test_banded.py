@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from sandbox.model.level import Level, Stepping
-from sandbox.physics.joints.exact import banded, system
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.joints.exact import banded, joint_system
+from sandbox.physics.stepping.make_world import make_world
 from tests.physics.scenes import GRAVITY, Spec, disc, level
 
 LINKS = 60
@@ -48,7 +48,7 @@ def test_a_band_moves_as_the_whole_does(monkeypatch: pytest.MonkeyPatch, scene: 
     together = found.scene.joints.together
     assert together is not None
     assert together.band is not None
-    monkeypatch.setattr(system, "FEWEST", 10_000)
+    monkeypatch.setattr(joint_system, "FEWEST", 10_000)
     whole = make_world(scene, scene.defaults, stepping)
     assert whole.scene.joints.together is not None
     assert whole.scene.joints.together.band is None

@@ -5,17 +5,17 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 import pytest
 
-from sandbox.model import accounts
+from sandbox.model import ledger_accounts
 from sandbox.model.base import Model
 from sandbox.model.effects.contract import IncompleteError
 from sandbox.model.errors import SandboxError
 from sandbox.model.joints import KINDS
 from sandbox.model.joints.contract import Kind, kinds
 from sandbox.model.level import Level
-from sandbox.model.mention import NAMES
 from sandbox.model.quantities import quantities
+from sandbox.model.reference_fields import NAMES
 from sandbox.model.schemes import unsmooth
-from sandbox.physics.joints.pulls import pulls_of
+from sandbox.physics.joints.joint_forces import pulls_of
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.run import build
 from tests.effects import SCHEMA, Part, resolved
@@ -85,11 +85,11 @@ def test_a_joint_is_a_force_or_holds_exactly_as_its_kind_says(kind: str) -> None
 def test_the_books_know_what_a_joint_may_give_and_take(kind: str) -> None:
     this, said = scene(kind), KINDS[kind]
 
-    assert ("joints" in accounts.works(this)) is said.drives
-    assert ("impacts" in accounts.losses(this)) is said.goes_slack
-    assert ("supports" in accounts.outside(this)) is (said.force is None)
+    assert ("joints" in ledger_accounts.works(this)) is said.drives
+    assert ("impacts" in ledger_accounts.losses(this)) is said.goes_slack
+    assert ("supports" in ledger_accounts.outside(this)) is (said.force is None)
     if said.force:
-        assert said.force.booked in accounts.potentials(this)
+        assert said.force.booked in ledger_accounts.potentials(this)
 
 
 @KIND

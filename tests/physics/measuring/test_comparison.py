@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
+from sandbox.model.effect_variants import including, without
 from sandbox.model.level import Level, Stepping
 from sandbox.model.loading import load
-from sandbox.model.variants import including, without
 from sandbox.physics.measuring.comparison import Difference, differences, watched
 from sandbox.physics.measuring.step_timing import Step, step_costs, step_seconds
 from sandbox.physics.run import build, simulate

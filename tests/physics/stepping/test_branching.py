@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from sandbox.model import catalog
-from sandbox.model.branching import obstacle
 from sandbox.model.errors import SandboxError
+from sandbox.model.live_parameters import obstacle
 from sandbox.model.loading import load
 from sandbox.physics.run import build
 from sandbox.physics.stepping.branching import branch

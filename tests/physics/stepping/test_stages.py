@@ -12,7 +12,7 @@ from sandbox.physics.run import build
 from sandbox.physics.scene.scene import make_scene
 from sandbox.physics.stepping import world
 from sandbox.physics.stepping.stage import set_up
-from sandbox.physics.stepping.stages.declared import STAGES
+from sandbox.physics.stepping.stages.register import STAGES
 from tests.elsewhere import python
 from tests.physics.scenes import GRAVITY, atwood, disc, floor, level, orbit
 
@@ -71,7 +71,7 @@ def test_a_level_that_declares_nothing_special_has_no_stage() -> None:
 LOADED = """
 import json, pathlib, sys
 from sandbox.model.loading import load
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 level = load(pathlib.Path("levels/kinematics/free-fall.json"))
 make_world(level, level.defaults, level.stepping).advance(3)
 names = [name for name in sys.modules if name.startswith("sandbox.physics")]
@@ -87,7 +87,7 @@ def test_what_a_plain_level_does_not_declare_is_not_even_loaded() -> None:
 
     rooms = {name.split(".")[2] for name in loaded if name.count(".") > 1}
     assert rooms <= {"state", "engine", "forces", "joints", "scene", "guarding", "stepping"}
-    assert not [name for name in loaded if "stepping.stages." in name and "declared" not in name]
+    assert not [name for name in loaded if "stepping.stages." in name and "register" not in name]
     assert sum(loaded.values()) <= MOST
 
 

@@ -12,7 +12,7 @@ from sandbox.physics.measuring.recording import Recorder
 from sandbox.physics.run import build
 from sandbox.physics.state.errors import BreakdownError, SimulationError
 from sandbox.physics.state.snapshot import Snapshot
-from sandbox.physics.stepping.making import make_world
+from sandbox.physics.stepping.make_world import make_world
 from tests.elsewhere import python
 from tests.physics.scenes import (
     GRAVITY,

@@ -6,8 +6,8 @@ Each takes what a person would build, and lets masses, sizes, surfaces and joint
 
 from collections.abc import Callable, Mapping
 
-from validation.compose.draft import Draft
 from validation.compose.families import driven, hanging, moving, random_trees, smooth, standing
+from validation.compose.scene_builder import Draft
 
 Family = Callable[[Draft], None]
 

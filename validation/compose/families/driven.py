@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from validation.compose.draft import Draft, held
+from validation.compose.scene_builder import Draft, held
 
 
 def motor_car(draft: Draft) -> None:

@@ -1,6 +1,6 @@
 """What hangs, and is to stay there: cranes, platforms, weights over pegs and on wheels."""
 
-from validation.compose.draft import Draft, held
+from validation.compose.scene_builder import Draft, held
 
 
 def relieved(draft: Draft) -> None:

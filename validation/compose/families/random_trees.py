@@ -2,7 +2,7 @@
 
 from math import cos, hypot, pi, sin
 
-from validation.compose.draft import Draft, held
+from validation.compose.scene_builder import Draft, held
 
 ROOM = 0.05
 """m, that is left between bodies at the start."""

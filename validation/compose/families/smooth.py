@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import cos, sin
 
-from validation.compose.draft import Draft, held
+from validation.compose.scene_builder import Draft, held
 
 
 def _untouched(draft: Draft) -> None:

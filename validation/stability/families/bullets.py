@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import Run, measured
+from validation.stability.run_measures import Run, measured
 from validation.stability.scene import MOMENTUM, Document, block, check, disc, level
 
 FAMILY = "bullets"

@@ -8,7 +8,7 @@ import numpy as np
 
 from sandbox.model.level import span
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import Run, energy, separation
+from validation.stability.run_measures import Run, energy, separation
 from validation.stability.scene import (
     GRAVITY,
     LAGRANGE,

@@ -8,7 +8,7 @@ import numpy as np
 
 from validation.formulas.machines import capstan_acceleration
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import Run, drift, mass, rows
+from validation.stability.run_measures import Run, drift, mass, rows
 from validation.stability.scene import (
     GRAVITY,
     NEWTON,

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import Run, energy
+from validation.stability.run_measures import Run, energy
 from validation.stability.scene import GRAVITY, MOMENTUM, Document, check, disc, level, rod
 
 FAMILY = "cradles"

@@ -8,7 +8,7 @@ import numpy as np
 from sandbox.model.expressions import Array
 from validation.formulas.machines import dumbbell_bounce
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import Run, mass, rows
+from validation.stability.run_measures import Run, mass, rows
 from validation.stability.scene import MOMENTUM, Document, block, check, disc, level, rod, text_of
 
 FAMILY = "dumbbells"

@@ -11,7 +11,7 @@ from sandbox.model.loading import load
 from sandbox.physics.run import build
 from sandbox.processes import spread
 from validation.stability.case import HardCase, watch
-from validation.stability.figures import Run, measured, naive_of
+from validation.stability.run_measures import Run, measured, naive_of
 from validation.stability.scene import (
     NEWTON,
     ROTATION,

@@ -13,7 +13,7 @@ from validation.formulas.energy import kepler_period, kepler_place
 from validation.formulas.lagrange import damped_oscillation, pendulum_period
 from validation.formulas.runge_kutta import solution
 from validation.stability.case import Frontier, HardCase, make
-from validation.stability.figures import Run, drift, energy, measured
+from validation.stability.run_measures import Run, drift, energy, measured
 from validation.stability.scene import (
     GRAVITY,
     LAGRANGE,

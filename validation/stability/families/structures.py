@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import cos, pi, sin
 
 from validation.stability.case import Frontier, HardCase
-from validation.stability.figures import drift
+from validation.stability.run_measures import drift
 from validation.stability.scene import NEWTON, Document, box, check, ground, level, pile, rounded
 
 FAMILY = "structures"

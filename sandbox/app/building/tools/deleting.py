@@ -2,7 +2,7 @@
 
 import pygame
 
-from sandbox.app.building.spot import Part, Spot
+from sandbox.app.building.pointer import Part, Spot
 from sandbox.app.building.tools.tool import Bench
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen

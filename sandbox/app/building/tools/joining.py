@@ -7,13 +7,13 @@ from typing import NamedTuple, get_args
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.spot import Spot
+from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.tool import Bench
 from sandbox.app.drawing.text import Pen
 from sandbox.app.words.language import later, say
 from sandbox.editing.edits import joints
+from sandbox.editing.edits.edit_result import Made
 from sandbox.editing.edits.joints import Pick
-from sandbox.editing.edits.made import Made
 from sandbox.model.joints import KINDS, Joint
 from sandbox.model.level import Level
 

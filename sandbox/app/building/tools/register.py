@@ -1,9 +1,9 @@
 """The tools: one list, from which the palette, the keys and the help are derived."""
 
 from sandbox.app.building.tools.deleting import DeleteTool
+from sandbox.app.building.tools.discs_and_boxes import BoxTool, DiscTool
 from sandbox.app.building.tools.joining import JoinTool
 from sandbox.app.building.tools.selecting import SelectTool
-from sandbox.app.building.tools.stretching import BoxTool, DiscTool
 from sandbox.app.building.tools.tool import Kind
 from sandbox.app.building.tools.tracing import CurveTool, PolygonTool, SurfaceTool
 

@@ -9,13 +9,13 @@ import pygame
 
 from sandbox.app.building import handles, preview
 from sandbox.app.building.handles import Handle
-from sandbox.app.building.sketch import Drawn
-from sandbox.app.building.spot import Part, Snapped, Spot
+from sandbox.app.building.partial_level import Drawn
+from sandbox.app.building.pointer import Part, Snapped, Spot
 from sandbox.app.building.tools.tool import STILL, Bench
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
+from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
-from sandbox.app.words.wording import number
 from sandbox.editing.edits import transforms
 from sandbox.editing.edits.handles import drag_handle
 from sandbox.model.level import Level

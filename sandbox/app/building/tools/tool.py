@@ -6,11 +6,11 @@ from typing import Protocol
 
 import pygame
 
-from sandbox.app.building.sketch import Sketch
-from sandbox.app.building.spot import Part, Snapped, Spot
+from sandbox.app.building.partial_level import Sketch
+from sandbox.app.building.pointer import Part, Snapped, Spot
 from sandbox.app.drawing.camera import Camera
 from sandbox.app.drawing.text import Pen
-from sandbox.editing.edits.made import Made
+from sandbox.editing.edits.edit_result import Made
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 

@@ -5,13 +5,13 @@ from math import atan2, degrees, dist
 import pygame
 
 from sandbox.app.building import preview
-from sandbox.app.building.spot import Spot
+from sandbox.app.building.pointer import Spot
 from sandbox.app.building.tools.tool import Bench
 from sandbox.app.drawing.text import Pen
+from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
-from sandbox.app.words.wording import number
 from sandbox.editing.edits import bodies
-from sandbox.editing.edits.made import Made
+from sandbox.editing.edits.edit_result import Made
 from sandbox.model.level import Level
 from sandbox.model.shapes import XY
 

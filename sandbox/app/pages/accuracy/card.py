@@ -8,12 +8,12 @@ from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say, title
 from sandbox.model.level import Check, Level, Stepping
 from sandbox.physics.accuracy.study import Here, Progress, Split
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 
 PARTS = (later("model"), later("numerical"), later("remaining"))
 
@@ -37,12 +37,12 @@ def asked(
     card.heading(say("Accuracy and its price"))
     wanted = say("Ask for an accuracy:")
     if target is not None:
-        wanted = say("Asked for: {error}", error=wording.error(target))
+        wanted = say("Asked for: {error}", error=formatting.error(target))
     card.text(wanted, 14, bold=target is not None)
-    scheme = wording.scheme(stepping.scheme)
+    scheme = formatting.scheme(stepping.scheme)
     told = say("now {scheme} at {rate:g} Hz", scheme=scheme, rate=stepping.rate)
     if here is not None:
-        told = say("{setting}, error {error}", setting=told, error=wording.error(here.error))
+        told = say("{setting}, error {error}", setting=told, error=formatting.error(here.error))
     card.text(told, 13, theme.DIM)
     _least_known(card, place)
     card.y += GAP
@@ -51,7 +51,7 @@ def asked(
 
 def _least_known(card: Card, place: Trust | None) -> None:
     """Add two lines, as high before it is known as after."""
-    known = "" if place is None else wording.trusted(place)
+    known = "" if place is None else formatting.trusted(place)
     what = say("not measured yet") if place is None else place.quantity
     for line in (say("least known place: {place}", place=what), known):
         text = card.pen.shorten(line, card.width, 12)
@@ -69,7 +69,7 @@ def status(
         for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
             surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
-        told = say(progress.told, scheme=wording.scheme(progress.scheme))
+        told = say(progress.told, scheme=formatting.scheme(progress.scheme))
         surface.blit(pen.write(pen.shorten(told, size[0], 12), 12, theme.DIM), (0, 0))
         surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
         surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
@@ -120,7 +120,7 @@ def _split(card: Card, check: Check, words: Say, split: Split) -> None:
             told = say("model out of range: it needs {condition}", condition=source)
         card.text(told, 12, theme.NOTICE)
         numerical = say("numerical")
-        card.text(f"{numerical} {wording.error(split.numerical)}", 12, theme.DIM)
+        card.text(f"{numerical} {formatting.error(split.numerical)}", 12, theme.DIM)
         return
     column = card.width // len(PARTS)
     values = (split.model, split.numerical, split.remaining)
@@ -128,7 +128,7 @@ def _split(card: Card, check: Check, words: Say, split: Split) -> None:
     for i, (name, value) in enumerate(zip(PARTS, values, strict=True)):
         color = theme.TEXT if value and value == largest else theme.DIM
         card.put(card.pen.write(say(name), 11, theme.DIM), i * column)
-        told = say("none seen") if not value else wording.error(value)
+        told = say("none seen") if not value else formatting.error(value)
         card.put(card.pen.write(told, 13, color), i * column, card.pen.height(11) - 1)
     card.y += card.pen.height(11) + card.pen.height(13)
 

@@ -9,7 +9,7 @@ import pygame
 from sandbox.app.drawing import lines, signs, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
 from sandbox.physics.accuracy.study import Here, Point
@@ -111,7 +111,7 @@ def legend(pen: Pen, width: int, points: Sequence[Point]) -> pygame.Surface:
     for i, scheme in enumerate(schemes):
         x, y = (i % 2) * width // 2, (i // 2) * height
         signs.sign(surface, _place(scheme), colors()[scheme], (x + 6, y + height // 2))
-        surface.blit(pen.write(wording.scheme(scheme), 12, theme.DIM), (x + 16, y))
+        surface.blit(pen.write(formatting.scheme(scheme), 12, theme.DIM), (x + 16, y))
     return surface
 
 

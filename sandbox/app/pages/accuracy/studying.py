@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING
 from sandbox.app.background import Background, Work
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.level import Level
 from sandbox.physics.accuracy import study
 from sandbox.physics.accuracy.calibration import BUDGET, Setting
 from sandbox.physics.accuracy.study import Failed, Here, Point, Progress, Split
-from sandbox.physics.accuracy.trust import Trust, least_known
+from sandbox.physics.accuracy.trusted_digits import Trust, least_known
 
 if TYPE_CHECKING:
     from sandbox.physics.accuracy.candidates import Offer
@@ -201,7 +201,7 @@ def _play_with(session: Session, setting: Setting) -> str:
             whatif.repace(session, setting.playable.stepping)
     except SandboxError as error:
         return str(error)
-    return wording.offer(setting)
+    return formatting.offer(setting)
 
 
 def _resolved(session: Session) -> Level:

@@ -6,13 +6,13 @@ import pygame
 from pygame_gui.core import ObjectID, UIElement
 from pygame_gui.elements import UIButton
 
-from sandbox.app.building.act import Act
+from sandbox.app.building.button_action import Act
 from sandbox.app.cards.card import Card, heading
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.text_field import Field
 
 HEIGHT = 24  # px, of a button and of a field
 GAP = 4  # px, between two

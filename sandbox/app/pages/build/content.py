@@ -4,10 +4,10 @@ from functools import partial
 from typing import NamedTuple
 
 from sandbox.app.building import fields, inspection
-from sandbox.app.building.act import Act
 from sandbox.app.building.arranging import arrangements
+from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
-from sandbox.app.building.offering import offers
+from sandbox.app.building.file_offers import offers
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session

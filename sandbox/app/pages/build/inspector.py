@@ -6,15 +6,15 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 import pygame
 from pygame_gui.elements import UIButton
 
-from sandbox.app.building.act import Act
+from sandbox.app.building.button_action import Act
 from sandbox.app.building.fields import Entry, Row, Section, caption_of
 from sandbox.app.drawing import theme
 from sandbox.app.pages.build.column import GAP, HEIGHT, Column
-from sandbox.app.widgets.field import Field
-from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.text_field import Field
+from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words.language import later, say
-from sandbox.model.locating import Path
+from sandbox.model.json_positions import Path
 
 LABEL = 98  # px
 UNIT = 44  # px

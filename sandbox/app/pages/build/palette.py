@@ -12,8 +12,8 @@ from sandbox.app.building.tools.joining import kinds
 from sandbox.app.building.tools.register import TOOLS
 from sandbox.app.pages.build.column import GAP, HEIGHT, SIZE, SMALL, beside
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.gui import allow, press, stretched
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.widget_helpers import allow, press, stretched
 from sandbox.app.words.language import later, say, say_in
 
 ACROSS = 4

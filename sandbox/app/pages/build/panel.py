@@ -10,7 +10,7 @@ from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_CHANGED, UI_TEXT_ENTRY_F
 from pygame_gui.elements import UIButton
 
 from sandbox.app.building import inspection
-from sandbox.app.building.act import Act
+from sandbox.app.building.button_action import Act
 from sandbox.app.building.editor import Editor
 from sandbox.app.building.fields import Row
 from sandbox.app.pages.build import content
@@ -19,13 +19,13 @@ from sandbox.app.pages.build.content import Block
 from sandbox.app.pages.build.inspector import Inspector, Line
 from sandbox.app.pages.build.palette import Palette
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.gui import press, scroll
 from sandbox.app.widgets.sheet import Sheet
+from sandbox.app.widgets.widget_helpers import press, scroll
 from sandbox.app.words.language import say
-from sandbox.model import locating
+from sandbox.model import json_positions
 
 if TYPE_CHECKING:
-    from sandbox.app.widgets.field import Field
+    from sandbox.app.widgets.text_field import Field
 
 Blocks = tuple[Sequence[Block], Sequence[Block], Sequence[Block]]
 
@@ -50,8 +50,8 @@ class BuildPage:
         self._buttons: list[UIButton] = []
         self._acts: list[tuple[UIButton, Act]] = []
         self._name: Field | None = None
-        self._offered: dict[locating.Path, list[str]] = {}
-        self._refused: dict[locating.Path, str] = {}
+        self._offered: dict[json_positions.Path, list[str]] = {}
+        self._refused: dict[json_positions.Path, str] = {}
         self._selected: object = None
         self._shape: object = None
         sheet.typed = self
@@ -195,7 +195,7 @@ class BuildPage:
         return content.above(editor, self._session), below, content.arranging(editor)
 
     def _build(
-        self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[locating.Path]
+        self, blocks: Blocks, rows: Sequence[Row], numbers: Collection[json_positions.Path]
     ) -> None:
         above, below, last = blocks
         self.inspector.keep()

@@ -9,7 +9,7 @@ from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
 from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
@@ -118,9 +118,13 @@ def _goal(card: Card, outcome: Outcome, label: str) -> None:
     card.put(card.pen.write(_SIGNS[outcome.standing], 14, color, bold=True), 4)
     card.text(label, 14, bold=True, indent=card.indent)
     value = outcome.measured
-    now = "–" if value is None else wording.quantity(value, outcome.unit, 4)
+    now = "–" if value is None else formatting.quantity(value, outcome.unit, 4)
     card.columns(
-        ((now, theme.TEXT), (wording.bounds(outcome), theme.DIM), (say(outcome.standing), color)),
+        (
+            (now, theme.TEXT),
+            (formatting.bounds(outcome), theme.DIM),
+            (say(outcome.standing), color),
+        ),
         13,
     )
     card.y += GAP

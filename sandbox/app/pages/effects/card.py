@@ -9,7 +9,7 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say
 from sandbox.physics.measuring.comparison import Difference
@@ -31,7 +31,7 @@ def compared(
         card.text(say(TOUCHED_ONE), 14, theme.NOTICE)
         return card.drawn()
     if cost is not None:
-        told = say("time: {cost}", cost=wording.step_cost(cost).replace("-", wording.MINUS))
+        told = say("time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS))
         card.text(told, 13)
     if all(found.before is found.after is None for found in differences):
         card.text(say("Play to see what it changes."), 13, theme.DIM)
@@ -45,7 +45,7 @@ def compared(
         card.y += GAP
         card.text(words(difference.label) or difference.quantity, 14, bold=True, indent=card.indent)
         numbers = (difference.before, difference.after)
-        values = ["–" if n is None else wording.quantity(n, difference.unit) for n in numbers]
+        values = ["–" if n is None else formatting.quantity(n, difference.unit) for n in numbers]
         part = difference.relative
         values.append("" if part is None else f"{100 * part:+.3g} %")
         card.columns([(value, theme.TEXT) for value in values], 13)

@@ -13,12 +13,12 @@ from sandbox.app.pages.effects import whatif
 from sandbox.app.pages.effects.card import compared, effects_intro, unchanged
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.companions import NONE
-from sandbox.app.widgets.gui import allow, press
 from sandbox.app.widgets.sheet import Sheet, below
-from sandbox.app.words import level_words, wording
+from sandbox.app.widgets.widget_helpers import allow, press
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
+from sandbox.model.effect_variants import DEFAULTS
 from sandbox.model.errors import SandboxError
-from sandbox.model.variants import DEFAULTS
 
 if TYPE_CHECKING:
     from sandbox.physics.measuring.comparison import Difference
@@ -27,7 +27,7 @@ SWITCH = 28  # px, the height of a switch
 GAP = 6  # px
 SCALE = 24  # px, the width of a button beside a switch
 SCALES: Mapping[str, tuple[float, str]] = {
-    wording.MINUS: (0.5, later("half as strong")),
+    formatting.MINUS: (0.5, later("half as strong")),
     "+": (2.0, later("twice as strong")),
 }
 LEFT = later("The level's scheme, fourth order, is not for this: both runs go by leapfrog.")

@@ -6,12 +6,12 @@ from dataclasses import replace
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.companions import NONE, Changes, Variant
 from sandbox.app.runs.session import Session
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, say
+from sandbox.model.effect_variants import DEFAULTS, vary
 from sandbox.model.effects.contract import Settings
 from sandbox.model.level import Level, Scheme, Stepping
 from sandbox.model.schemes import unsmooth
-from sandbox.model.variants import DEFAULTS, vary
 from sandbox.physics.measuring.comparison import Difference, differences
 
 DECLARED = later("as the level declares it")
@@ -164,9 +164,9 @@ def cost(session: Session) -> float | None:
 
 def told(session: Session, found: Sequence[Difference]) -> str:
     """Say in one sentence what the change makes of the level, and what it costs."""
-    said = list(wording.summary(found, level_words.of(session.original)))
+    said = list(formatting.summary(found, level_words.of(session.original)))
     price = cost(session)
     if price is not None:
-        said.append(wording.step_cost(price))
-    text = f"{session.changes.told}: {', '.join(said) or say(wording.NO_DIFFERENCE)}"
-    return text.replace(" -", f" {wording.MINUS}")
+        said.append(formatting.step_cost(price))
+    text = f"{session.changes.told}: {', '.join(said) or say(formatting.NO_DIFFERENCE)}"
+    return text.replace(" -", f" {formatting.MINUS}")

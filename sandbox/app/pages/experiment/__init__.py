@@ -1,6 +1,6 @@
 """The page of experiments: what comes of a run, over all values of a parameter."""
 
-from sandbox.app.pages.experiment.exploring import Exploring
+from sandbox.app.pages.experiment.chosen_curve import Exploring
 from sandbox.app.pages.experiment.panel import ExperimentPage
 from sandbox.app.pages.page import Page
 

@@ -8,12 +8,12 @@ import pygame
 from sandbox.app.cards.card import GAP, Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.pages.experiment.exploring import Chosen, Exploring
+from sandbox.app.pages.experiment.chosen_curve import Chosen, Exploring
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import later, plural, say
 from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
@@ -90,14 +90,14 @@ def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
         return
-    value = wording.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
+    value = formatting.quantity(point.at, level.parameters[chosen.parameter].unit, 4)
     if point.measured is None:
         reason = point.failure or say("that did not happen in this run")
         card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
         return
-    told = f"{chosen.parameter} = {value}: {wording.number(point.measured, 5)}"
+    told = f"{chosen.parameter} = {value}: {formatting.number(point.measured, 5)}"
     if point.expected is not None:
-        told += say(", closed form {value}", value=wording.number(point.expected, 5))
+        told += say(", closed form {value}", value=formatting.number(point.expected, 5))
     card.text(told, 12, theme.NOTICE)
 
 

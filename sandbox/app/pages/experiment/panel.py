@@ -6,11 +6,11 @@ from pygame_gui.elements import UISelectionList
 
 from sandbox.app.cards.card import heading
 from sandbox.app.pages.experiment.card import curve, nearest, span_of
-from sandbox.app.pages.experiment.exploring import Exploring, measures
+from sandbox.app.pages.experiment.chosen_curve import Exploring, measures
 from sandbox.app.pages.experiment.sampling import Point
 from sandbox.app.pages.page import Desk
 from sandbox.app.widgets.sheet import Sheet, below
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 
@@ -89,7 +89,7 @@ class ExperimentPage:
         except SandboxError as error:
             return str(error)
         unit = self._session.level.parameters[chosen.parameter].unit
-        value = wording.quantity(point.at, unit, 4)
+        value = formatting.quantity(point.at, unit, 4)
         return say("now with {name} = {value}", name=chosen.parameter, value=value)
 
     def update(self) -> None:

@@ -9,7 +9,7 @@ from sandbox.experiments.running import measured
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
-from sandbox.model.parts import Fault
+from sandbox.model.level_parts import Fault
 
 COUNT = 65
 """How many values of the parameter are tried: the ends, and halves of halves between them."""

@@ -8,12 +8,12 @@ from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.observing import looking
+from sandbox.app.observing import selected_body
 from sandbox.app.pages.forces import diagram
 from sandbox.app.pages.forces.axes import Axes, components
 from sandbox.app.runs.session import Session
+from sandbox.app.words.formatting import number
 from sandbox.app.words.language import later, say
-from sandbox.app.words.wording import number
 from sandbox.model.shapes import XY
 from sandbox.physics.measuring.free_body import FreeBody
 
@@ -58,16 +58,22 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     """Add a row for each force, their sum, and mass times acceleration."""
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
-    for acting in looking.felt(found):
+    for acting in selected_body.felt(found):
         cells = _told(acting.force, first)
-        _row(card, looking.title(acting), looking.color(acting), cells, theme.TEXT)
+        _row(card, selected_body.title(acting), selected_body.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
     card.y += 2
     card.put(line, 0)
     card.y += 3
-    _row(card, say("sum"), None, _told(looking.cleared(found.net, found), first), theme.RESULTANT)
-    _row(card, "m a", None, _told(looking.cleared(found.gain, found), first), theme.RESULTANT)
+    _row(
+        card,
+        say("sum"),
+        None,
+        _told(selected_body.cleared(found.net, found), first),
+        theme.RESULTANT,
+    )
+    _row(card, "m a", None, _told(selected_body.cleared(found.gain, found), first), theme.RESULTANT)
     if found.moment:
         card.y += 4
         spin = found.moment * found.angular_acceleration
@@ -75,15 +81,17 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
         scale = max(levers, default=0.0)
         for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
-            told = number(0.0 if abs(value) < looking.FAINT * scale else value, 3)
+            told = number(0.0 if abs(value) < selected_body.FAINT * scale else value, 3)
             _row(card, name, None, ("", "", f"{told} N m"), theme.DIM)
     card.y += 4
 
 
 def _told(force: XY, first: XY) -> tuple[str, ...]:
     size = hypot(*force)
-    parts = (0.0 if abs(part) < looking.FAINT * size else part for part in components(force, first))
-    return looking.newtons(size), *(looking.newtons(part) for part in parts)
+    parts = (
+        0.0 if abs(part) < selected_body.FAINT * size else part for part in components(force, first)
+    )
+    return selected_body.newtons(size), *(selected_body.newtons(part) for part in parts)
 
 
 def _row(card: Card, name: str, mark: Color | None, cells: tuple[str, ...], color: Color) -> None:

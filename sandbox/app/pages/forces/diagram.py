@@ -7,7 +7,7 @@ import pygame
 
 from sandbox.app.drawing import lines, theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.observing import looking
+from sandbox.app.observing import selected_body
 from sandbox.app.stage.labels import Labels
 from sandbox.app.words.language import say
 from sandbox.model.shapes import XY
@@ -24,7 +24,7 @@ FLAT = 0.04
 
 def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
     """Draw all forces from one point, and the net force, each with its name and its size [px]."""
-    surface, forces = _sheet(size), looking.felt(found)
+    surface, forces = _sheet(size), selected_body.felt(found)
     vectors = [(acting.force[0], -acting.force[1]) for acting in forces]
     low_x, high_x, low_y, high_y = _extent([(0.0, 0.0), *vectors])
     scale = _scale(size, (pen.px(FREE[0]), pen.px(FREE[1])), high_x - low_x, high_y - low_y)
@@ -36,7 +36,7 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
         turn = atan2(y, x)
         start = center[0] - off * sin(turn), center[1] + off * cos(turn)
         end = start[0] + x * scale, start[1] + y * scale
-        lines.arrow(surface, looking.color(acting), start, end, WIDTH)
+        lines.arrow(surface, selected_body.color(acting), start, end, WIDTH)
         for covered in _along(start, end):
             labels.take(covered)
         ends.append((acting, start, end))
@@ -44,7 +44,7 @@ def free_body(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surfac
     labels.take(pygame.Rect(center[0] - 7, center[1] - 7, 14, 14))
     for acting, start, end in ends:
         if hypot(end[0] - start[0], end[1] - start[1]) >= SHORTEST:
-            image = pen.write(looking.text(acting, found), 12, looking.color(acting))
+            image = pen.write(selected_body.text(acting, found), 12, selected_body.color(acting))
             _tell(surface, image, labels, start, end)
     return surface
 
@@ -54,7 +54,7 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
 
     Those along one line are drawn beside each other, or nothing of them would be seen.
     """
-    surface, forces = _sheet(size), looking.felt(found)
+    surface, forces = _sheet(size), selected_body.felt(found)
     corners = [(0.0, 0.0)]
     for acting in forces:
         x, y = corners[-1]
@@ -74,15 +74,15 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
         return x0 + x * scale + dx * by, y0 + y * scale + dy * by
 
     for i, acting in enumerate(forces):
-        lines.arrow(surface, looking.color(acting), pixel(i, i), pixel(i + 1, i), WIDTH)
+        lines.arrow(surface, selected_body.color(acting), pixel(i, i), pixel(i + 1, i), WIDTH)
         if aside and i:
             lines.dashed(surface, theme.AXIS, (pixel(i, i - 1), pixel(i, i)), 2, 2)
     last = len(forces)
     start, end = pixel(0, last if aside else 0), pixel(last, last if aside else 0)
-    net = hypot(*looking.cleared(found.net, found))
+    net = hypot(*selected_body.cleared(found.net, found))
     if net:
         lines.arrow(surface, theme.RESULTANT, start, end, WIDTH + 1)
-    told = say("sum {force} N", force=looking.newtons(net))
+    told = say("sum {force} N", force=selected_body.newtons(net))
     surface.blit(pen.write(told, 12, theme.RESULTANT), (4, 2))
     return surface
 

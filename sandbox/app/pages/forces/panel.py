@@ -7,8 +7,8 @@ from pygame_gui.elements import UIButton
 from sandbox.app.pages.forces.axes import Axes
 from sandbox.app.pages.forces.card import forces
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words.language import say
 
 HEIGHT = 26  # px, of a button

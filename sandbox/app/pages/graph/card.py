@@ -15,11 +15,11 @@ from sandbox.app.pages.graph.zoom import WHOLE, Graph, Zoom
 from sandbox.app.runs.session import Session
 from sandbox.app.widgets import plot
 from sandbox.app.widgets.plot import Scale, Series
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.arithmetic import ExpressionError
 from sandbox.model.expressions import Array
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 from sandbox.physics.measuring.grading import applies
 from sandbox.physics.metering.meter import Meter
 from sandbox.physics.stepping.world import World
@@ -120,7 +120,7 @@ def _told(
     indent = card.pen.px(16) if len(up) > 1 else 0
     row = -1 if cursor is None else int(np.argmin(np.abs(columns[across] - cursor)))
     for name in these:
-        value = wording.quantity(float(columns[name][row]), units[name], 4)
+        value = formatting.quantity(float(columns[name][row]), units[name], 4)
         right = card.pen.write(value, 13, theme.TEXT)
         left = card.pen.write(
             card.pen.shorten(name, card.width - right.width - 12 - indent, 13), 13, _color(name, up)
@@ -133,8 +133,8 @@ def _told(
         card.put(right, card.width - right.width)
         card.y += left.height
         if name in trust:
-            card.text(wording.trusted(trust[name]), 12, theme.DIM)
-    at = wording.quantity(float(columns[across][row]), units[across], 4)
+            card.text(formatting.trusted(trust[name]), 12, theme.DIM)
+    at = formatting.quantity(float(columns[across][row]), units[across], 4)
     told = say("at {quantity} = {value}", quantity=across, value=at)
     card.text(told, 12, theme.DIM if cursor is None else theme.NOTICE)
 

@@ -8,12 +8,12 @@ from sandbox.app.pages.graph.card import closed_forms, measured
 from sandbox.app.pages.graph.zoom import Graph, Interval
 from sandbox.app.runs.session import Session
 from sandbox.app.words import level_words
+from sandbox.app.words.formatting import with_unit_in_brackets
 from sandbox.app.words.language import say
-from sandbox.app.words.wording import with_unit_in_brackets
-from sandbox.extras import needed_for
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Array
 from sandbox.model.files import write_atomically
+from sandbox.optional_packages import needed_for
 
 WIDTH, HEIGHT = 7.0, 3.2  # inches, of each graph
 STYLES = {"run": ("-", 1.6), "closed": ("--", 1.0), "earlier": ("-", 0.8)}

@@ -21,8 +21,8 @@ from sandbox.app.pages.graph.figure import figure
 from sandbox.app.pages.graph.zoom import NOTCH, SHIFT, WHOLE, Zooming
 from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.text_field import Field
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.quantities import TIME

@@ -5,7 +5,7 @@ import pygame
 from sandbox.app.cards.card import Card
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
-from sandbox.app.words import level_words, wording
+from sandbox.app.words import formatting, level_words
 from sandbox.app.words.language import say
 from sandbox.model.expressions import Values
 from sandbox.model.level import Level
@@ -36,7 +36,7 @@ def settings(pen: Pen, width: int, level: Level, values: Values) -> pygame.Surfa
     card, words = Card(pen, width), level_words.of(level)
     card.heading(say("Parameters"))
     for name, parameter in level.parameters.items():
-        value = wording.with_unit(wording.setting(values[name]), parameter.unit)
+        value = formatting.with_unit(formatting.setting(values[name]), parameter.unit)
         right = pen.write(value, 14, theme.TEXT)
         called = _title(name, words(parameter.label))
         label = pen.write(pen.shorten(called, width - right.width - 8), 14, theme.DIM)

@@ -11,9 +11,9 @@ from sandbox.app.pages.accuracy.studying import Studying
 from sandbox.app.pages.level.card import header
 from sandbox.app.pages.page import Desk
 from sandbox.app.runs.session import Session
-from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.parameters import Parameters
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say
 

@@ -12,7 +12,7 @@ from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
 from sandbox.app.runs.session import Session
 from sandbox.app.stage import momenta
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import plural, say
 from sandbox.model.expressions import Array
 from sandbox.physics.stepping.world import World
@@ -98,7 +98,7 @@ def _add_bars(card: Card, row: Momentum, scale: float, colors: Sequence[Color]) 
         card.put(pen.write(axis, 13, own), pen.px(LABEL))
         drawn = bar(length, value / scale if scale else 0.0, color, pen.px(10))
         card.put(drawn, left, pen.px(5))
-        text = pen.write(wording.quantity(value, momenta.UNIT, 4), 13)
+        text = pen.write(formatting.quantity(value, momenta.UNIT, 4), 13)
         card.put(text, width - text.width)
         card.y += pen.height(13)
     card.y += 3
@@ -116,7 +116,7 @@ def _add_table(card: Card, rows: Sequence[Momentum], note: str) -> None:
     for row in rows:
         card.put(pen.write(row.name, 13, theme.DIM), 0)
         for value, end in zip(row.value.tolist(), ends, strict=True):
-            text = pen.write(wording.number(value, 3), 13)
+            text = pen.write(formatting.number(value, 3), 13)
             card.put(text, end - text.width)
         card.y += pen.height(13) + 1
 

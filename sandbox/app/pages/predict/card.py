@@ -12,7 +12,7 @@ from sandbox.app.pages.predict.judging import LIMITS, Outcome
 from sandbox.app.pages.predict.neglected import Trial, Trying
 from sandbox.app.pages.predict.questions import FACTORS, when
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
@@ -103,7 +103,7 @@ def _compared(card: Card, outcome: Outcome) -> None:
         (say("simulation"), outcome.simulated, ""),
     ]
     for name, value, apart in rows:
-        told = wording.quantity(value, outcome.unit)
+        told = formatting.quantity(value, outcome.unit)
         card.columns([(name, theme.DIM), (told, theme.TEXT), (apart, theme.DIM)], 14)
 
 
@@ -112,7 +112,7 @@ def _apart(outcome: Outcome, value: float) -> str:
     apart = outcome.apart(value)
     if abs(apart) < 1e-9:
         return say("equal")
-    far = wording.share(apart) if outcome.scale else wording.quantity(apart, outcome.unit, 3)
+    far = formatting.share(apart) if outcome.scale else formatting.quantity(apart, outcome.unit, 3)
     return f"+{far}" if apart > 0 else far
 
 
@@ -153,7 +153,7 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     value = outcome.simulated + trial.after - trial.before
     change = _apart(outcome, value)
     card.columns(
-        [(say("would make it"), theme.DIM), (wording.quantity(value, outcome.unit), theme.TEXT),
+        [(say("would make it"), theme.DIM), (formatting.quantity(value, outcome.unit), theme.TEXT),
          (change, theme.TEXT)], 13,
     )  # fmt: skip
     off = outcome.apart(outcome.predicted)

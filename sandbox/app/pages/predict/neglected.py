@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.companions import Changes
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
+from sandbox.model.effect_variants import Variation
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
 from sandbox.model.level import Check, Level
-from sandbox.model.variants import Variation
 from sandbox.physics.measuring.grading import grade_check
 from sandbox.physics.run import simulate
 
@@ -33,7 +33,7 @@ class Trial:
     @property
     def told(self) -> str:
         """What was tried, in words."""
-        return wording.variations(self.effects)
+        return formatting.variations(self.effects)
 
 
 def trials(level: Level, values: Values, check: Check) -> Iterator[Trying | Trial]:

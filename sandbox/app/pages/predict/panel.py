@@ -9,8 +9,8 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.pages.predict import card
 from sandbox.app.pages.predict.predicting import Predicting
 from sandbox.app.pages.predict.questions import questions, unit_of, when
-from sandbox.app.widgets.field import Field
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.text_field import Field
 from sandbox.app.words import level_words
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check

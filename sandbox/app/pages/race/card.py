@@ -11,7 +11,7 @@ from sandbox.app.drawing.theme import Color
 from sandbox.app.pages.race import race
 from sandbox.app.pages.race.race import Lane
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Scheme
 
@@ -47,13 +47,13 @@ def _lanes(pen: Pen, width: int, found: Sequence[Lane], rate: float) -> pygame.S
     for place, lane in enumerate(found):
         card.y += GAP + 2
         card.put(_swatch(lane.color, place - 1), 0, 8)
-        card.text(wording.scheme(lane.scheme), 14, bold=True, indent=card.indent)
+        card.text(formatting.scheme(lane.scheme), 14, bold=True, indent=card.indent)
         if remark := _REMARKS.get(lane.scheme):
             card.text(say(remark), 12, theme.DIM, indent=card.indent)
         if lane.failure:
             card.text(lane.failure, 12, theme.FAILED, indent=card.indent)
-        error = "–" if lane.error is None else wording.error(lane.error)
-        cost = "–" if lane.cost is None else f"{wording.number(1e3 * lane.cost, 3)} ms"
+        error = "–" if lane.error is None else formatting.error(lane.error)
+        cost = "–" if lane.cost is None else f"{formatting.number(1e3 * lane.cost, 3)} ms"
         card.columns([(error, theme.TEXT), (cost, theme.TEXT), ("", theme.TEXT)], 14)
     return card.drawn()
 

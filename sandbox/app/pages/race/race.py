@@ -11,7 +11,7 @@ from sandbox.app.pages.effects import whatif
 from sandbox.app.runs.clock import Clock
 from sandbox.app.runs.companions import Variant, worst
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
 from sandbox.model.errors import SandboxError
 from sandbox.model.expressions import Values
@@ -58,7 +58,7 @@ def rivals(level: Level, values: Values) -> list[Variant]:
     """Return the other schemes that a level can use."""
     forms = islice(_forms(level, values), MOST - 1)
     return [
-        Variant(wording.scheme(form.stepping.scheme), form, lane)
+        Variant(formatting.scheme(form.stepping.scheme), form, lane)
         for form, lane in zip(forms, range(len(theme.LANES)), strict=False)
     ]
 
@@ -104,7 +104,7 @@ def rows(session: Session) -> list[tuple[Color | None, str]]:
 
 
 def _told(lane: Lane) -> str:
-    name = wording.scheme(lane.scheme)
+    name = formatting.scheme(lane.scheme)
     if lane.error is None:
         return name
-    return say("{scheme}: error {error}", scheme=name, error=wording.error(lane.error))
+    return say("{scheme}: error {error}", scheme=name, error=formatting.error(lane.error))

@@ -14,8 +14,8 @@ from sandbox.app.drawing import theme
 from sandbox.app.files import preferences
 from sandbox.app.files.preferences import Comfort
 from sandbox.app.pages.page import Desk
-from sandbox.app.widgets.gui import press
 from sandbox.app.widgets.sheet import Sheet, below
+from sandbox.app.widgets.widget_helpers import press
 from sandbox.app.words import language
 from sandbox.app.words.language import say, say_in
 

@@ -9,9 +9,9 @@ from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.pages.graph.card import measured
 from sandbox.app.runs.session import Session
-from sandbox.app.words import wording
+from sandbox.app.words import formatting
 from sandbox.app.words.language import say
-from sandbox.physics.accuracy.trust import Trust
+from sandbox.physics.accuracy.trusted_digits import Trust
 
 ROWS = 24
 """How many instants are shown, about: evenly spaced, the last one always."""
@@ -45,7 +45,7 @@ def values(
     card, shown = Card(pen, width), names[:COLUMNS]
     card.heading(say("Values by time"))
     columns, units = measured(session.world, session.history, ["t", *shown])
-    head = ["t [s]", *(wording.with_unit_in_brackets(n, units[n]) for n in shown)]
+    head = ["t [s]", *(formatting.with_unit_in_brackets(n, units[n]) for n in shown)]
     _row(card, head, theme.ACCENT)
     for row in instants(len(columns["t"])):
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
@@ -66,8 +66,8 @@ def instants(count: int) -> Iterator[int]:
 def _cell(value: float, unit: str, trust: Trust | None) -> str:
     """Write a value with the digits that mean something; the unit stands above."""
     if trust is not None:
-        return wording.certain(value, trust.off, unit).split(" ")[0]
-    return wording.quantity(value, unit, DIGITS).split(" ")[0]
+        return formatting.certain(value, trust.off, unit).split(" ")[0]
+    return formatting.quantity(value, unit, DIGITS).split(" ")[0]
 
 
 def _row(card: Card, cells: Sequence[str], color: theme.Color) -> None:

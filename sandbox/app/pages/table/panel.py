@@ -9,7 +9,7 @@ from sandbox.app.pages.page import Desk
 from sandbox.app.pages.share import saving
 from sandbox.app.pages.table.card import values
 from sandbox.app.pages.table.stopwatch import Stopwatch
-from sandbox.app.pages.table.timing import Timing
+from sandbox.app.pages.table.stopwatch_controls import Timing
 from sandbox.app.widgets.sheet import Sheet, below
 from sandbox.app.words.language import later, say
 from sandbox.model.errors import SandboxError

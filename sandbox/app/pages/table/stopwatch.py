@@ -8,7 +8,7 @@ import pygame
 from sandbox.app.drawing import theme
 from sandbox.app.drawing.text import Pen
 from sandbox.app.drawing.theme import Color
-from sandbox.app.pages.table.occasions import BY_HAND, Found, Occasion, find
+from sandbox.app.pages.table.stopwatch_triggers import BY_HAND, Found, Occasion, find
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.app.runs.session import Session
 from sandbox.app.words.language import say

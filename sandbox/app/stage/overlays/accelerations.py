@@ -10,7 +10,7 @@ from sandbox.app.stage import momenta
 from sandbox.app.stage.marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.app.words.wording import number, rounded_up
+from sandbox.app.words.formatting import number, rounded_up
 
 _full: WeakKeyDictionary[View, float] = WeakKeyDictionary()  # m/s², of the longest arrow
 

@@ -3,7 +3,7 @@
 import pygame
 
 from sandbox.app.drawing import lines, theme
-from sandbox.app.observing import looking
+from sandbox.app.observing import selected_body
 from sandbox.app.stage.forces import LONGEST, write_beside
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
@@ -24,18 +24,18 @@ def _draw(surface: pygame.Surface, view: View) -> None:
     given = _given(view, found)
     scale = given or longest / (view.looking.full(found) or 1.0)  # px/N
     ends = []
-    for acting in looking.felt(found):
+    for acting in selected_body.felt(found):
         if given and acting.name == Force.effect.called:
             continue
         share = min(scale, CUT * longest / acting.size)
         x, y = start = view.camera.to_screen(acting.at)
         end = x + acting.force[0] * share, y - acting.force[1] * share
-        lines.arrow(surface, looking.color(acting), start, end, WIDTH)
+        lines.arrow(surface, selected_body.color(acting), start, end, WIDTH)
         ends.append((acting, start, end))
     if lines.near((center := view.camera.to_screen(found.center),)):
         pygame.draw.aacircle(surface, theme.TEXT, center, RING, 2)
     for acting, start, end in ends:  # words last: nothing is drawn over them
-        write_beside(surface, view.pen, looking.text(acting, found), start, end, view.labels)
+        write_beside(surface, view.pen, selected_body.text(acting, found), start, end, view.labels)
 
 
 def _given(view: View, found: FreeBody) -> float:

@@ -7,7 +7,7 @@ from sandbox.app.stage import momenta
 from sandbox.app.stage.marks import LONGEST
 from sandbox.app.stage.overlays.overlay import Overlay
 from sandbox.app.stage.view import View
-from sandbox.app.words.wording import nice
+from sandbox.app.words.formatting import nice
 
 WIDTH = 6.0  # px: broad, so that it is seen below the arrow of the velocity
 KEY = 16, 112, 130, 40  # px: from the right, from below, width, height of what explains the length

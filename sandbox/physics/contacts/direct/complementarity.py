@@ -22,9 +22,15 @@ from math import inf, sqrt
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.linear import REPEATS, least_distance, most, null, solved
+from sandbox.physics.contacts.direct.constraint_rows import Active, Problem
 from sandbox.physics.contacts.direct.linear_complementarity import FAINT, by_lemke
-from sandbox.physics.contacts.direct.problem import Active, Problem
+from sandbox.physics.contacts.direct.linear_systems import (
+    REPEATS,
+    least_distance,
+    most,
+    null,
+    solved,
+)
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.state.cancellation import cancellation_point
 

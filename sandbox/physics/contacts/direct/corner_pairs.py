@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.outlines import PARALLEL
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.joints.exact.constraints import Coordinates

@@ -13,7 +13,8 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll. Of curves see `curved`; a side touches one as the circle that is closest there.
+radii that roll. For curves see `curve_contacts`; a side touches one as the circle that is closest
+there.
 """
 
 from collections.abc import Sequence
@@ -24,7 +25,12 @@ from typing import NamedTuple
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.curved import Curved, follow_curves, on_curves, roll_on_curves
+from sandbox.physics.contacts.direct.curve_contacts import (
+    Curved,
+    follow_curves,
+    on_curves,
+    roll_on_curves,
+)
 from sandbox.physics.contacts.direct.outlines import Figures, Outlines
 from sandbox.physics.engine.batch import Booleans, Contacts, Integers
 from sandbox.physics.joints.exact.constraints import Coordinates

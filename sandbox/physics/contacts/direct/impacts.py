@@ -3,9 +3,9 @@
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.kick import Kick
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.newton import solve_rows
-from sandbox.physics.contacts.direct.problem import Active
 from sandbox.physics.contacts.sequential_impacts import Impacts
 from sandbox.physics.engine.batch import Booleans
 from sandbox.physics.joints.exact.constraints import QUADRATIC, angles, order, planes

@@ -7,8 +7,8 @@ last condition bounds their sum (Stewart and Trinkle 1996).
 import numpy as np
 
 from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.constraint_rows import Problem
 from sandbox.physics.contacts.direct.lemke import lemke
-from sandbox.physics.contacts.direct.problem import Problem
 
 FAINT = 1e-12
 """The share of a row's own inverse mass that is nothing."""

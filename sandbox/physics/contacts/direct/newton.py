@@ -7,9 +7,9 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
-from sandbox.physics.contacts.direct.kick import Kick
-from sandbox.physics.contacts.direct.layout import Layout
-from sandbox.physics.contacts.direct.problem import Active
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.row_layout import Layout
 from sandbox.physics.engine.batch import Integers
 from sandbox.physics.joints.exact.constraints import MAX_ITERATIONS, QUADRATIC, Rows
 from sandbox.physics.joints.exact.shake import TAUT

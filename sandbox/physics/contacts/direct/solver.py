@@ -24,18 +24,18 @@ import numpy as np
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct import impacts
-from sandbox.physics.contacts.direct.belief import Belief
+from sandbox.physics.contacts.direct.constraint_impulses import hold
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
-from sandbox.physics.contacts.direct.dividing import Divided, through
-from sandbox.physics.contacts.direct.foresight import LOOKS, Foresight
-from sandbox.physics.contacts.direct.holding import hold
-from sandbox.physics.contacts.direct.kick import Kick
-from sandbox.physics.contacts.direct.landing import land
-from sandbox.physics.contacts.direct.layout import Layouts, Surfaces
-from sandbox.physics.contacts.direct.parting import Parting
-from sandbox.physics.contacts.direct.parts import Pair
-from sandbox.physics.contacts.direct.problem import Active
-from sandbox.physics.contacts.direct.stages import Stage, Taken, halves, with_landing
+from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
+from sandbox.physics.contacts.direct.false_contacts import Belief
+from sandbox.physics.contacts.direct.kick_parts import Stage, Taken, halves, with_landing
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.landing_impacts import land
+from sandbox.physics.contacts.direct.overlap_correction import Parting
+from sandbox.physics.contacts.direct.row_layout import Layouts, Surfaces
+from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Foresight
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts

@@ -6,13 +6,13 @@ from itertools import pairwise
 import numpy as np
 import pymunk
 
+from sandbox.model.acting_events import breakable
 from sandbox.model.expressions import Values
-from sandbox.model.happenings import breakable
 from sandbox.model.level import Body, Level
 from sandbox.model.shapes import Arc, Curve, Disc, Hoop, Polygon, Polyline, Segment
-from sandbox.physics.contacts.coefficients import pair_coefficients
-from sandbox.physics.contacts.direct.layout import Surfaces
 from sandbox.physics.contacts.direct.outlines import Figure, Figures
+from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.pair_coefficients import pair_coefficients
 from sandbox.physics.contacts.shapes import DIRECT_SKIN, INSET
 from sandbox.physics.contacts.static_friction import sticking
 from sandbox.physics.engine.batch import Booleans

@@ -3,8 +3,8 @@
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.banded import Banded
 from sandbox.physics.joints.exact.constraints import Coordinates
+from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.solvability import solved
-from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
 
 MOMENT = 1e-3
 """The share of a drift over which directions are followed, before and after a step: its square is

@@ -27,11 +27,11 @@ from sandbox.physics.joints.exact.constraints import (
     Rows,
 )
 from sandbox.physics.joints.exact.distances import Row
+from sandbox.physics.joints.exact.joint_failures import check_independent, lost, overlapping
+from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
 from sandbox.physics.joints.exact.rattle import motion
-from sandbox.physics.joints.exact.refusals import check_independent, lost, overlapping
-from sandbox.physics.joints.exact.separate import alone
+from sandbox.physics.joints.exact.separate_joints import alone
 from sandbox.physics.joints.exact.solvability import solved
-from sandbox.physics.joints.exact.system import JointSystem, coordinates_of
 from sandbox.physics.state.cancellation import cancellation_point
 from sandbox.physics.state.errors import JointFailure
 

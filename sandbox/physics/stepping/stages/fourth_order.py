@@ -1,7 +1,7 @@
 """Fourth order: a step of several drifts and kicks, some of which go back in time."""
 
 from sandbox.model.expressions import Array
-from sandbox.physics.scene.compositions import fourth_order, substeps
+from sandbox.physics.scene.composition_schemes import fourth_order, substeps
 from sandbox.physics.stepping.stage import Setup, Stage
 
 

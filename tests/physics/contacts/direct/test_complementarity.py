@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.complementarity import Unsolvable, solve, solve_one
+from sandbox.physics.contacts.direct.constraint_rows import NO_FRICTION, Active, Friction, Problem
 from sandbox.physics.contacts.direct.lemke import lemke
-from sandbox.physics.contacts.direct.problem import NO_FRICTION, Active, Friction, Problem
 
 SEEDS = st.integers(0, 10_000)
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from sandbox.model.errors import LevelError
 from sandbox.model.level import Level
-from sandbox.physics.contacts.direct import complementarity, holding, solver
+from sandbox.physics.contacts.direct import complementarity, constraint_impulses, solver
 from sandbox.physics.contacts.direct.newton import newton
 from sandbox.physics.energy.ledger import Ledger
 from sandbox.physics.run import build
@@ -497,7 +497,7 @@ def test_a_high_pile_begins_at_rest_without_a_long_search(monkeypatch: pytest.Mo
 def test_what_is_driven_is_solved_once(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """A cam, and a winch, give energy by right: nobody looks for another answer that gives none."""
     world, solve = build(textbook(name)), Mock(side_effect=newton)
-    monkeypatch.setattr(holding, "newton", solve)
+    monkeypatch.setattr(constraint_impulses, "newton", solve)
     for _ in range(100):
         world.step()
 

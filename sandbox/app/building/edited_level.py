@@ -1,0 +1,260 @@
+"""A level under edit as tools see it: its text, its drawing, what is selected, and every change."""
+
+import json
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any, TypeVar
+
+from sandbox.app.building.partial_level import Sketch
+from sandbox.app.building.pointer import Part, Snapped
+from sandbox.app.building.snapping import Snapping
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.words.language import later, say
+from sandbox.editing.draft import Draft
+from sandbox.editing.edits import bodies, copying, grouping, transforms
+from sandbox.editing.edits.edit_result import Made
+from sandbox.editing.written_out import plain
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+ASIDE = 40.0  # px, of a copy from what was copied
+MARGIN = 6.0  # px; so near to a part is on it
+
+Found = TypeVar("Found")
+
+
+class Work:
+    """What is on the workbench.
+
+    Attributes
+    ----------
+    fixed
+        The fields of bodies that cannot be set here.
+    draft
+        The level's text, its undo and its file.
+    text
+        What is edited: the draft's text, with everything written out that repeats or is placed.
+    document
+        What that says.
+    sketch
+        The same as it is drawn.
+    camera
+        From where the stage is seen.
+    selected
+        The parts that are selected, the last one chosen at the end.
+    ignored
+        The bodies to which nothing snaps: those that are moved.
+    version
+        Another object whenever the text has changed.
+    news
+        Another object whenever something else is to be shown.
+    """
+
+    fixed: Collection[str] = ()
+
+    def __init__(self) -> None:
+        self.camera = Camera((1, 1))
+        self.ignored: frozenset[str] = frozenset()
+        self.snapping = Snapping(self)
+        self._told: str | None = None
+        self.selected: tuple[Part, ...] = ()
+        self._copied = ""
+        self._looked: tuple[object, dict[object, Any]] = (None, {})
+        self.take(Draft.empty())
+
+    def take(self, draft: Draft) -> None:
+        """Work on another level."""
+        self.draft, self.selected = draft, ()
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Draw what the text says now."""
+        self.text = plain(self.draft.text)
+        self.document: Mapping[str, Any] = json.loads(self.text)
+        self.sketch = Sketch(self.document)
+        self.version = object()
+        self.select(self.selected)
+
+    def once(self, look: Callable[[Level], Found]) -> Found:
+        """Return what is found in the level, and look again only when it has changed."""
+        if self._looked[0] is not self.version:
+            self._looked = self.version, {}
+        known = self._looked[1]
+        if look not in known:
+            known[look] = look(self.level)
+        found: Found = known[look]
+        return found
+
+    def tell(self, text: str) -> None:
+        """Tell something in the banner."""
+        self._told = text
+
+    def told(self) -> str | None:
+        """Return what there is to be told, once."""
+        told, self._told = self._told, None
+        return told
+
+    # what changes it
+
+    def put(self, text: str, said: str, merge: str | None = None) -> None:
+        """Go over to another text."""
+        if text != self.text:
+            if self.text != self.draft.text:
+                self.tell(
+                    say("What repeats, and groups, are written out now; Ctrl Z brings them back")
+                )
+            self.draft.change(text, said, merge)
+        self.refresh()
+
+    def change(
+        self, said: str, edit: Callable[[str, Level], str], merge: str | None = None
+    ) -> bool:
+        """Change the level, and return whether that was possible."""
+        try:
+            self.put(edit(self.text, self.level), said, merge)
+        except SandboxError as error:
+            self.tell(str(error))
+            return False
+        return True
+
+    @property
+    def level(self) -> Level:
+        """The level that the text says.
+
+        Raises
+        ------
+        SandboxError
+            If it says none.
+        """
+        level = self.draft.level
+        if level is None:
+            raise SandboxError(self.mistake)
+        return level
+
+    @property
+    def mistake(self) -> str:
+        """The first sentence of the loader about the text."""
+        first = self.draft.mistakes[0]
+        return f"{first.path}: {first.rule}" if first.path else first.rule
+
+    def make(self, said: str, edit: Callable[[str, Level], Made], family: str = "bodies") -> bool:
+        """Put something new into the level and select it; return whether that was possible."""
+        names: list[str] = []
+
+        def made(text: str, level: Level) -> str:
+            found = edit(text, level)
+            names.extend(found.names)
+            return found.text
+
+        done = self.change(said, made)
+        if done:
+            self.select([(family, name) for name in names])
+        return done
+
+    def undo(self) -> None:
+        """Take the last step back."""
+        told = later("Undone: {step}"), later("There is nothing more to undo")
+        self._stepped(*told, self.draft.undo())
+
+    def redo(self) -> None:
+        """Take the step again that was taken back last."""
+        told = later("Done again: {step}"), later("There is nothing to do again")
+        self._stepped(*told, self.draft.redo())
+
+    def _stepped(self, told: str, otherwise: str, step: str | None) -> None:
+        self.tell(say(told, step=step) if step else say(otherwise))
+        self.refresh()
+
+    def delete(self) -> None:
+        """Take out what is selected."""
+        names = [name for _, name in self.selected]
+        if names:
+            said = say("delete {names}", names=", ".join(names))
+            self.change(said, lambda text, level: bodies.take_out(text, level, names))
+
+    def nudge(self, across: int, upwards: int, share: float) -> None:
+        """Move what is selected by a share of a step of the grid."""
+        step, names = self.snapping.grid * share, self.chosen
+        by = across * step, upwards * step
+        if names:
+            self.change(say("move"), lambda t, level: transforms.move(t, level, names, by), "nudge")
+
+    def copy(self) -> None:
+        """Copy the bodies that are selected, with the joints between them."""
+        try:
+            self._copied = copying.copy(self.text, self.level, self.chosen)
+        except SandboxError as error:
+            self.tell(str(error))
+
+    def paste(self) -> None:
+        """Put what was copied beside it, and select that."""
+        copied, by = self._copied, self._aside
+        self.make(say("paste"), lambda text, level: copying.paste(text, level, copied, by))
+
+    def duplicate(self) -> None:
+        """Put what is selected a second time beside it, and select that."""
+        names, by = self.chosen, self._aside
+        self.make(say("duplicate"), lambda text, level: copying.duplicate(text, level, names, by))
+
+    def group(self) -> None:
+        """Let the bodies that are selected be selected together from now on."""
+        names = self.chosen
+        if self.change(say("group"), lambda text, level: grouping.group(text, level, names)):
+            self.tell(say("A click selects the group now, a second one the body alone"))
+
+    def ungroup(self) -> None:
+        """Let each body that is selected be selected by itself again."""
+        names = self.chosen
+        self.change(say("ungroup"), lambda text, level: grouping.ungroup(text, level, names))
+
+    @property
+    def _aside(self) -> XY:
+        """How far copies are put aside [m]."""
+        return ASIDE / self.camera.scale, ASIDE / self.camera.scale
+
+    # what is selected
+
+    def select(self, parts: Sequence[Part]) -> None:
+        """Select parts that are there, in place of those that are."""
+        there: Mapping[str, Collection[str]] = {
+            "bodies": self.sketch.bodies,
+            "joints": self.sketch.joints,
+        }
+        self.selected = tuple((f, n) for f, n in parts if n in there[f])
+        self.news = object()
+
+    def select_all(self) -> None:
+        """Select all bodies and joints."""
+        found = [("bodies", name) for name in self.sketch.bodies]
+        self.select([*found, *(("joints", name) for name in self.sketch.joints)])
+
+    @property
+    def chosen(self) -> list[str]:
+        """The bodies that are selected."""
+        return [name for family, name in self.selected if family == "bodies"]
+
+    @property
+    def groups(self) -> Sequence[Sequence[str]]:
+        """The bodies that are selected together; none while the level has mistakes."""
+        return self.draft.level.view.together if self.draft.level else ()
+
+    def with_group(self, part: Part) -> tuple[Part, ...]:
+        """Return what is selected with a part: the bodies of its group, or it alone."""
+        family, name = part
+        if family != "bodies" or self.draft.level is None:
+            return (part,)
+        return tuple((family, other) for other in grouping.group_of(self.draft.level, name))
+
+    def part_at(self, pixel: XY) -> Part | None:
+        """Return the body or joint at a pixel: pins and what moves come before lines and floors."""
+        reach, point = MARGIN / self.camera.scale, self.camera.to_world(pixel)
+        joint = self.sketch.joint_at(point, reach)
+        body = self.sketch.body_at(point, 0.0 if joint else reach)
+        covered = body is not None and self.sketch.bodies[body].outline.moves
+        if joint and (self.sketch.is_pin(joint) or not covered):
+            return "joints", joint
+        return ("bodies", body) if body else None
+
+    def snapped_by(self, names: Sequence[str], by: XY) -> Snapped:
+        """Return by how much to move bodies so that they touch what they come near [m]."""
+        return self.snapping.moved(names, by)

@@ -1,0 +1,91 @@
+"""The run as tools see it: what is thrown in, taken out or set goes on from where it stands.
+
+A change is one of the present state, as a level. The run goes on as that level from this step on,
+and keeps it among its actions, so that it can be taken again, shared, and taken back.
+"""
+
+from sandbox.app.building.edited_level import Work
+from sandbox.app.building.pointer import Part
+from sandbox.app.runs.session import Session
+from sandbox.app.words.language import later, say
+from sandbox.editing.draft import Draft
+from sandbox.editing.run_as_level import MOVES, as_it_stands
+from sandbox.model.errors import SandboxError
+from sandbox.model.shapes import XY
+from sandbox.physics.stepping.world import World
+
+KEPT = later("The present state is a level of its own now; the one that it came of stays as it was")
+
+
+class Live(Work):
+    """What is on the stage while the run is shown.
+
+    Attributes
+    ----------
+    session
+        Whose run it is.
+    """
+
+    session: Session
+    fixed = (*MOVES, "motion", "type")
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._seen: tuple[World, int] | None = None
+        self._refused = ""
+
+    @property
+    def _now(self) -> tuple[World, int]:
+        return self.session.world, self.session.world.steps
+
+    @property
+    def fresh(self) -> bool:
+        """Whether it is what the run has come to."""
+        return self._seen == self._now
+
+    def look(self) -> None:
+        """Take in where the run stands."""
+        if self.fresh:
+            return
+        self._seen, chosen = self._now, self.selected
+        try:
+            self._refused, text = "", as_it_stands(self.session.world, anew=False)
+        except SandboxError as error:
+            self._refused = say("Nothing can be changed while it runs: {error}", error=error)
+            return
+        self.take(Draft.of(text))
+        self.select(chosen)
+
+    def put(self, text: str, said: str, merge: str | None = None) -> None:
+        """Let the run go on with another text.
+
+        Raises
+        ------
+        SandboxError
+            If it cannot; then all stays as it was.
+        """
+        if self._refused:
+            raise SandboxError(self._refused)
+        if text == self.text:
+            return
+        self.session.alter(text)
+        super().put(text, said, merge)
+        self._seen = self._now
+        change = f"{said[:1].upper()}{said[1:]}"
+        self.tell(say("{change}, at {t:.2f} s", change=change, t=self.session.t))
+
+    def part_at(self, pixel: XY) -> Part | None:
+        """Return the body or joint at a pixel; none while nobody has looked where they are."""
+        return super().part_at(pixel) if self.fresh else None
+
+    def kept(self) -> Draft:
+        """Return the present state as a level of its own.
+
+        Raises
+        ------
+        SandboxError
+            If no level can begin like that.
+        """
+        draft = Draft.of(self.session.original.text)
+        draft.change(as_it_stands(self.session.world, anew=True), say("keep the run as a level"))
+        return draft

@@ -1,0 +1,242 @@
+"""A level as it is drawn while it is built: all that can be read, whatever is wrong elsewhere.
+
+Nothing has to run. A part that is as it was is not read again, so that a change to one of five
+hundred bodies takes little longer than a change to one of two.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from itertools import pairwise
+from math import dist
+from typing import Any
+
+import numpy as np
+import pygame
+from pydantic import TypeAdapter, ValidationError
+
+from sandbox.app.building.parsed_parts import Readings
+from sandbox.app.drawing import lines
+from sandbox.app.drawing.camera import Camera
+from sandbox.app.drawing.text import Pen
+from sandbox.app.stage import bodies, grid, joints
+from sandbox.app.stage.outline import Outline, outlined
+from sandbox.model.constants import let_use
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.joints import AngleStop, Joint, Rail, Stop, Winding, Wire, body_of, points
+from sandbox.model.level import Body, View, place
+from sandbox.model.shapes import XY, evaluate
+from sandbox.model.wires import along
+
+SIDEWAYS = 2000.0
+"""m, how far a rail is drawn to each side."""
+
+_JOINT: TypeAdapter[Joint] = TypeAdapter(Joint)
+_body = Readings(Body.model_validate_json)
+_joint: Readings[Joint] = Readings(_JOINT.validate_json)
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A body where it starts."""
+
+    spec: Body
+    outline: Outline
+    position: XY
+    angle: float
+
+    @property
+    def corners(self) -> list[XY]:
+        """Its corners in the plane [m]."""
+        return self.outline.placed(self.position, self.angle)
+
+    def covers(self, point: XY, margin: float) -> bool:
+        """Whether it covers a point of the plane, or comes that close to it [m]."""
+        offset = point[0] - self.position[0], point[1] - self.position[1]
+        return self.outline.covers(offset, self.angle, margin)
+
+
+@dataclass(frozen=True, slots=True)
+class Tied:
+    """A joint at the start, through points of the plane [m]."""
+
+    spec: Joint
+    path: tuple[XY, ...]
+
+
+class Sketch:
+    """What a level's text draws.
+
+    Attributes
+    ----------
+    values
+        The parameters' default values, and those of constants, as far as they can be read.
+    bodies, joints
+        What can be drawn, by name.
+    view
+        What part of the plane it asks for.
+    """
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        _body.begin()
+        _joint.begin()
+        parameters = dict(_numbers(_mapping(document, "parameters")))
+        self.values = _with_constants(parameters, _mapping(document, "constants"))
+        specs = {
+            name: spec
+            for name, part in _mapping(document, "bodies").items()
+            if (spec := _body(json.dumps(part))) is not None
+        }
+        self.bodies = dict(_drawn(specs, self.values))
+        self.joints = dict(_tied(_mapping(document, "joints"), specs, self.values))
+        self._open = _open(_mapping(document, "events"))
+        self.view = _view(json.dumps(document.get("view", {})))
+
+    def body_at(self, point: XY, margin: float) -> str | None:
+        """Return the body on top at a point, or that close to it [m]; what moves lies on top."""
+        found = [name for name, body in self.bodies.items() if body.covers(point, margin)]
+        moving = [name for name in found if self.bodies[name].outline.moves]
+        return next(reversed(moving or found), None)
+
+    def joint_at(self, point: XY, margin: float) -> str | None:
+        """Return the joint that comes so close to a point [m]; a pin before others."""
+        close = [n for n, joint in self.joints.items() if _distance(joint.path, point) <= margin]
+        return next((name for name in close if self.is_pin(name)), next(iter(close), None))
+
+    def is_pin(self, joint: str) -> bool:
+        """Whether a joint is drawn at one point."""
+        path = self.joints[joint].path
+        return all(place == path[0] for place in path)
+
+    def draw(self, surface: pygame.Surface, camera: Camera, pen: Pen) -> None:
+        """Draw all of it, on its grid."""
+        grid.draw_grid(surface, camera)
+        middle = self._middle(camera)
+        for body in self.bodies.values():
+            if not body.outline.moves:
+                place = body.position, body.angle
+                bodies.draw_surface(surface, camera, body.outline, *place, middle)
+        self._draw_joints(surface, camera, in_front=False)
+        few = len(self.bodies) <= bodies.FEW
+        for body in self.bodies.values():
+            if body.outline.moves:
+                place = body.position, body.angle
+                if few:
+                    bodies.draw_body(surface, camera, body.outline, *place, spoke=False)
+                else:
+                    bodies.draw_crowd(surface, camera, body.outline, *place)
+        self._draw_joints(surface, camera, in_front=True)
+        grid.draw_rulers(surface, camera, pen)
+        grid.draw_scale_bar(surface, camera, pen)
+
+    def _draw_joints(self, surface: pygame.Surface, camera: Camera, *, in_front: bool) -> None:
+        for name, joint in self.joints.items():
+            if name in self._open:
+                if in_front:
+                    joints.draw_open(surface, camera, joint.path)
+            elif isinstance(joint.spec, joints.IN_FRONT) is in_front:
+                joints.draw_joint(surface, camera, joint.spec, joint.path, slack=False)
+
+    def _middle(self, camera: Camera) -> XY:
+        """Return a point where things happen [m]."""
+        places = [body.position for body in self.bodies.values() if body.outline.moves]
+        if not places:
+            return camera.center
+        x, y = np.mean(places, axis=0).tolist()
+        return x, y
+
+
+def _distance(path: Sequence[XY], point: XY) -> float:
+    """Return how far a point is from a broken line [m]."""
+    if len(path) == 1:
+        return dist(point, path[0])
+    return min(lines.distance(a, b, point) for a, b in pairwise(path))
+
+
+def _mapping(document: Mapping[str, Any], name: str) -> Mapping[str, Any]:
+    """Return a part whose members have names; an empty one if it is none."""
+    part = document.get(name)
+    return part if isinstance(part, dict) else {}
+
+
+def _numbers(parameters: Mapping[str, Any]) -> Iterator[tuple[str, float]]:
+    for name, parameter in parameters.items():
+        value = parameter.get("value") if isinstance(parameter, dict) else None
+        if isinstance(value, int | float):
+            yield name, float(value)
+
+
+def _with_constants(parameters: Mapping[str, float], said: Mapping[str, Any]) -> dict[str, float]:
+    """Return the values of parameters, and of those constants that have one."""
+    values, constants = dict(parameters), dict[str, Expression]()
+    for name, formula in said.items():
+        with suppress(SandboxError, TypeError):
+            constants[name] = Expression(formula)
+    let_use(constants.values(), constants)
+    for name, constant in constants.items():
+        with suppress(SandboxError, ArithmeticError, LookupError):
+            values[name] = constant(parameters)
+    return values
+
+
+def _view(text: str) -> View:
+    try:
+        return View.model_validate_json(text)
+    except ValidationError:
+        return View()
+
+
+def _drawn(specs: Mapping[str, Body], values: Values) -> Iterator[tuple[str, Drawn]]:
+    moving = 0
+    for row, (name, spec) in enumerate(specs.items()):
+        try:
+            outline = outlined(name, row, spec, values, moving)
+            yield name, Drawn(spec, outline, evaluate(spec.position, values), spec.angle(values))
+        except (SandboxError, ArithmeticError, KeyError):  # a formula without a value here
+            continue
+        moving += spec.type != "static"
+
+
+def _tied(
+    parts: Mapping[str, Any], specs: Mapping[str, Body], values: Values
+) -> Iterator[tuple[str, Tied]]:
+    for name, part in parts.items():
+        joint = _joint(json.dumps(part))
+        try:
+            if joint is not None:
+                yield name, Tied(joint, tuple(_path(joint, specs, values)))
+        except (SandboxError, ArithmeticError, LookupError):  # or an end at no body
+            continue
+
+
+def _open(events: Mapping[str, Any]) -> frozenset[str]:
+    """Return the joints that some event ties, as far as events can be read."""
+    lists = [event.get("tie") for event in events.values() if isinstance(event, Mapping)]
+    named = (name for names in lists if isinstance(names, list) for name in names)
+    return frozenset(name for name in named if isinstance(name, str))
+
+
+def _path(joint: Joint, specs: Mapping[str, Body], values: Values) -> list[XY]:
+    """Return the points that a joint is drawn through [m]."""
+    if isinstance(joint, Wire):
+        return [(p.real, p.imag) for p in along(joint, values, 256).tolist()]
+    path = [(p.real, p.imag) for p in (place(end, specs, values) for end in points(joint))]
+    if isinstance(joint, Rail):
+        return _rail(path[1], evaluate(joint.direction, values))
+    if isinstance(joint, Winding):
+        return joints.around(path[0], path[1], joint.radius(values), joint)
+    if isinstance(joint, Stop):
+        return joints.limits(joint, path, values)
+    if isinstance(joint, AngleStop):
+        base = body_of(joint.ends[0])
+        angle = 0.0 if base is None else specs[base].angle(values)
+        return joints.rays(joint, path[1], angle, values)
+    return path
+
+
+def _rail(through: XY, direction: XY) -> list[XY]:
+    size = float(np.hypot(*direction)) or 1.0
+    dx, dy = (SIDEWAYS * along / size for along in direction)
+    return [(through[0] - dx, through[1] - dy), (through[0] + dx, through[1] + dy)]

@@ -1,0 +1,132 @@
+"""What is drawn from one point to another: discs and boxes."""
+
+from abc import ABC, abstractmethod
+from math import cos, dist, sin, tau
+
+import pygame
+
+from sandbox.app.building import preview
+from sandbox.app.building.pointer import Spot
+from sandbox.app.building.tools.tool import STILL, Bench
+from sandbox.app.drawing.text import Pen
+from sandbox.app.words.language import later, say
+from sandbox.editing.edits import bodies
+from sandbox.editing.edits.edit_result import Made
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+
+
+class Stretching(ABC):
+    """Press, drag and let go; or click twice."""
+
+    begins = ""
+    """what the first point is"""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._start: Spot | None = None
+        self._end: Spot | None = None
+
+    @property
+    def busy(self) -> bool:
+        """Whether the first point is set."""
+        return self._start is not None
+
+    @property
+    def hint(self) -> str:
+        """What to do next, in a few words."""
+        return later("Let go, or click, where it ends") if self.busy else self.begins
+
+    def press(self, spot: Spot) -> None:
+        """Set the first point."""
+        if self._start is None:
+            self._start = spot
+        self._end = spot
+
+    def move(self, spot: Spot) -> None:
+        """Show what there would be."""
+        self._end = spot
+
+    def release(self, spot: Spot) -> None:
+        """Make it, unless the mouse has not moved: then a second click does."""
+        if self._start is None or dist(spot.pixel, self._start.pixel) < STILL:
+            return
+        one, other = self._start.point, spot.point
+        self.cancel()
+        self.make(one, other)
+
+    def finish(self) -> None:  # noqa: B027 (nothing to do for those that inherit it either)
+        """Do nothing: the second point ends it."""
+
+    def cancel(self) -> None:
+        """Forget the first point."""
+        self._start = self._end = None
+
+    def draw(self, surface: pygame.Surface, pen: Pen) -> None:
+        """Draw its outline and its measures."""
+        if self._start is None or self._end is None:
+            return
+        one, other = self._start.point, self._end.point
+        camera = self._bench.camera
+        preview.outline(surface, camera, self.corners(one, other), closed=True)
+        preview.dots(surface, camera, [one])
+        preview.measure(surface, pen, self._end.pixel, self.measured(one, other))
+
+    @abstractmethod
+    def make(self, one: XY, other: XY) -> None:
+        """Put it into the level."""
+
+    @abstractmethod
+    def corners(self, one: XY, other: XY) -> list[XY]:
+        """Return its outline [m]."""
+
+    @abstractmethod
+    def measured(self, one: XY, other: XY) -> str:
+        """Return how large it is, for a person to read."""
+
+
+class DiscTool(Stretching):
+    """Draws discs from their centres."""
+
+    begins = later("Press at the disc's centre, and drag to its rim")
+
+    def make(self, one: XY, other: XY) -> None:
+        """Put a disc into the level."""
+
+        def edit(text: str, level: Level) -> Made:
+            return bodies.add_disc(text, level, one, other)
+
+        self._bench.make(say("draw a disc"), edit)
+
+    def corners(self, one: XY, other: XY) -> list[XY]:
+        """Return the circle."""
+        radius = dist(one, other)
+        turns = (tau * i / 48 for i in range(48))
+        return [(one[0] + radius * cos(a), one[1] + radius * sin(a)) for a in turns]
+
+    def measured(self, one: XY, other: XY) -> str:
+        """Return the radius."""
+        return f"r {preview.metres(dist(one, other))}"
+
+
+class BoxTool(Stretching):
+    """Draws boxes from corner to corner."""
+
+    begins = later("Press at one corner of the box, and drag to the opposite one")
+
+    def make(self, one: XY, other: XY) -> None:
+        """Put a box into the level."""
+
+        def edit(text: str, level: Level) -> Made:
+            return bodies.add_box(text, level, one, other)
+
+        self._bench.make(say("draw a box"), edit)
+
+    def corners(self, one: XY, other: XY) -> list[XY]:
+        """Return the rectangle."""
+        return [one, (other[0], one[1]), other, (one[0], other[1])]
+
+    def measured(self, one: XY, other: XY) -> str:
+        """Return width and height."""
+        width, height = abs(other[0] - one[0]), abs(other[1] - one[1])
+        return f"{preview.metres(width)} × {preview.metres(height)}"

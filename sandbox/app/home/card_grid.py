@@ -1,0 +1,101 @@
+"""Where cards stand: in rows as wide as the area, below the headings of their chapters."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from pygame import Rect
+
+from sandbox.app.files.level_entries import Entry
+from sandbox.app.words.language import say
+
+MARGIN = 24  # px, around all
+GAP = 16  # px, between two cards
+NARROWEST = 190  # px, a card
+MOST = 6
+"""Cards in a row, in the widest window."""
+WORDS = 46  # px, below a picture
+HEADING = 46  # px
+ASPECT = 1.6  # of a picture, width over height
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """What stands above some cards."""
+
+    text: str
+    count: int
+    y: int
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Cards on a sheet that may be higher than what is seen of it.
+
+    Attributes
+    ----------
+    cards
+        The place of each level's card on the sheet [px], in their order.
+    headings
+        What stands between them.
+    picture
+        The size of a card's picture [px].
+    height
+        Of the sheet [px].
+    """
+
+    cards: tuple[tuple[Entry, Rect], ...]
+    headings: tuple[Heading, ...]
+    picture: tuple[int, int]
+    height: int
+
+    def at(self, point: tuple[float, float]) -> int | None:
+        """Return which card is at a point of the sheet; None if none is."""
+        return next(
+            (i for i, (_, place) in enumerate(self.cards) if place.collidepoint(point)), None
+        )
+
+    def beside(self, index: int, dx: int, dy: int) -> int:
+        """Return the card that is next in a direction; the same where there is none."""
+        if dx:
+            return min(max(index + dx, 0), len(self.cards) - 1)
+        here = self.cards[index][1]
+        rows = sorted({place.y for _, place in self.cards if (place.y - here.y) * dy > 0})
+        if not rows:
+            return index
+        row = rows[0] if dy > 0 else rows[-1]
+        found = [i for i, (_, place) in enumerate(self.cards) if place.y == row]
+        return min(found, key=lambda i: abs(self.cards[i][1].x - here.x))
+
+
+def lay_out(
+    width: int, sections: Iterable[tuple[str, Sequence[Entry]]], scale: float = 1.0
+) -> Grid:
+    """Put cards in rows on a sheet of some width [px], a heading above those of each section."""
+    margin, gap, narrowest, words, heading = (
+        round(length * scale) for length in (MARGIN, GAP, NARROWEST, WORDS, HEADING)
+    )
+    room = max(width - 2 * margin, 1)
+    columns = min(max((room + gap) // (narrowest + gap), 1), MOST)
+    each = (room - (columns - 1) * gap) // columns
+    picture = each, round(each / ASPECT)
+    cards: list[tuple[Entry, Rect]] = []
+    headings: list[Heading] = []
+    y = gap // 2
+    for text, levels in sections:
+        headings.append(Heading(text, len(levels), y))
+        y += heading
+        for i, level in enumerate(levels):
+            x = margin + i % columns * (each + gap)
+            place = Rect(x, y + i // columns * (picture[1] + words + gap), each, picture[1] + words)
+            cards.append((level, place))
+        y += -(-len(levels) // columns) * (picture[1] + words + gap) + gap // 2
+    return Grid(tuple(cards), tuple(headings), picture, y + gap)
+
+
+def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[Entry]]]:
+    """Part levels by chapter; what was sought for stays together, the likeliest first."""
+    if not sought.strip():
+        chapters = groupby(found, key=lambda level: level.chapter)
+        return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]
+    return [(say("Found") if found else say("No level has these words"), found)]

@@ -1,0 +1,179 @@
+"""A still picture of a level, drawn without a window."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+
+import pygame
+
+from sandbox.app import legend
+from sandbox.app.cards.checks import checks
+from sandbox.app.cards.energy import energy
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import energy_graph
+from sandbox.app.pages.effects import whatif
+from sandbox.app.pages.level.card import clock, header, settings
+from sandbox.app.pages.race import race
+from sandbox.app.pages.register import runs_beside
+from sandbox.app.runs.companions import Changes
+from sandbox.app.runs.session import Session
+from sandbox.app.stage.stage import Stage
+from sandbox.app.words import formatting, level_words
+from sandbox.app.words.language import say
+from sandbox.model.effect_variants import Variation
+from sandbox.model.expressions import Values
+from sandbox.model.files import write_atomically
+from sandbox.model.level import Level
+
+SIZE = (1280, 720)  # px
+TELLING = 0.4
+"""The share of a level's duration at which it is drawn if nobody says when."""
+
+SIDE = 340  # px, the column of words
+MARGIN = 16  # px
+GRAPH = 90  # px, its height
+
+
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """Another run that is drawn dashed over a picture's own, and held against it."""
+
+    level: Level
+    """the same bodies, with effects more or less"""
+    variations: tuple[Variation, ...]
+    """what makes the picture's own level differ from it"""
+
+
+def render(
+    level: Level,
+    values: Values,
+    at: float | None = None,
+    size: tuple[int, int] = SIZE,
+    beside: Beside | None = None,
+    *,
+    racing: bool = False,
+) -> pygame.Surface:
+    """Run a level up to a time and draw it, with its checks.
+
+    Parameters
+    ----------
+    level
+        What to draw.
+    values
+        Its parameters.
+    at
+        When [s]; a telling moment if left out. The last step is the first not before it.
+    size
+        Of the picture [px].
+    beside
+        What the run is compared with; then the differences stand in place of the checks.
+    racing
+        Whether the level's other schemes run over it.
+
+    Raises
+    ------
+    SandboxError
+        If the run has to stop before that time.
+    """
+    pygame.font.init()
+    pen = Pen()
+    session = _session(level, values, beside, racing)
+    picture = pygame.Surface(size)
+    picture.fill(theme.PANEL)
+    stage = Stage(pen, (size[0] - SIDE, size[1]))
+    stage.use(session.world)
+    stage.fit()
+    _run(session, session.duration * TELLING if at is None else at, stage.watch)
+    drawn = picture.subsurface((0, 0, size[0] - SIDE, size[1]))
+    stage.draw(drawn, session.trail, session.milestones(), session.companions)
+    legend.draw(drawn, pen, runs_beside(session)[1])
+    _write(picture, session, pen)
+    return picture
+
+
+def _session(level: Level, values: Values, beside: Beside | None, racing: bool) -> Session:
+    session = Session(beside.level if beside else level, values)
+    if beside:
+        whatif.play_over(session, beside.level, level, Changes(effects=beside.variations))
+    if racing:
+        race.toggle(session)
+    return session
+
+
+def save_picture(
+    level: Level,
+    values: Values,
+    path: Path,
+    at: float | None = None,
+    size: tuple[int, int] = SIZE,
+    beside: Beside | None = None,
+    *,
+    racing: bool = False,
+) -> None:
+    """Draw a level into a PNG file, whole or not at all; see `render`.
+
+    Raises
+    ------
+    SandboxError
+        If the run has to stop before that time, or the file cannot be written.
+    """
+    write_atomically(path, png(render(level, values, at, size, beside, racing=racing)))
+
+
+def png(picture: pygame.Surface) -> bytes:
+    """Return a picture as a PNG file has it."""
+    encoded = BytesIO()
+    pygame.image.save(picture, encoded, "x.png")
+    return encoded.getvalue()
+
+
+def _run(session: Session, at: float, each: Callable[[], None]) -> None:
+    for _ in range(session.world.stepping.steps(at)):
+        session.step()
+        if session.failure is not None:
+            raise session.failure
+        each()
+
+
+def _write(picture: pygame.Surface, session: Session, pen: Pen) -> None:
+    """Fill the column of words; the energy stands at its foot."""
+    width, left = SIDE - 2 * MARGIN, picture.width - SIDE + MARGIN
+    level, y = session.level, MARGIN
+    when = say(
+        "t = {now} of {whole}",
+        now=formatting.seconds(session.t),
+        whole=formatting.seconds(session.duration),
+    )
+    parts = [header(pen, width, level), clock(pen, width, when)]
+    if level.parameters:
+        parts.append(settings(pen, width, level, session.values))
+    for part in parts:
+        picture.blit(part, (left, y))
+        y += part.height + 8
+    drawn = energy_graph.energies((width, GRAPH), session.books.history, session.duration)
+    foot = energy(pen, width, session.books.start, session.books.energies, drawn)
+    end = picture.height - foot.height - MARGIN
+    picture.blit(_judged(session, pen, width, end - y), (left, y))
+    picture.fill(theme.PANEL, (left, end, width, picture.height - end))
+    picture.blit(foot, (left, end))
+
+
+def _judged(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
+    """Draw what a page tells of the runs beside this one, or the checks."""
+    page, _ = runs_beside(session)
+    if page is not None and page.card is not None:
+        return page.card(pen, width, session)
+    return _checks(session, pen, width, room)
+
+
+def _checks(session: Session, pen: Pen, width: int, room: int) -> pygame.Surface:
+    """Draw as many checks as there is room for."""
+    readings, words = session.readings(), level_words.of(session.original)
+    drawn = checks(pen, width, readings, words)
+    for count in range(len(readings) - 1, 0, -1):
+        if drawn.height <= room:
+            break
+        drawn = checks(pen, width, readings[:count], words, left_out=len(readings) - count)
+    return drawn

@@ -1,0 +1,150 @@
+"""A scene in words: what is on the stage, for a terminal or a screen reader."""
+
+from collections.abc import Iterator
+from math import hypot
+
+from sandbox.app.observing.forces_in_words import forces, way
+from sandbox.app.words import formatting
+from sandbox.model.joints import End, Held, Joint, Pulley, Wire, points
+from sandbox.model.level import Body
+from sandbox.model.shapes import Box, Disc, Hoop, Shape, evaluate
+from sandbox.physics.measuring.grading import Result
+from sandbox.physics.stepping.world import World
+
+STILL = 1e-9
+"""m/s or rad/s: what is slower than that is said to be at rest."""
+
+MANY = 40
+"""How many bodies, joints or contacts are told one by one; of more, how many there are besides."""
+
+
+def describe(
+    world: World, results: tuple[Result, ...], *, with_forces: bool = False
+) -> Iterator[str]:
+    """Yield what is on the stage, a line each.
+
+    Parameters
+    ----------
+    world
+        As it is at the moment that is told.
+    results
+        How its level's checks stand.
+    with_forces
+        Whether the forces on each body are told, too.
+    """
+    level = world.level
+    yield f"{level.title}. {level.summary}".strip()
+    yield f"Time: {formatting.number(world.t, 4)} s of {level.duration(world.values):.4g} s."
+    declared = [name for name, effect in level.effects if effect is not None]
+    yield f"Effects: {', '.join(declared) or 'none'}."
+    yield from _told("Parameters", _parameters(world))
+    yield from _told("Bodies", _bodies(world))
+    yield from _told("Joints", _joints(world))
+    yield from _told("Contacts", _contacts(world))
+    if with_forces:
+        yield from _told("Forces", forces(world))
+    yield from _told("Checks", map(_check, results))
+    if level.challenge:
+        yield f"Challenge: {level.challenge.task}"
+
+
+def _told(heading: str, lines: Iterator[str]) -> Iterator[str]:
+    """Yield a heading and what stands below it, if there is anything."""
+    found = list(lines)
+    if found:
+        yield f"{heading}:"
+        yield from (f"  {line}" for line in found[:MANY])
+        if len(found) > MANY:
+            yield f"  and {len(found) - MANY:,} more"
+
+
+def _parameters(world: World) -> Iterator[str]:
+    for name, parameter in world.level.parameters.items():
+        value = formatting.with_unit(formatting.setting(world.values[name]), parameter.unit)
+        yield f"{parameter.label or name} ({name}): {value}"
+
+
+def _bodies(world: World) -> Iterator[str]:
+    for row, (name, body) in enumerate(world.level.bodies.items()):
+        yield f"{name}: {_looks(body, world)}{_place(world, row)}{_motion(world, row)}"
+
+
+def _looks(body: Body, world: World) -> str:
+    kind = "" if body.type == "dynamic" else f"{body.type} "
+    article = "a" if kind or not _shape(body.shape, world).startswith("arc") else "an"
+    mass = f", {formatting.quantity(body.mass(world.values), 'kg', 4)}" if body.mass else ""
+    return f"{article} {kind}{_shape(body.shape, world)}{mass}"
+
+
+def _shape(shape: Shape, world: World) -> str:
+    values = world.values
+    match shape:
+        case Disc(radius=radius) | Hoop(radius=radius):
+            return f"{shape.type} of radius {formatting.quantity(radius(values), 'm', 3)}"
+        case Box(width=width, height=height):
+            size = (formatting.quantity(side(values), "m", 3) for side in (width, height))
+            return f"box of {' by '.join(size)}"
+        case _:
+            return str(shape.type)
+
+
+def _place(world: World, row: int) -> str:
+    x, y = (formatting.quantity(float(value), "m", 4) for value in world.snapshot.position[row])
+    angle = float(world.snapshot.angle[row])
+    turned = f", turned by {formatting.quantity(angle, 'rad', 3)}" if abs(angle) > STILL else ""
+    return f", at x = {x}, y = {y}{turned}"
+
+
+def _motion(world: World, row: int) -> str:
+    if list(world.level.bodies.values())[row].type == "static":
+        return ""
+    vx, vy = (float(value) for value in world.snapshot.velocity[row])
+    spin = float(world.snapshot.angular_velocity[row])
+    moves = f"moves {way(vx, vy)} at {formatting.quantity(hypot(vx, vy), 'm/s', 4)}"
+    sense = "counter-clockwise" if spin > 0 else "clockwise"
+    turns = f"turns {sense} at {formatting.quantity(abs(spin), 'rad/s', 3)}"
+    told = [*([moves] if hypot(vx, vy) > STILL else []), *([turns] if abs(spin) > STILL else [])]
+    return f"; {' and '.join(told) or 'at rest'}"
+
+
+def _joints(world: World) -> Iterator[str]:
+    for name, joint in world.level.joints.items():
+        tension = float(world.scene.joints.tension(name, world.snapshot))
+        pulls = "pulls" if tension >= 0 or isinstance(joint, Wire) else "pushes"
+        force = formatting.quantity(abs(tension), "N", 4)
+        yield f"{name}: {_ties(joint, world)}; {pulls} with {force}"
+
+
+def _ties(joint: Joint, world: World) -> str:
+    if isinstance(joint, Wire):
+        return f"a wire that guides {_end(joint.bead, world)}"
+    first, *pegs, last = (_end(end, world) for end in points(joint))
+    over = f" over {', '.join(pegs)}" if isinstance(joint, Pulley) else ""
+    return f"a {joint.type} from {first}{over} to {last}"
+
+
+def _end(end: End, world: World) -> str:
+    if isinstance(end, Held):
+        return f"a point of {end.body}"
+    if isinstance(end, str):
+        return end
+    x, y = (formatting.number(value, 3) for value in evaluate(end, world.values))
+    return f"the point ({x} m, {y} m)"
+
+
+def _contacts(world: World) -> Iterator[str]:
+    names, contacts = list(world.level.bodies), world.contacts
+    for (first, second), impulse in zip(contacts.bodies, contacts.normal, strict=True):
+        force = formatting.quantity(float(impulse) / world.dt, "N", 4)
+        yield f"{names[first]} and {names[second]} press on each other with {force}"
+
+
+def _check(result: Result) -> str:
+    check = result.check
+    label = check.label or check.quantity
+    if result.measured is None or result.expected is None or result.error is None:
+        return f"{label}: {result.verdict}"
+    measured, expected = (
+        formatting.quantity(value, result.unit) for value in (result.measured, result.expected)
+    )
+    return f"{label}: {measured}, expected {expected}; {result.verdict}"

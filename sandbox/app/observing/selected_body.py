@@ -1,0 +1,113 @@
+"""The body that a person looks at, and the forces on it at the step that is shown."""
+
+from collections.abc import Mapping, Sequence
+from itertools import cycle
+from typing import TYPE_CHECKING
+
+from sandbox.app.drawing import theme
+from sandbox.app.drawing.theme import Color
+from sandbox.app.words.formatting import number, rounded_up
+from sandbox.app.words.language import say
+from sandbox.model.effects import EFFECTS
+from sandbox.model.joints import KINDS
+from sandbox.model.level import Level
+from sandbox.model.shapes import XY
+from sandbox.physics.measuring.free_body import FRICTION, HAND, IMPACT, NORMAL, Acting, FreeBody
+from sandbox.physics.measuring.free_body_forces import FreeBodies
+from sandbox.physics.stepping.world import World
+
+if TYPE_CHECKING:
+    from sandbox.physics.state.snapshot import Snapshot
+
+_NAMES = (
+    *(NORMAL, FRICTION, IMPACT, HAND),
+    *(effect.called for effect in EFFECTS.values() if effect.is_force),
+    *(kind.pull for kind in KINDS.values()),
+)
+
+FAINT = 1e-9
+"""The share of the strongest force below which one is nothing but rounding, or as good as that."""
+
+
+LITTLE = 0.1
+"""The share of its scale that the strongest force must fill, or the scale is made smaller."""
+
+
+class Looking:
+    """At which body of a level a person looks.
+
+    Attributes
+    ----------
+    body
+        Its name: the first that forces can move, before one is chosen; None if there is none.
+    """
+
+    def __init__(self, level: Level) -> None:
+        dynamic = (name for name, body in level.bodies.items() if body.type == "dynamic")
+        self.body: str | None = next(dynamic, None)
+        self._bodies: tuple[World, FreeBodies] | None = None
+        self._seen: tuple[Snapshot, str, FreeBody | None] | None = None
+        self._full: dict[str, float] = {}
+
+    def at(self, world: World) -> FreeBody | None:
+        """Return the forces on the body; None if there are none to be told, see `FreeBodies.of`."""
+        if self.body is None:
+            return None
+        if self._bodies is None or self._bodies[0] is not world:
+            self._bodies, self._seen, self._full = (world, FreeBodies(world)), None, {}
+        snapshot, seen = world.snapshot, self._seen
+        if seen is None or seen[0] is not snapshot or seen[1] != self.body:
+            seen = self._seen = snapshot, self.body, self._bodies[1].of(self.body)
+        return seen[2]
+
+    def full(self, found: FreeBody) -> float:
+        """Return the force that the longest arrow on a body stands for [N].
+
+        It is a round number that stays as long as forces fill a part of it; impacts do not count.
+        """
+        now = 0.0 if found.struck else max(found.largest, *map(abs, found.gain))
+        known = self._full.get(found.body, 0.0)
+        if now > known or 0 < now < known * LITTLE:
+            self._full[found.body] = rounded_up(now)
+        return self._full.get(found.body) or rounded_up(found.largest)
+
+
+def color(acting: Acting) -> Color:
+    """Return the colour of a force."""
+    return colors().get(acting.name, theme.BODIES[0])
+
+
+def colors() -> Mapping[str, Color]:
+    """Return the colours of forces, by what they are called."""
+    free = cycle(theme.BODIES)
+    return {name: theme.ACTING.get(name) or next(free) for name in dict.fromkeys(_NAMES)}
+
+
+def text(acting: Acting, found: FreeBody) -> str:
+    """Return what is written beside a force: of several of a name, who gives each."""
+    alone = sum(other.name == acting.name for other in felt(found)) == 1
+    name = say(acting.name)
+    if acting.by and not alone:
+        name = say("from {giver}", giver=acting.by)
+    return f"{name} {newtons(acting.size)} N"
+
+
+def title(acting: Acting) -> str:
+    """Say what a force is called, and who gives it."""
+    return f"{say(acting.name)}, {acting.by}" if acting.by else say(acting.name)
+
+
+def felt(found: FreeBody) -> Sequence[Acting]:
+    """Return the forces on a body but those that are nothing beside the strongest."""
+    return [acting for acting in found.forces if acting.size > FAINT * found.largest]
+
+
+def cleared(vector: XY, found: FreeBody) -> XY:
+    """Return a sum of forces with nothing for what is but rounding of them."""
+    x, y = (0.0 if abs(part) < FAINT * found.largest else part for part in vector)
+    return x, y
+
+
+def newtons(value: float) -> str:
+    """Write a force with three digits, and without a power of ten as long as it is read so."""
+    return number(value, 5 if abs(value) >= 1e4 else 4 if abs(value) >= 1e3 else 3)

@@ -1,0 +1,114 @@
+"""What can start and stop the stopwatch: a hand, or what happens in the run."""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from sandbox.app.runs.live_run import LiveRun
+from sandbox.app.runs.session import Session
+from sandbox.app.words.formatting import number
+from sandbox.app.words.language import say
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.level import ApexEvent, ContactEvent, CrossingEvent, LandingEvent, Level
+from sandbox.model.level_parts import measured
+from sandbox.physics.measuring.grading import time_of
+from sandbox.physics.measuring.recording import Trace, needed_at
+from sandbox.physics.metering.meter import Meter
+
+Moment = Expression | ContactEvent | CrossingEvent | ApexEvent | LandingEvent
+"""A time [s], or an event of which the first counts."""
+
+FEW = 12
+"""Up to so many bodies, the apex and the landing of each are offered."""
+MOST = 60
+"""How many can be chosen from."""
+
+
+class Occasion(NamedTuple):
+    """Something that happens once.
+
+    Attributes
+    ----------
+    at
+        When that is; None for a hand.
+    value
+        The height that is fallen to, or the value that is crossed, as it is written; else empty.
+    """
+
+    at: Moment | None
+    value: str = ""
+
+    @property
+    def told(self) -> str:
+        """What it is called where it is chosen."""
+        match self.at:
+            case None:
+                return say("by hand (key 3)")
+            case ApexEvent(body=body):
+                return say("apex of {body}", body=body)
+            case LandingEvent(body=body):
+                return say("{body} falls to y = {height} m", body=body, height=self.value)
+            case ContactEvent(bodies=(first, second)):
+                return say("{one} meets {other}", one=first, other=second)
+            case CrossingEvent(quantity=quantity):
+                return say("{quantity} crosses {value}", quantity=quantity, value=self.value)
+        return say("start of the run")
+
+
+class Found(NamedTuple):
+    """When something happened [s], and whether that is known to less than a step."""
+
+    t: float
+    between: bool
+
+
+BY_HAND = Occasion(None)
+AT_ONCE = Occasion(Expression(0))
+
+
+def occasions(session: Session) -> list[Occasion]:
+    """Return what can be chosen in a run; the pairs that have touched so far among them."""
+    pairs = (sorted(pair) for pair in session.run.contacts.met if len(pair) == 2)
+    met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
+    instants = (*_instants(session.level), *met)
+    found = [BY_HAND, AT_ONCE, *(_occasion(at, session.values) for at in instants)]
+    return list({occasion.told: occasion for occasion in found}.values())[:MOST]
+
+
+def _instants(level: Level) -> Iterator[Moment]:
+    """Yield the events that a level names, then those of each of its bodies."""
+    for _, one in measured(level):
+        if isinstance(one.at, ContactEvent) and one.at.nth == 1:
+            first, second = sorted(one.at.bodies)
+            yield one.at.model_copy(update={"bodies": (first, second)})
+        elif isinstance(one.at, ApexEvent | LandingEvent | CrossingEvent):
+            yield one.at
+    moving = [name for name, body in level.bodies.items() if body.type == "dynamic"]
+    if level.effects.gravity and len(moving) <= FEW:
+        yield from (ApexEvent(event="apex", body=name) for name in moving)
+        yield from (LandingEvent(event="landing", body=name) for name in moving)
+
+
+def _occasion(at: Moment, values: Values) -> Occasion:
+    match at:
+        case LandingEvent(height=value) | CrossingEvent(value=value):
+            return Occasion(at, number(value(values), 4))
+        case _:
+            return Occasion(at)
+
+
+def find(at: Moment, run: LiveRun) -> Found | None:
+    """Return when something happened in a run so far; None if it has not."""
+    if isinstance(at, ContactEvent):
+        met = run.contacts.met.get(frozenset(at.bodies))
+        return met and Found(met.t, met.located)
+    t = time_of(at, _trace(at, run))
+    return None if t is None else Found(t, between=True)
+
+
+def _trace(at: Moment, run: LiveRun) -> Trace:
+    """Return what tells when an instant was, of the states that are kept."""
+    world, states = run.world, run.history.snapshots
+    meter = Meter(world, needed_at("t", at))
+    units = {name: quantity.unit for name, quantity in meter.quantities.items()}
+    columns = meter(states)
+    return Trace(world.level, world.values, world.stepping, states.t, columns, units, {}, {})

@@ -1,0 +1,131 @@
+"""The foot of the side panel: how many checks hold, and where the energy is."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import pygame
+from pygame_gui import UIManager
+from pygame_gui.core import ObjectID
+from pygame_gui.elements import UIButton, UIImage
+
+from sandbox.app.cards.energy import energy, ledger, total
+from sandbox.app.commands import tip
+from sandbox.app.drawing.text import Pen
+from sandbox.app.observing import energy_graph
+from sandbox.app.runs.session import Session
+from sandbox.app.widgets.sheet import MARGIN, Sheet
+from sandbox.app.words.language import later, plural, say
+from sandbox.physics.measuring.grading import Verdict
+
+View = Literal["graph", "bars", "total"]
+"""What is shown of the energy: over time, by account, or only the sum."""
+
+FOLDED: View = "total"
+"""The lowest of them."""
+
+NEXT: Mapping[View, tuple[View, str]] = {
+    "graph": ("bars", later("Bars")),
+    "bars": ("total", later("Fold")),
+    "total": ("graph", later("Graph")),
+}
+"""What follows each view, and the caption of the button that leads there."""
+
+HIGH = 66, 120  # px, how high the graph may be
+CAPTION = 82  # px, what stands above and below the graph
+SWITCH = 22  # px, the height of the button that leads to the next view
+PADDING = 22  # px, beside its caption, left and right together
+VERDICTS = 24  # px, the line that counts the checks
+LAST = 8  # px, left free below all
+
+
+class Foot:
+    """What stays below every page.
+
+    Attributes
+    ----------
+    top
+        Where it begins [px].
+    switch
+        The button that leads to the next view of the energy.
+    verdicts
+        The button that counts the checks and leads to them; None for a level without any.
+    """
+
+    def __init__(
+        self, manager: UIManager, pen: Pen, rect: pygame.Rect, session: Session, view: View
+    ) -> None:
+        self._pen, self._session, self._view = pen, session, view
+        px = pen.px
+        self._width = rect.width - 2 * px(MARGIN) - px(10)
+        height = min(max(rect.height // 5 - px(CAPTION), px(HIGH[0])), px(HIGH[1]))
+        self._graph_size = self._width, height
+        drawn = self._drawn()
+        checks = bool(session.readings())
+        self.top = max(rect.bottom - drawn.height - px(LAST) - checks * px(VERDICTS), rect.top + 1)
+        place = drawn.get_rect(topleft=(rect.x + px(MARGIN), self.top + checks * px(VERDICTS)))
+        self.verdicts: UIButton | None = None
+        if checks:
+            line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
+            self.verdicts = UIButton(
+                line, told(session), manager, tool_tip_text=tip("checks"),
+                object_id=ObjectID(class_id="@section"),
+            )  # fmt: skip
+        caption = say(NEXT[view][1])
+        switch = pen.write(caption).width + px(PADDING), px(SWITCH)
+        self._energy = UIImage(place, drawn, manager)
+        self.switch = UIButton(
+            pygame.Rect((place.right - switch[0], place.top + px(4)), switch),
+            caption, manager, tool_tip_text=tip("energy"),
+        )  # fmt: skip
+
+    def kill(self) -> None:
+        """Take all of it away."""
+        for widget in (self.verdicts, self._energy, self.switch):
+            if widget is not None:
+                widget.kill()  # type: ignore[no-untyped-call]
+
+    def pressed(self, element: object) -> str | None:
+        """Return the command of a widget; None if it is none of these."""
+        commands = {id(self.switch): "energy", id(self.verdicts): "checks"}
+        return commands.get(id(element))
+
+    def update(self) -> None:
+        """Bring both up to date."""
+        if self.verdicts is not None:
+            self.verdicts.set_text(told(self._session))
+        Sheet.replace(self._energy, self._drawn())
+
+    def _drawn(self) -> pygame.Surface:
+        session, books = self._session, self._session.books
+        if self._view == "bars":
+            ahead = not session.world.kicks.composed
+            return ledger(self._pen, self._width, books.balance, ahead=ahead)
+        if self._view == "total":
+            return total(self._pen, self._width, books.start, books.energies)
+        drawn = energy_graph.energies(self._graph_size, books.history, session.duration)
+        return energy(self._pen, self._width, books.start, books.energies, drawn)
+
+
+def told(session: Session) -> str:
+    """Return how the checks of a run stand, in words."""
+    if session.changes:
+        return say("Checks: not judged, effects are changed")
+    if session.world.disturbed:
+        return say("Checks: not judged, a hand was here")
+    verdicts = [reading.result.verdict for reading in session.readings()]
+    return say("Checks: {verdicts}", verdicts=counted(verdicts))
+
+
+def counted(verdicts: Sequence[Verdict]) -> str:
+    """Return how many checks hold, fail and wait, in words."""
+    found = Counter(verdicts)
+    words: Mapping[Verdict, str] = {
+        "passed": plural("{count} holds", "{count} hold", found["passed"]),
+        "failed": plural("{count} fails", "{count} fail", found["failed"]),
+        "waiting": plural("{count} waits", "{count} wait", found["waiting"]),
+        "not applicable": plural(
+            "{count} does not apply", "{count} do not apply", found["not applicable"]
+        ),
+    }
+    return ", ".join(told for verdict, told in words.items() if found[verdict])

@@ -1,0 +1,86 @@
+"""`--accuracy`: a setting that is asked for, found out and told; or one that is chosen."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import typer
+from pydantic import ValidationError
+from rich.console import Console
+
+from sandbox.cli.argument_parsing import UsageError
+from sandbox.model import parse_messages
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level, Stepping
+
+
+class Choice(NamedTuple):
+    """What of a setting is chosen; None is what the level says."""
+
+    rate: float | None = None
+    """Hz"""
+    scheme: str | None = None
+    iterations: int | None = None
+
+    @property
+    def given(self) -> dict[str, float | str]:
+        """What is chosen, by the names of its options."""
+        return {name: value for name, value in self._asdict().items() if value is not None}
+
+
+NOTHING = Choice()
+
+
+def asking(level: Level, accuracy: float | None, choice: Choice = NOTHING) -> Level:
+    """Return a level that asks for an accuracy, if one is given."""
+    if accuracy is None:
+        return level
+    if choice.given:
+        options = "".join(f" and --{name}" for name in choice.given)
+        raise UsageError(f"--accuracy{options}: a setting is chosen or asked for, not both")
+    return level.model_copy(update={"stepping": _stepping({"accuracy": accuracy})})
+
+
+def settled(level: Level, values: Values, choice: Choice, also: Sequence[str] = ()) -> Stepping:
+    """Return how a level is run: as it says, but for what is chosen."""
+    if not choice.given:
+        return find_out(level, values, also)
+    own = level.stepping
+    _stepping(choice.given)  # a mistake is that of what was chosen
+    return _stepping({**own.at(own.rate).model_dump(), **choice.given})
+
+
+def _stepping(given: Mapping[str, float | str]) -> Stepping:
+    try:
+        return Stepping.model_validate(given)
+    except ValidationError as error:
+        [name] = error.errors()[0]["loc"]
+        value = given[str(name)]
+        said = value if isinstance(value, str) else f"{value:g}"
+        rule = parse_messages.rule(error.errors()[0])
+        raise UsageError(f"--{name} {said}: {rule}") from error
+
+
+def find_out(level: Level, values: Values, also: Sequence[str] = ()) -> Stepping:
+    """Return how a level is run; where it asks for an accuracy, say what that takes.
+
+    It is that of the motion, of the checks, and of what else is recorded.
+
+    Raises
+    ------
+    AccuracyError
+        If it cannot be had.
+    """
+    if level.stepping.accuracy is None:
+        return level.stepping
+    from sandbox.physics.accuracy.cache import calibrated  # few need it
+
+    with Console(stderr=True).status("Finding the cheapest setting ..."):
+        setting = calibrated(
+            level,
+            values,
+            level.stepping.accuracy,
+            tell=lambda why: typer.echo(why, err=True),
+            also=also,
+        )
+    typer.echo(setting)
+    return setting.chosen.stepping

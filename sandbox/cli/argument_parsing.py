@@ -1,0 +1,95 @@
+"""What is typed on the command line, read and refused."""
+
+from collections.abc import Sequence
+from math import isfinite
+from pathlib import Path
+
+from sandbox.model import catalog
+from sandbox.model.conditions.numbers import MAX_STEPS
+from sandbox.model.crowd_levels import CrowdError
+from sandbox.model.effect_variants import EffectError
+from sandbox.model.errors import SandboxError, ValueRangeError, brief
+from sandbox.model.files import TakenError, check_writable, make_folder
+from sandbox.model.level import Level, Stepping
+from sandbox.model.loading import load
+from sandbox.model.quantities import QuantityError
+
+
+class UsageError(SandboxError):
+    """Something typed on the command line that cannot be meant."""
+
+
+MISUSES = (UsageError, TakenError, QuantityError, ValueRangeError, EffectError, CrowdError)
+"""The errors that say so."""
+
+
+def open_level(argument: str) -> tuple[str, Level]:
+    """Return a level and what it is called: its name if it is one of the catalog's, or its path.
+
+    Raises
+    ------
+    LevelError
+        If there is no such level, or it has mistakes.
+    """
+    path = catalog.find(argument)
+    level = load(path)
+    if path.parent.parent == catalog.root():
+        return f"{path.parent.name}/{path.stem}", level
+    return argument, level
+
+
+def settings(pairs: Sequence[str]) -> dict[str, float]:
+    """Return the parameters that are set, each once, as NAME=VALUE."""
+    found: dict[str, float] = {}
+    for pair in pairs:
+        name, equals, value = pair.partition("=")
+        name = name.strip()
+        if not equals or not name:
+            raise UsageError(f"--set {brief(pair)}: must be NAME=VALUE, such as m1=2.5")
+        if name in found:
+            raise UsageError(f"--set {brief(pair)}: '{brief(name)}' is set twice")
+        found[name] = _number(value, f"--set {brief(pair)}")
+    return found
+
+
+def _number(text: str, place: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        hint = "; a decimal point is written ., not a comma" if "," in text else ""
+        raise UsageError(f"{place}: '{brief(text)}' is not a number{hint}") from None
+
+
+def positive(value: float, option: str) -> None:
+    """Refuse the value of an option unless it is finite and greater than 0."""
+    if not (isfinite(value) and value > 0):
+        raise UsageError(f"{option} {value:g}: must be a finite number greater than 0")
+
+
+def payable(seconds: float, stepping: Stepping, option: str) -> None:
+    """Refuse the value of an option for which a run would take all but for ever."""
+    if (steps := seconds * stepping.rate) > MAX_STEPS:
+        rule = f"that takes {steps:.1g} steps at {stepping.rate:g} Hz; {MAX_STEPS:,} are allowed"
+        raise UsageError(f"{option} {seconds:g}: {rule}")
+
+
+def output_file(path: Path) -> None:
+    """Refuse a path at which no file can be written, before any work is done."""
+    try:
+        check_writable(path)
+    except SandboxError as error:
+        raise UsageError(str(error)) from error
+
+
+def output_folder(path: Path) -> Path:
+    """Return a folder, made if it is missing."""
+    try:
+        make_folder(path)
+    except SandboxError as error:
+        raise UsageError(str(error)) from error
+    return path
+
+
+def levels(count: int) -> str:
+    """Return a number of levels in words."""
+    return f"{count} level" if count == 1 else f"{count} levels"

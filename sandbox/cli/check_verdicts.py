@@ -1,0 +1,75 @@
+"""What a level's checks found, as lines of text."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from sandbox.app.words import formatting
+from sandbox.cli.text_columns import aligned
+from sandbox.model.expressions import Expression
+from sandbox.physics.measuring.goals import attempt
+from sandbox.physics.measuring.grading import Result
+from sandbox.physics.measuring.recording import Trace
+
+_HEADER = ("quantity", "measured", "expected", "error", "tolerance", "verdict")
+
+
+def failed(result: Result, *, complete: bool) -> bool:
+    """Whether a check failed; in a complete run its moment must have come, too."""
+    return result.verdict == "failed" or (complete and result.verdict == "waiting")
+
+
+def lines(results: Sequence[Result], *, complete: bool) -> Iterator[str]:
+    """Yield a header and one line a check, in columns."""
+    rows = [_HEADER, *(_row(result, complete=complete) for result in results)]
+    yield from aligned(rows)
+
+
+def challenge_lines(trace: Trace) -> Iterator[str]:
+    """Yield how the level's challenge stands after a run: its goals, then its stars."""
+    found = attempt(trace.until(trace.level.duration(trace.values)))
+    if found is None:
+        return
+    rows = [("goal", "measured", "asked for", "standing")]
+    for outcome in found.outcomes:
+        measured = _value(outcome.measured, outcome.unit)
+        rows.append((outcome.goal.label, measured, formatting.bounds(outcome), outcome.standing))
+    yield from aligned(rows)
+    if found.altered:
+        yield f"no star counts, for what is locked was changed: {', '.join(found.altered)}"
+    yield f"challenge: {found.stars} of {found.most} stars"
+
+
+def worst(results: Iterable[Result]) -> float | None:
+    """Return the largest error as a share of its tolerance; None if nothing was measured."""
+    shares = [r.error / r.check.tolerance for r in results if r.error is not None]
+    return max(shares, default=None)
+
+
+def _row(result: Result, *, complete: bool) -> tuple[str, ...]:
+    check = result.check
+    return (
+        check.quantity,
+        _value(result.measured, result.unit),
+        _value(result.expected, result.unit),
+        "-" if result.error is None else f"{result.error:.2g}",
+        f"{check.tolerance:g}",
+        verdict(result, complete=complete) + _occasion(result),
+    )
+
+
+def verdict(result: Result, *, complete: bool) -> str:
+    """Return the verdict in words."""
+    if result.verdict == "waiting":
+        return "failed: never came" if complete else "not reached"
+    return result.verdict
+
+
+def _value(value: float | None, unit: str) -> str:
+    return "-" if value is None else f"{value:.7g} {unit}"
+
+
+def _occasion(result: Result) -> str:
+    """Return what tells checks of the same quantity apart."""
+    at = result.check.at
+    when = "" if at is None else "at a time" if isinstance(at, Expression) else f"at {at.event}"
+    about = ", ".join(part for part in (result.check.label, when) if part)
+    return f" ({about})" if about else ""

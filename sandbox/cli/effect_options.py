@@ -1,0 +1,99 @@
+"""`--without` and `--with`: a level with effects less or more, and how that is told."""
+
+import json
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from sandbox.app.words import formatting
+from sandbox.cli.argument_parsing import UsageError
+from sandbox.cli.text_columns import aligned
+from sandbox.model import effect_variants
+from sandbox.model.effect_variants import Variation
+from sandbox.model.errors import brief
+from sandbox.model.level import Level, Stepping
+from sandbox.physics.measuring.comparison import Difference
+from sandbox.physics.measuring.csv_export import Change
+
+_HEADER = ("quantity", "as declared", "changed", "difference")
+
+
+class Varied(NamedTuple):
+    """A level with effects less or more."""
+
+    level: Level
+    change: Change
+    variations: tuple[Variation, ...]
+
+
+def vary(
+    level: Level, off: Sequence[str], on: Sequence[str], stepping: Stepping | None = None
+) -> Varied | None:
+    """Return a level with some effects switched off, then others on; None if nothing is asked for.
+
+    It is run with the stepping, if one is given: with another scheme, other effects are possible.
+
+    Raises
+    ------
+    EffectError
+        If that makes no sense.
+    UsageError
+        If it cannot be meant.
+    """
+    if not (off or on):
+        return None
+    settings = _settings(on)
+    both = next((name for name in off if name in settings), None)
+    if both is not None:
+        raise UsageError(f"--without {both}: '{both}' is asked for by --with, too")
+    run = level if stepping is None else level.model_copy(update={"stepping": stepping})
+    changed, variations = effect_variants.vary(run, off, settings)
+    options = [*(word for name in off for word in ("--without", name))]
+    options += [word for text in on for word in ("--with", text)]
+    description = ", ".join(map(str, variations))
+    return Varied(changed, Change(level, description, tuple(options)), variations)
+
+
+def _settings(texts: Sequence[str]) -> dict[str, dict[str, object]]:
+    """Return the effects to switch on, each with its settings, from NAME or NAME.FIELD=VALUE."""
+    found: dict[str, dict[str, object]] = {}
+    for text in texts:
+        place, equals, value = text.partition("=")
+        name, dot, field = place.strip().partition(".")
+        if not name or bool(dot) is not bool(equals) or (dot and not field):
+            rule = "must be EFFECT or EFFECT.SETTING=VALUE, such as drag.linear=0.1"
+            raise UsageError(f"--with {brief(text)}: {rule}")
+        fields = found.setdefault(name, {})
+        if field in fields:
+            raise UsageError(f"--with {brief(text)}: '{brief(place)}' is set twice")
+        if dot:
+            fields[field] = _value(value.strip())
+    return found
+
+
+def _value(text: str) -> object:
+    """Return a setting as it would stand in a file; what is not JSON is an expression or a name."""
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
+def differences(found: Sequence[Difference]) -> Iterator[str]:
+    """Yield a header and one line a difference, in columns."""
+    yield from aligned([_HEADER, *(row(difference) for difference in found)])
+
+
+def row(difference: Difference) -> tuple[str, ...]:
+    """Return what differs, the two values, and the difference."""
+    values = (_number(v, difference.unit) for v in (difference.before, difference.after))
+    return (about(difference), *values, formatting.difference(difference))
+
+
+def _number(value: float | None, unit: str) -> str:
+    return "never comes" if value is None else f"{value:.6g} {unit}"
+
+
+def about(difference: Difference) -> str:
+    """Return what it is that differs."""
+    label, quantity = difference.label, difference.quantity
+    return f"{quantity} ({label})" if label else quantity

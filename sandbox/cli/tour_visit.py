@@ -1,0 +1,89 @@
+"""A level run, checked and drawn."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+
+from sandbox.app.level_picture import save_picture
+from sandbox.cli import check_verdicts
+from sandbox.model import catalog
+from sandbox.model.errors import SandboxError
+from sandbox.model.level import Level
+from sandbox.model.loading import load
+from sandbox.physics.advising.remedies import tried
+from sandbox.physics.energy.book_closure import Closing
+from sandbox.physics.measuring.grading import Result, grade
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.run import simulate
+from sandbox.physics.state.errors import SimulationError
+
+
+@dataclass(slots=True)
+class Visit:
+    """What was found of a level.
+
+    Attributes
+    ----------
+    name
+        What was visited.
+    level
+        None if it could not be read.
+    results
+        Of its checks.
+    seconds
+        How long the run took, drawing not included [s].
+    picture
+        The name of its file; None if it could not be drawn.
+    closing
+        How the books of its energy closed; None if it did not run to its end.
+    error
+        Why the level could not be read, run or drawn; empty if it could.
+    """
+
+    name: str
+    level: Level | None = None
+    results: tuple[Result, ...] = ()
+    seconds: float = 0.0
+    picture: str | None = None
+    closing: Closing | None = None
+    error: str = ""
+
+    @property
+    def failures(self) -> tuple[Result, ...]:
+        """The checks that failed."""
+        return tuple(r for r in self.results if check_verdicts.failed(r, complete=True))
+
+    @property
+    def passed(self) -> bool:
+        """Whether all is well."""
+        return not (self.error or self.failures)
+
+
+def visit(name: str, folder: Path) -> Visit:
+    """Run a level as it is, grade it, and leave a picture of it in a folder."""
+    found = Visit(name)
+    try:
+        _fill(found, folder)
+    except SandboxError as error:
+        found.error = str(error)
+    return found
+
+
+def _fill(found: Visit, folder: Path) -> None:
+    found.level = level = load(catalog.find(found.name))
+    start = perf_counter()
+    trace = _run(level)
+    found.results = grade(trace)
+    found.seconds = perf_counter() - start
+    found.closing = trace.closing
+    picture = f"{found.name.replace('/', '-')}.png"
+    save_picture(level, level.defaults, folder / picture)
+    found.picture = picture
+
+
+def _run(level: Level) -> Trace:
+    """Run a level with books; if it has to stop, say what was found to help."""
+    try:
+        return simulate(level, books=True)
+    except SimulationError as error:
+        raise tried(error, level, level.defaults, level.stepping) from error

@@ -1,0 +1,184 @@
+"""A run as a level: its start is what the run has come to.
+
+What places, lengths and formulas meant at the start they mean now: a rod without a length has the
+one that it had, and a force that changes with time is as far as time has come. The closed forms
+were those of another start, and so are left out.
+"""
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from sandbox.editing.formulas import renamed
+from sandbox.editing.layout import plain as rounded
+from sandbox.editing.mending import without_meaning
+from sandbox.editing.written_out import plain
+from sandbox.model import writing
+from sandbox.model.errors import SandboxError
+from sandbox.model.expressions import Expression, Values
+from sandbox.model.joints import Pulley, Rod, Rope, Spring, Weld, Winding
+from sandbox.model.level import Body, Level, span
+from sandbox.model.level_parts import expressions, names_in
+from sandbox.model.live_parameters import obstacle
+from sandbox.model.loading import parse
+from sandbox.model.shapes import evaluate
+from sandbox.physics.stepping.world import World
+
+Data = dict[str, Any]
+
+TOLD = ("checks", "ghosts", "challenge")
+"""What is said of a run from the level's own start."""
+
+MOVES = ("position", "angle", "velocity", "angular_velocity")
+"""The fields of a body that change while it runs."""
+
+
+def as_it_stands(world: World, *, anew: bool) -> str:
+    """Return a level whose start is where a run stands, and whose parameters are those of the run.
+
+    Parameters
+    ----------
+    world
+        The run.
+    anew
+        Whether time begins anew with that level: what depends on it is then so much ahead. Else the
+        level is one to go on with, at the time that it is, and numbers have all their digits.
+
+    Raises
+    ------
+    SandboxError
+        If no start of a level can tell what has happened.
+    """
+    _refuse(world)
+    if world.scene.happened or (anew and world.level.events):
+        raise SandboxError("events have their times, and no level can begin between them")
+    if not anew:
+        _refuse_to_begin_late(world.level)
+    level, values = world.level, world.values
+    data: Data = json.loads(plain(level.text))
+    for part in TOLD:
+        data.pop(part, None)
+    _fix(data, level, values, keep=not anew)
+    for row, (name, body) in enumerate(level.bodies.items()):
+        _put(data["bodies"][name], body, values, _state(world, row), keep=not anew)
+    for name, length in _lengths(level, values):
+        data["joints"][name]["length"] = length
+    if anew:
+        _begin_later(data, level, world)
+    return _without_unused(writing.text(data), level)
+
+
+def _fix(data: Data, level: Level, values: Values, *, keep: bool) -> None:
+    """Set the parameters; those to which places and shapes must fit are constants from now on."""
+    fixed = dict[str, float]()
+    for name, value in values.items():
+        if obstacle(level, [name]):
+            fixed[name] = value if keep else rounded(value)
+            del data["parameters"][name]
+        elif value != level.defaults[name]:
+            data["parameters"][name]["value"] = value
+    if fixed:
+        data["constants"] = {**fixed, **data.get("constants", {})}
+
+
+def _without_unused(text: str, level: Level) -> str:
+    """Return a level without the numbers that nothing uses any more.
+
+    Raises
+    ------
+    LevelError
+        If that is not all that it has too many.
+    """
+    found = without_meaning(text)
+    data = json.loads(found)
+    there = level.bodies, level.joints, level.effects.declared
+    for before, part in zip(there, ("bodies", "joints", "effects"), strict=True):
+        if not set(before) <= data.get(part, {}).keys():
+            parse(text)
+    return found
+
+
+def _refuse(world: World) -> None:
+    """Refuse what has happened to masses, to what has stuck, and to a slack string on a wheel."""
+    level = world.level
+    flows = [e for e, _, _ in level.effects.said if e.changes_mass]
+    if flows:
+        rule = "has made the masses what they are by now, and no level can begin with that"
+        raise SandboxError(f"'{flows[0].name}' {rule}")
+    welds = sum(isinstance(joint, Weld) for joint in level.joints.values())
+    if len(world.scene.joints.joined) > welds:
+        raise SandboxError("bodies have stuck to each other, and no level can begin with that")
+    for row, (name, joint) in enumerate(level.joints.items()):
+        if isinstance(joint, Winding) and world.snapshot.tension[row] == 0 and world.steps:
+            rule = "no level can say how much is off its wheel; wait until it is taut"
+            raise SandboxError(f"'{name}' is slack, and {rule}")
+
+
+def _refuse_to_begin_late(level: Level) -> None:
+    """Refuse what is as long as a formula of the time says: that begins with its first length."""
+    for name, joint in level.joints.items():
+        if isinstance(joint, Rod) and "t" in names_in(joint):
+            rule = "is as long as a formula of the time says; keep the run as a level, and go on it"
+            raise SandboxError(f"'{name}' {rule}")
+
+
+def _state(world: World, row: int) -> Mapping[str, list[float] | float]:
+    now = world.snapshot
+    return {
+        "position": now.position[row].tolist(),
+        "angle": float(now.angle[row]),
+        "velocity": now.velocity[row].tolist(),
+        "angular_velocity": float(now.angular_velocity[row]),
+    }
+
+
+def _put(
+    said: Data, body: Body, values: Values, state: Mapping[str, list[float] | float], *, keep: bool
+) -> None:
+    """Say of a body where it is and how it moves; what is as at the start stays as it was typed.
+
+    One that follows formulas is where they say, unless time begins anew.
+    """
+    if body.type == "static" or (keep and body.motion is not None):
+        return
+    fields = MOVES if body.motion is None else MOVES[:2]
+    for field in fields:
+        if state[field] != _said(getattr(body, field), values):
+            said[field] = state[field] if keep else _rounded(state[field])
+
+
+def _said(said: Expression | tuple[Expression, Expression], values: Values) -> list[float] | float:
+    """Return what a level says of a field."""
+    return list(evaluate(said, values)) if isinstance(said, tuple) else said(values)
+
+
+def _rounded(value: list[float] | float) -> list[float] | float:
+    return [rounded(each) for each in value] if isinstance(value, list) else rounded(value)
+
+
+def _lengths(level: Level, values: Values) -> Iterable[tuple[str, float]]:
+    """Yield how long those joints are that the level has left as long as they are at the start."""
+    for name, joint in level.joints.items():
+        if isinstance(joint, Rod | Rope | Pulley | Spring) and joint.length is None:
+            yield name, span(joint, level.bodies, values)
+
+
+def _begin_later(data: Data, level: Level, world: World) -> None:
+    """Let all that depends on time be as far ahead as the run has come."""
+    t = world.t
+    moved = ("effects", "bodies", "joints")
+    timed = ((p, e) for part in moved for p, e in expressions(getattr(level, part), (part,)))
+    for path, expression in timed:
+        if "t" not in expression.names:
+            continue
+        later = renamed(str(expression.source), "t", f"(t + {rounded(t)!r})")
+        if path[0] == "bodies" and path[2] == "motion":  # counted from where it starts
+            later = f"{later} - ({expression({**world.values, 't': t})!r})"
+        _set(data, path, later)
+
+
+def _set(data: Data, path: Sequence[str | int], value: str) -> None:
+    part: Any = data
+    for step in path[:-1]:
+        part = part[step]
+    part[path[-1]] = value

@@ -1,0 +1,19 @@
+"""A level written out: what can be drawn and moved has a place of its own in the text."""
+
+import json
+
+from sandbox.model import writing
+from sandbox.model.shorthand.expansion import write_out
+
+
+def plain(text: str) -> str:
+    """Return a level in which nothing repeats and no group is placed: all of it stands there.
+
+    A text without shorthand stays as it is, to the character; so does one that has mistakes in it.
+    """
+    try:
+        typed = json.loads(text)
+    except ValueError:
+        return text
+    made = write_out(typed, text)
+    return text if made.data is typed or made.faults else writing.text(made.data)

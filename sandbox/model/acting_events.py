@@ -1,0 +1,125 @@
+"""What happens once in a run and changes what acts: a string is cut, a hook catches, a force acts.
+
+A joint is there until it is cut, or until it breaks. One that some event ties is open until then. A
+force that some event switches on is off until then; any other is on from the start.
+"""
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Literal, NamedTuple
+
+from pydantic import Discriminator, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Load
+from sandbox.model.expressions import Expression, Fraction, Values
+from sandbox.model.joints import AngleStop, Joint, Stop
+from sandbox.model.measuring_instants import ApexEvent, CrossingEvent, LandingEvent, kind_of
+from sandbox.model.reference_fields import ForceNames, JointNames
+
+Direction = Literal["up", "down", "either", "beyond"]
+"""Which way a value is crossed; `beyond` is where the size of a quantity is not less than it."""
+
+Trigger = Annotated[
+    Annotated[Expression, Tag("a number")]
+    | Annotated[CrossingEvent, Tag("crossing")]
+    | Annotated[ApexEvent, Tag("apex")]
+    | Annotated[LandingEvent, Tag("landing")],
+    Discriminator(kind_of),
+]
+"""A time [s], or what is seen at once: a quantity that crosses a value."""
+
+MOST_EVENTS = 200
+"""How many events a level may have."""
+
+
+class Event(Model):
+    """Something that happens once, at its own time within a step, and changes what acts."""
+
+    at: Trigger
+    """a time [s], or when a quantity crosses a value for the first time"""
+    cut: JointNames = ()
+    """the joints that let go"""
+    tie: JointNames = ()
+    """the joints that catch, and hold what they find; they are open until then"""
+    on: ForceNames = ()
+    """the effects, or the named forces, that set in; they are off until then"""
+    off: ForceNames = ()
+    """the effects, or the named forces, that end"""
+
+
+class Crossing(NamedTuple):
+    """When an event happens: as a quantity crosses a value, which way."""
+
+    quantity: str
+    value: float
+    direction: Direction
+
+
+class Happening(NamedTuple):
+    """What happens once: what it waits for, and what it cuts, ties and switches."""
+
+    waits: Crossing
+    cut: tuple[str, ...] = ()
+    tie: tuple[str, ...] = ()
+    on: tuple[str, ...] = ()
+    off: tuple[str, ...] = ()
+
+
+def happenings(
+    events: Mapping[str, Event], joints: Mapping[str, Joint], values: Values
+) -> dict[str, Happening]:
+    """Return what happens in a level by itself: its events, and the joints that break."""
+    found = {
+        name: Happening(_crossing(event.at, values), event.cut, event.tie, event.on, event.off)
+        for name, event in events.items()
+    }
+    for joint, load in loads(joints, values).items():
+        found[breaking(joint)] = Happening(Crossing(f"{joint}.tension", load, "beyond"), (joint,))
+    return found
+
+
+def breaking(joint: str) -> str:
+    """Return what it is called that a joint breaks; no event has such a name."""
+    return f"{joint} breaks"
+
+
+def loads(joints: Mapping[str, Joint], values: Values) -> dict[str, float]:
+    """Return the force at which each joint breaks that can [N]."""
+    return {name: load(values) for name, load in breakable(joints)}
+
+
+def breakable(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Load]]:
+    """Yield the joints that may break, and what they bear."""
+    for name, joint in joints.items():
+        if (load := getattr(joint, "breaks_at", None)) is not None:
+            yield name, load
+
+
+def _crossing(at: Trigger, values: Values) -> Crossing:
+    """Return what an event waits for; a time is a crossing of `t`."""
+    match at:
+        case ApexEvent(body=body):
+            return Crossing(f"{body}.velocity.y", 0.0, "down")
+        case LandingEvent(body=body, height=height):
+            return Crossing(f"{body}.position.y", height(values), "down")
+        case CrossingEvent(quantity=quantity, value=value, direction=direction):
+            return Crossing(quantity, value(values), direction)
+    return Crossing("t", at(values), "up")
+
+
+def cut(events: Mapping[str, Event], joints: Mapping[str, Joint]) -> frozenset[str]:
+    """Return the joints that some event cuts, or that break."""
+    named = {name for event in events.values() for name in event.cut}
+    return frozenset(named.union(name for name, _ in breakable(joints)))
+
+
+def bouncing(joints: Mapping[str, Joint]) -> Iterator[tuple[str, Fraction]]:
+    """Yield the stops that give back speed, and how much of it."""
+    for name, joint in joints.items():
+        if isinstance(joint, Stop | AngleStop) and joint.restitution is not None:
+            yield name, joint.restitution
+
+
+def tied(events: Mapping[str, Event]) -> frozenset[str]:
+    """Return the joints that some event ties, which are open until then."""
+    return frozenset(name for event in events.values() for name in event.tie)

@@ -1,0 +1,179 @@
+"""Levels of many bodies, made to measure how a step's cost grows with their number."""
+
+from collections.abc import Callable, Mapping, Sequence
+from math import ceil, cos, pi, sin, sqrt
+from typing import Any, NamedTuple
+
+from sandbox.model.did_you_mean import suggestion
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.level import MAX_BODIES
+
+Document = dict[str, Any]
+"""A level as it stands in its file."""
+
+RADIUS = 0.05  # m
+G = 9.81  # m/s²
+GOLDEN = 0.6180339887498949
+"""Its multiples, less their whole part, are spread evenly: directions that look random."""
+
+FILLED = 0.2
+"""The part of the plane that a gas fills."""
+
+DEEP = 10
+"""How many discs lie above each other in a pile of 100 and more: all then press as hard on the
+lowest, and touch as many others. Heaps of twice that depth are too much for ten sweeps at 60 Hz."""
+
+LINK = 0.1  # m
+STIFF = 4.0
+"""How many steps there are at least to a radian of the fastest wave in a chain; 1/2 is too few."""
+
+
+class CrowdError(SandboxError):
+    """A scene of many bodies that cannot be made."""
+
+
+def gas(count: int) -> Document:
+    """Discs fly about between walls, bounce off them and off each other, and keep their energy."""
+    columns = ceil(sqrt(count))
+    apart = RADIUS * sqrt(pi / FILLED)
+    side = columns * apart
+    discs: Document = {}
+    for i in range(count):
+        turn = 2 * pi * (i * GOLDEN % 1)
+        place = (round((i % columns + 0.5) * apart, 6), round((i // columns + 0.5) * apart, 6))
+        disc = _disc(place, velocity=[round(cos(turn), 6), round(sin(turn), 6)], restitution=1)
+        discs[f"disc{i + 1}"] = disc
+    energy = sum(v[0] ** 2 + v[1] ** 2 for v in (d["velocity"] for d in discs.values())) / 2
+    corners: list[list[float]] = [[0, 0], [side, 0], [side, side], [0, side], [0, 0]]
+    return _level(
+        f"A gas of {count} discs",
+        "Discs that bounce without loss, and keep their energy.",
+        effects={"contact": {}, "restitution": {}},
+        bodies={**discs, "walls": _walls(corners, restitution=1)},
+        checks=[_check("system.energy", energy, 1e-2, "energy")],
+        view={"center": [side / 2, side / 2], "width": 1.5 * side},
+    )
+
+
+def pile(count: int) -> Document:
+    """Discs fall into a vessel and come to rest, as far as a heap of discs ever does.
+
+    They are told column by column: those that touch are neighbours in memory, too.
+    """
+    rows = min(ceil(sqrt(count)), DEEP)
+    apart = 2.2 * RADIUS
+    width, height = ceil(count / rows) * apart, (rows + 1) * apart
+    discs: Document = {}
+    for i in range(count):
+        aside = 0.05 * RADIUS * (2 * (i * GOLDEN % 1) - 1)  # no disc balances on another
+        place = (round((i // rows + 0.5) * apart + aside, 6), round(i % rows * apart, 6))
+        discs[f"disc{i + 1}"] = _disc(place, friction=0.5)
+    corners = [[0, 2 * height], [0, -apart], [width, -apart], [width, 2 * height]]
+    return _level(
+        f"A pile of {count} discs",
+        "Discs that fall into a vessel, and make a heap.",
+        effects={
+            "gravity": {"acceleration": [0, -G]},
+            "contact": {},
+            "friction": {},
+            "rotation": {},
+        },
+        bodies={**discs, "vessel": _walls(corners, friction=1)},
+        view={"center": [width / 2, height / 2], "width": max(1.1 * width, 2 * height)},
+    )
+
+
+def chain(count: int) -> Document:
+    """Discs hang in a row from a point, tied by rods, and swing."""
+    angle = 0.3  # rad, of the whole at the start
+    discs: Document = {}
+    rods: Document = {}
+    for i in range(1, count + 1):
+        place = (i * LINK * sin(angle), -i * LINK * cos(angle))
+        discs[f"disc{i}"] = {**_disc(place), "shape": {"type": "disc", "radius": LINK / 4}}
+        rods[f"rod{i}"] = {"type": "rod", "ends": [f"disc{i - 1}" if i > 1 else [0, 0], f"disc{i}"]}
+    fastest = 2 * sqrt(count * G / LINK)  # rad/s, of the links at the top, which carry them all
+    ends = [(1, "the highest link"), (count, "the lowest link")]
+    return _level(
+        f"A chain of {count} links",
+        "Discs on massless rods, solved together: every link keeps its length.",
+        effects={"gravity": {"acceleration": [0, -G]}},
+        bodies=discs,
+        joints=rods,
+        stepping={"rate": max(60, 10 * ceil(STIFF * fastest / 10))},
+        checks=[_check(f"rod{i}.length", LINK, 1e-9, about) for i, about in dict(ends).items()],
+        view={"center": [0, -0.55 * count * LINK], "width": 1.8 * count * LINK},
+    )
+
+
+def cluster(count: int) -> Document:
+    """Discs at rest attract each other, and fall towards their middle."""
+    discs: Document = {}
+    for i in range(count):
+        out, turn = sqrt(i + 0.5), 2 * pi * i * GOLDEN
+        place = (round(out * cos(turn), 6), round(out * sin(turn), 6))
+        discs[f"disc{i + 1}"] = _disc(place)
+    size = sqrt(count + 0.5)
+    middle = sum(disc["position"][0] for disc in discs.values()) / count
+    return _level(
+        f"A cluster of {count} bodies",
+        "Bodies that attract each other. Their centre of mass stays where it is.",
+        effects={"gravitation": {"constant": size / count, "softening": 0.5}},
+        bodies=discs,
+        checks=[_check("system.center.x", middle, 1e-9, "centre of mass")],
+        view={"width": 4 * size},
+    )
+
+
+def _disc(place: tuple[float, float], **rest: object) -> Document:
+    shape = {"type": "disc", "radius": RADIUS}
+    return {"shape": shape, "mass": 1, "position": list(place), **rest}
+
+
+def _walls(corners: Sequence[Sequence[float]], **rest: object) -> Document:
+    return {"type": "static", "shape": {"type": "polyline", "points": corners}, **rest}
+
+
+def _check(quantity: str, value: float, tolerance: float, label: str) -> Document:
+    return {"quantity": quantity, "formula": value, "tolerance": tolerance, "label": label}
+
+
+def _level(title: str, summary: str, **parts: object) -> Document:
+    return {"format": 1, "title": title, "summary": summary, **parts}
+
+
+class Crowd(NamedTuple):
+    """A kind of scene of many bodies."""
+
+    make: Callable[[int], Document]
+    most: int
+    """the largest number of bodies"""
+    least: int = 1
+
+
+CROWDS: Mapping[str, Crowd] = {
+    "gas": Crowd(gas, MAX_BODIES - 1),
+    "pile": Crowd(pile, 5000),
+    "chain": Crowd(chain, 300),
+    "cluster": Crowd(cluster, 1000, least=2),
+}
+"""The kinds. pymunk lets go of a heap in a time that grows faster than the square of its size: of
+5,000 discs in 2 s, of 10,000 in more than half a minute. The joints of a chain make one dense
+system, which grows with its cube; a cluster has as many pulls as pairs of bodies, and 1,000 are
+just in real time."""
+
+
+def crowd(kind: str, bodies: int) -> Document:
+    """Return a level with so many bodies that move.
+
+    Raises
+    ------
+    CrowdError
+        If there is no such kind, or not with so many bodies.
+    """
+    if kind not in CROWDS:
+        raise CrowdError(f"there is no scene '{brief(kind)}'{suggestion(kind, CROWDS)}")
+    make, most, least = CROWDS[kind]
+    if not least <= bodies <= most:
+        raise CrowdError(f"a {kind} of {bodies} bodies: there must be between {least} and {most}")
+    return make(bodies)

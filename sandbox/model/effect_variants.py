@@ -1,0 +1,242 @@
+"""The same level with an effect more or less: what a scene would do if something did not act.
+
+Both ways a level becomes another level; nothing is changed in place. What an effect that is
+switched off leaves without meaning goes with it: friction needs contact.
+"""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple, cast
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from sandbox.model import parse_messages
+from sandbox.model.arithmetic import ExpressionError
+from sandbox.model.consistency import inconsistencies
+from sandbox.model.constants import define
+from sandbox.model.did_you_mean import suggestion
+from sandbox.model.effects import EFFECTS, Effects
+from sandbox.model.effects.contract import Settings
+from sandbox.model.errors import SandboxError, brief
+from sandbox.model.expressions import Expression
+from sandbox.model.level import Body, Level
+from sandbox.model.level_parts import Fault
+from sandbox.model.rules import faults
+
+DEFAULTS: Mapping[str, Settings] = {
+    name: effect.trial for name, effect in EFFECTS.items() if effect.trial is not None
+}
+"""What is switched on where nothing is said of it; other effects must be told what they are."""
+
+TOLD = ("parameters", "checks", "ghosts", "challenge")
+"""The parts of a level that tell what the scene should do, and may have lost their meaning."""
+
+_COEFFICIENTS: Mapping[str, type[Expression]] = {
+    name: effect.coefficient for name, effect in EFFECTS.items() if effect.coefficient
+}
+"""The effects that have a coefficient a body: 'coefficient' is that of every pair."""
+
+
+class Variation(NamedTuple):
+    """What is done to one effect of a level."""
+
+    effect: str
+    gone: tuple[str, ...] = ()
+    """the others that had to go with it"""
+    settings: Settings | None = None
+    """with which it is switched on; None if it is switched off"""
+
+    def __str__(self) -> str:
+        if self.settings is None:
+            also = f" (and so without {', without '.join(self.gone)})" if self.gone else ""
+            return f"without {self.effect}{also}"
+        said = ", ".join(f"{field} {shown(value)}" for field, value in self.settings.items())
+        return f"with {self.effect}" + (f" ({said})" if said else "")
+
+
+class EffectError(SandboxError):
+    """An effect that cannot be switched off, or on, in this level."""
+
+
+def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
+    """Return a level without an effect, and the other effects that had to go with it.
+
+    Raises
+    ------
+    EffectError
+        If the level does not declare the effect, or makes no sense without it.
+    """
+    if effect not in level.effects.declared:
+        hint = suggestion(effect, level.effects.declared)
+        raise EffectError(f"the level declares no effect '{brief(effect)}'{hint}")
+    changed, gone = _dropped(level, effect), [effect]
+    while found := list(_scene_faults(changed)):
+        name = next((str(fault.path[1]) for fault in found if fault.path[0] == "effects"), None)
+        if name is not None:
+            changed = _dropped(changed, name)
+            gone.append(name)
+        elif (silenced := _silenced(changed, found)) is not changed:
+            changed = silenced
+        else:
+            changed = _cleared(changed, found, effect)
+    return changed, tuple(gone[1:])
+
+
+def _scene_faults(level: Level) -> Iterator[Fault]:
+    """Yield what contradicts itself in the scene; what is told of it may have lost its meaning."""
+    return (fault for fault in inconsistencies(level) if fault.path[0] not in TOLD)
+
+
+def _dropped(level: Level, effect: str) -> Level:
+    return level.model_copy(update={"effects": level.effects.model_copy(update={effect: None})})
+
+
+def _silenced(level: Level, found: list[Fault]) -> Level:
+    """Take from events what they can switch no more, and the events that then do nothing."""
+    gone = {fault.path[1:4] for fault in found if fault.path[0] == "events"}
+    events = {}
+    for name, event in level.events.items():
+        left = {
+            field: tuple(
+                part for i, part in enumerate(getattr(event, field)) if (name, field, i) not in gone
+            )
+            for field in ("cut", "tie", "on", "off")
+        }
+        if any(left.values()):
+            events[name] = event.model_copy(update=left)
+    same = events == dict(level.events)
+    return level if same else level.model_copy(update={"events": events})
+
+
+def _cleared(level: Level, found: list[Fault], effect: str) -> Level:
+    """Take from bodies what only the effect gave a meaning."""
+    bodies = dict(level.bodies)
+    for fault in found:
+        if fault.path[0] != "bodies" or len(fault.path) < 3:
+            place = ".".join(map(str, fault.path))
+            raise EffectError(f"without '{effect}' the level is impossible: {place}: {fault.rule}")
+        name, field = str(fault.path[1]), str(fault.path[2])
+        default = Body.model_fields[field].default
+        bodies[name] = bodies[name].model_copy(update={field: default})
+    return level.model_copy(update={"bodies": bodies})
+
+
+def including(level: Level, effect: str, settings: Settings) -> Level:
+    """Return a level with an effect more, or with another setting of one that it declares.
+
+    Parameters
+    ----------
+    level
+        Any level.
+    effect
+        Its name in the manifest.
+    settings
+        Its fields, as in a file; of an effect that is a list, those of each entry. For `friction`
+        and `restitution` the `coefficient` of every pair. `DEFAULTS` if empty.
+
+    Raises
+    ------
+    EffectError
+        If there is no such effect or setting, or the level contradicts it.
+    """
+    if effect not in Effects.model_fields:
+        hint = suggestion(effect, Effects.model_fields, most=20)
+        raise EffectError(f"unknown effect '{brief(effect)}'{hint}")
+    declared = effect in level.effects.declared
+    if declared and not settings:
+        raise EffectError(
+            f"the level declares '{effect}' already; a setting such as"
+            f" {effect}.{_example(effect)} changes it"
+        )
+    fields = dict(settings or DEFAULTS.get(effect, {}))
+    coefficient = fields.pop("coefficient", None) if effect in _COEFFICIENTS else None
+    changed = level.model_copy(update={"effects": _declaring(level, effect, fields)})
+    if coefficient is not None:
+        changed = _with_coefficient(changed, effect, coefficient)
+    known = set(faults(level))
+    for fault in faults(changed):
+        if fault not in known and fault.path[0] not in TOLD:
+            place = ".".join(map(str, fault.path))
+            raise EffectError(f"'{effect}' is not possible here: {place}: {fault.rule}")
+    return changed
+
+
+def vary(
+    level: Level, off: Sequence[str], on: Mapping[str, Settings]
+) -> tuple[Level, tuple[Variation, ...]]:
+    """Return a level with some effects switched off, then others on, and what that did to each.
+
+    Raises
+    ------
+    EffectError
+        If that makes no sense.
+    """
+    changed = level
+    parts: list[Variation] = []
+    for name in dict.fromkeys(off):
+        if name in level.effects.declared and name not in changed.effects.declared:
+            continue  # it has gone with another
+        changed, gone = without(changed, name)
+        parts.append(Variation(name, gone))
+    for name, fields in on.items():
+        changed = including(changed, name, fields)
+        parts.append(Variation(name, settings=fields))
+    return changed, tuple(parts)
+
+
+def shown(value: object) -> str:
+    """Return a setting as a person would type it."""
+    return value if isinstance(value, str) else json.dumps(value)
+
+
+def _example(effect: str) -> str:
+    """Return one of an effect's settings, as it would be typed."""
+    for name, value in DEFAULTS.get(effect, {}).items():
+        return f"{name}={json.dumps(value)}"
+    return "...=..."
+
+
+def _declaring(level: Level, effect: str, fields: Settings) -> Effects:
+    """Return a level's effects with fields of one of them set."""
+    said = level.effects.model_dump(mode="json", exclude_none=True)
+    before = said.get(effect, {})
+    entries = before if isinstance(before, list) else [before]
+    many = [{**entry, **fields} for entry in entries]
+    for entry in (many,) if before is entries else (many[0], many):
+        try:
+            made = Effects.model_validate_json(json.dumps({**said, effect: entry}))
+            define(made, level.constants)
+            return made
+        except ValidationError as error:
+            detail = error.errors(include_url=False)[0]
+            if detail["type"] != "tuple_type" or len(detail["loc"]) > 1:
+                raise EffectError(_said(effect, detail)) from error
+    raise AssertionError(effect)  # one of the two is its form
+
+
+def _said(effect: str, detail: ErrorDetails) -> str:
+    """Say what is wrong with the settings of an effect."""
+    place = ".".join(str(step) for step in detail["loc"] if not isinstance(step, int))
+    shown = cast("ErrorDetails", {**detail, "loc": ("effects", *detail["loc"])})
+    if detail["type"] == "missing" and isinstance(detail["loc"][-1], str):
+        return f"'{effect}' needs a setting: {effect}.{detail['loc'][-1]}=..."
+    return f"{place}: {parse_messages.rule(shown)}"
+
+
+def _with_coefficient(level: Level, effect: str, coefficient: object) -> Level:
+    """Give every body the root of a coefficient, so that of each pair is the product."""
+    kind = _COEFFICIENTS[effect]
+    if not isinstance(coefficient, int | float | str):
+        raise EffectError(f"{effect}.coefficient: must be a number or an expression")
+    try:
+        root = kind(f"sqrt({kind(coefficient).source})")
+    except ExpressionError as error:
+        raise EffectError(f"{effect}.coefficient: {error}") from error
+    bodies = {name: body.model_copy(update={effect: root}) for name, body in level.bodies.items()}
+    for body in bodies.values():
+        define(body, level.constants)
+    pairless = level.effects.model_copy(
+        update={effect: getattr(level.effects, effect).model_copy(update={"pairs": ()})}
+    )
+    return level.model_copy(update={"bodies": bodies, "effects": pairless})

@@ -1,0 +1,134 @@
+"""Finding what the types of a model's fields mark: `Annotated[str, Mark()]`.
+
+A mark is said where a field is declared, and nowhere else: whoever looks for marked values finds
+those of a new field, effect or joint, too.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache
+from types import NoneType, UnionType
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
+
+from sandbox.model.base import Model
+from sandbox.model.json_positions import Path
+
+Marked = tuple[Path, Any, Any]
+"""Where a marked value stands, the value, and its mark."""
+
+Find = Callable[[Any, Path], Iterator[Marked]]
+"""Yields what is marked in a value that stands at a path."""
+
+
+def marked(part: Model, kind: type, path: Path = ()) -> Iterator[Marked]:
+    """Yield every value of a part of a level that has a mark of some kind.
+
+    Parameters
+    ----------
+    part
+        What is searched.
+    kind
+        The class of the mark.
+    path
+        Where the part stands.
+
+    Yields
+    ------
+    tuple
+        Where the value stands, the value, and its mark.
+    """
+    find = _of_model(type(part), kind)
+    if find:
+        yield from find(part, path)
+
+
+@cache
+def _of_model(model: type[Model], kind: type) -> Find | None:
+    """Return what finds the marks in a part of that model; None if there can be none."""
+    hints = get_type_hints(model, include_extras=True)
+    found = {field: _finder(hints[field], kind) for field in model.model_fields}
+    fields = {field: find for field, find in found.items() if find}
+    if not fields:
+        return None
+
+    def find(part: Model, path: Path) -> Iterator[Marked]:
+        for field, inside in fields.items():
+            yield from inside(getattr(part, field), (*path, field))
+
+    return find
+
+
+def _finder(hint: Any, kind: type) -> Find | None:  # noqa: ANN401 (a type is any object)
+    """Return what finds the marks in a value of a type; None if there can be none."""
+    origin, arguments = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        inside = _finder(arguments[0], kind)
+        mark = next((extra for extra in arguments[1:] if isinstance(extra, kind)), None)
+        return inside if mark is None else _marked(mark, inside)
+    if origin in (Union, UnionType):
+        return _of_union(arguments, kind)
+    if origin is tuple:
+        return _of_tuple([argument for argument in arguments if argument is not Ellipsis], kind)
+    if origin is Mapping:
+        return _of_mapping(*(_finder(argument, kind) for argument in arguments))
+    return _of_model(hint, kind) if isinstance(hint, type) and issubclass(hint, Model) else None
+
+
+def _marked(mark: object, inside: Find | None) -> Find:
+    def find(value: object, path: Path) -> Iterator[Marked]:
+        yield path, value, mark
+        if inside:
+            yield from inside(value, path)
+
+    return find
+
+
+def _of_union(hints: Sequence[Any], kind: type) -> Find | None:
+    """Return what finds the marks in a value that is of one of some types."""
+    found = [(_classes(hint), _finder(hint, kind)) for hint in hints if hint is not NoneType]
+    if not any(find for _, find in found):
+        return None
+
+    def find(value: object, path: Path) -> Iterator[Marked]:
+        for classes, inside in found:
+            if inside and isinstance(value, classes):
+                yield from inside(value, path)
+
+    return find
+
+
+def _classes(hint: Any) -> tuple[type, ...]:  # noqa: ANN401 (a type is any object)
+    """Return the classes that the values of a type have."""
+    origin, arguments = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return _classes(arguments[0])
+    if origin in (Union, UnionType):
+        return tuple(found for argument in arguments for found in _classes(argument))
+    return (origin or hint,)
+
+
+def _of_tuple(hints: Sequence[Any], kind: type) -> Find | None:
+    """Return what finds the marks in a list; if it is of any length, all of it is of one type."""
+    found = [_finder(hint, kind) for hint in hints]
+    if not any(found):
+        return None
+
+    def find(value: Sequence[object], path: Path) -> Iterator[Marked]:
+        for index, item in enumerate(value):
+            if inside := found[min(index, len(found) - 1)]:
+                yield from inside(item, (*path, index))
+
+    return find
+
+
+def _of_mapping(of_key: Find | None, of_value: Find | None) -> Find | None:
+    if not (of_key or of_value):
+        return None
+
+    def find(value: Mapping[str, object], path: Path) -> Iterator[Marked]:
+        for key, item in value.items():
+            if of_key:
+                yield from of_key(key, (*path, key))
+            if of_value:
+                yield from of_value(item, (*path, key))
+
+    return find

@@ -1,0 +1,41 @@
+"""Walking through the parts of a level."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, NamedTuple
+
+from sandbox.model.json_positions import Path
+from sandbox.model.level import Check, Level
+from sandbox.model.measuring_instants import Instant
+from sandbox.model.traversal import expressions as expressions
+
+if TYPE_CHECKING:
+    from sandbox.model.challenge import Goal
+
+
+class Fault(NamedTuple):
+    """Something wrong with a level: where, and what."""
+
+    path: Path
+    rule: str
+
+
+def measured(level: Level) -> Iterator[tuple[Path, "Check | Goal"]]:
+    """Yield whatever is measured to judge a run, checks and goals, with the path to it."""
+    for index, check in enumerate(level.checks):
+        yield ("checks", index), check
+    if level.challenge is None:
+        return
+    for index, goal in enumerate(level.challenge.goals):
+        yield ("challenge", "goals", index), goal
+    for index, goal in enumerate(level.challenge.stars):
+        yield ("challenge", "stars", index), goal
+
+
+def instants(level: Level) -> Iterator[tuple[Path, Instant]]:
+    """Yield every time and event at which something is measured, with the path to it."""
+    yield from (((*path, "at"), one.at) for path, one in measured(level) if one.at is not None)
+
+
+def names_in(part: object) -> frozenset[str]:
+    """Return the names that the expressions below a part of a level use."""
+    return frozenset().union(*(expression.names for _, expression in expressions(part)))

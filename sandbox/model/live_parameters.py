@@ -1,0 +1,80 @@
+"""Which parameters can be changed while a run goes on, and why others cannot.
+
+What goes on keeps its places and velocities. So a parameter must not change what these came of: a
+shape, how joints fit together, the mass that has flowed. And it must change something else than
+where bodies started.
+"""
+
+from collections.abc import Collection, Iterator
+
+from sandbox.model.bounds import Flow, Mass
+from sandbox.model.effects import EFFECTS
+from sandbox.model.joints import Joint, Motor, Spring
+from sandbox.model.level import Level
+from sandbox.model.level_parts import expressions, names_in
+
+TELLS = ("mass", "moment", "friction", "static_friction", "restitution")
+"""The fields of a body that its motion depends on at every step."""
+
+
+def obstacle(level: Level, changed: Collection[str]) -> str | None:
+    """Return why a run cannot go on with some parameters changed; None if it can."""
+    reasons = (
+        (_shapes(level), "is part of a shape, and bodies keep theirs while they move"),
+        (
+            _fits(level),
+            "says how things were put together at the start, and joints keep that",
+        ),
+        (_driven(level), "says where a body is moved to, which would jump"),
+        (_flows(level), "has made the masses what they are by now"),
+    )
+    for names, reason in reasons:
+        for name in changed:
+            if name in names:
+                return f"'{name}' {reason}"
+    if not _acting(level).intersection(changed):
+        listed = " and ".join(f"'{name}'" for name in changed)
+        return f"nothing that goes on depends on {listed}, only how the run starts or what is told"
+    return None
+
+
+def _shapes(level: Level) -> frozenset[str]:
+    return names_in(tuple(body.shape for body in level.bodies.values()))
+
+
+def _fits(level: Level) -> frozenset[str]:
+    """Return what joints are made by: also places at the start, where their lengths are from."""
+    if not level.joints:
+        return frozenset()
+    places = tuple((body.position, body.angle) for body in level.bodies.values())
+    fixed = tuple(part for joint in level.joints.values() for part in _parts(joint, free=False))
+    return names_in((places, fixed))
+
+
+def _driven(level: Level) -> frozenset[str]:
+    return names_in(tuple(body.motion for body in level.bodies.values()))
+
+
+def _flows(level: Level) -> frozenset[str]:
+    """Return what says how masses change with time."""
+    flowing = (name for name, effect in EFFECTS.items() if effect.changes_mass)
+    said = tuple(getattr(level.effects, name) for name in flowing)
+    found = (each for _, each in expressions(said) if isinstance(each, Flow | Mass))
+    return frozenset().union(*(each.names for each in found))
+
+
+def _acting(level: Level) -> frozenset[str]:
+    """Return what accelerations depend on at every step."""
+    bodies = tuple(getattr(body, field) for body in level.bodies.values() for field in TELLS)
+    free = tuple(part for joint in level.joints.values() for part in _parts(joint, free=True))
+    return names_in((level.effects, bodies, free))
+
+
+def _parts(joint: Joint, *, free: bool) -> Iterator[object]:
+    """Yield the fields of a joint that may change while it holds, or the others."""
+    changeable: tuple[str, ...] = ()
+    if isinstance(joint, Spring):
+        changeable = "stiffness", "damping", "length", "law"
+    elif isinstance(joint, Motor):
+        changeable = ("rate",)
+    yield from (part for name, part in vars(joint).items() if (name in changeable) == free)

@@ -1,0 +1,88 @@
+"""When something is measured: at a time, or when something happens."""
+
+from collections.abc import Mapping
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+
+from sandbox.model.base import Model
+from sandbox.model.bounds import Coordinate
+from sandbox.model.expressions import Expression
+from sandbox.model.reference_fields import BodyName, Couple, QuantityName
+
+MOST_MEETINGS = 100
+"""How often two bodies may meet and part, for that to be counted."""
+
+
+def _counted(said: object) -> object:
+    """Take a number in quotes for one: it stands so where an index was put in."""
+    return int(said) if isinstance(said, str) and said.isdecimal() and len(said) < 5 else said
+
+
+Nth = Annotated[int, BeforeValidator(_counted), Field(ge=1, le=MOST_MEETINGS)]
+"""The how many-th time; the first is 1."""
+
+
+class ContactEvent(Model):
+    """Two bodies come to touch; measured one step later, when the impact is over.
+
+    Just after the impact itself where it is located in time.
+    """
+
+    event: Literal["contact"]
+    bodies: Couple
+    nth: Nth = 1
+    """how many times they have come to touch by then; those that touch at the start part before"""
+
+
+class SeparationEvent(Model):
+    """Two bodies that have touched do so no longer; measured at the first step at which they do."""
+
+    event: Literal["separation"]
+    bodies: Couple
+    nth: Nth = 1
+    """how many times they have parted by then"""
+
+
+class CrossingEvent(Model):
+    """A quantity crosses a value for the first time; measured between steps."""
+
+    event: Literal["crossing"]
+    quantity: QuantityName
+    value: Expression = Expression(0)
+    direction: Literal["up", "down", "either"] = "either"
+
+
+class ApexEvent(Model):
+    """A body stops rising for the first time; measured between steps."""
+
+    event: Literal["apex"]
+    body: BodyName
+
+
+class LandingEvent(Model):
+    """A body's centre falls to a height for the first time; measured between steps."""
+
+    event: Literal["landing"]
+    body: BodyName
+    height: Coordinate = Coordinate(0)
+    """m"""
+
+
+def kind_of(at: object) -> str | None:
+    """Return which kind of instant is said, None if that is not told."""
+    if isinstance(at, Mapping):
+        return str(at["event"]) if "event" in at else None
+    return str(getattr(at, "event", "a number"))
+
+
+Instant = Annotated[
+    Annotated[Expression, Tag("a number")]
+    | Annotated[ContactEvent, Tag("contact")]
+    | Annotated[SeparationEvent, Tag("separation")]
+    | Annotated[CrossingEvent, Tag("crossing")]
+    | Annotated[ApexEvent, Tag("apex")]
+    | Annotated[LandingEvent, Tag("landing")],
+    Discriminator(kind_of),
+]
+"""A time [s], or an event."""

@@ -1,0 +1,88 @@
+"""A level with everything written out that its author typed only once."""
+
+import re
+from typing import Any, NamedTuple
+
+from sandbox.model.json_positions import Path
+from sandbox.model.level_parts import Fault
+from sandbox.model.shorthand.expansion_notes import MOST, Moves, Notes, TooLongError, followed
+from sandbox.model.shorthand.groups import COPY, placed
+from sandbox.model.shorthand.repeating import GROUPS, REPEAT, repeated
+
+_UNKNOWN = re.compile(r"unknown parameter '(\w+)'")
+
+_KEYS = tuple(f'"{key}"' for key in (REPEAT, COPY, GROUPS))
+
+
+class WrittenOut(NamedTuple):
+    """A level at length.
+
+    Attributes
+    ----------
+    data
+        What its JSON text would hold if it were typed out.
+    placed, typed
+        From where parts have moved: out of the groups that are placed, and what repeats.
+    faults
+        What is wrong with the shorthand, at the paths of the text.
+    """
+
+    data: Any
+    placed: Moves
+    typed: Moves
+    faults: list[Fault]
+
+    def place(self, path: Path) -> Path:
+        """Return where in the text something was typed that stands at a path of the data."""
+        return followed(followed(path, self.placed), self.typed)
+
+    def hinted(self, fault: Fault, typed: Any) -> Fault:  # noqa: ANN401 (whatever JSON holds)
+        """Return a fault of the data; one that takes an index for a parameter says how it is typed.
+
+        Parameters
+        ----------
+        fault
+            At a path of the data.
+        typed
+            What the text holds.
+        """
+        unknown = _UNKNOWN.match(fault.rule)
+        if not (unknown and self.typed):
+            return fault
+        path, part = self.place(fault.path), typed
+        for step in path[:-1]:
+            if not _has(part, step):
+                break
+            part = part[step]
+            if isinstance(part, dict) and unknown[1] in (part.get(REPEAT) or ()):
+                return fault._replace(rule=f"{unknown[0]}; the index is typed {{{unknown[1]}}}")
+        return fault
+
+
+def _has(part: Any, step: str | int) -> bool:  # noqa: ANN401 (whatever JSON holds)
+    return step in part if isinstance(part, dict) else isinstance(part, list)
+
+
+def write_out(data: Any, text: str) -> WrittenOut:  # noqa: ANN401 (whatever JSON holds)
+    """Return what a level stands for; without shorthand, what it is.
+
+    Parameters
+    ----------
+    data
+        What its text holds.
+    text
+        That text.
+    """
+    if not any(key in text for key in _KEYS):
+        return WrittenOut(data, {}, {}, [])
+    notes = Notes()
+    try:
+        made = repeated(data, notes)
+        if not notes.faults:
+            made = placed(made, notes)
+    except TooLongError as error:
+        rule = f"comes to more than {MOST:,} characters when it is written out; that is the most"
+        return WrittenOut(data, {}, {}, [Fault(error.args[0], rule)])
+    except RecursionError:
+        return WrittenOut(data, {}, {}, [Fault((), "is nested too deeply")])
+    return WrittenOut(made, notes.placed, notes.typed, notes.faults)

@@ -1,0 +1,66 @@
+"""What is noted while a level is written out: where parts were typed, what is wrong, how much."""
+
+from dataclasses import dataclass, field
+
+from sandbox.model.json_positions import Path
+from sandbox.model.level_parts import Fault
+
+MOST = 5_000_000
+"""How many characters a level may come to, about: as many as the largest file has."""
+
+PLAIN = 8
+"""How many of them are counted for a number, a bracket or a comma."""
+
+
+Moves = dict[Path, Path]
+"""Paths of parts that have moved, and the paths from which they have."""
+
+
+def followed(path: Path, moves: Moves) -> Path:
+    """Return where something was before it moved, with what is around it or alone."""
+    for length in range(len(path), 0, -1):
+        if before := moves.get(path[:length]):
+            return (*before, *path[length:])
+    return path
+
+
+class TooLongError(Exception):
+    """What is written out would come to more than `MOST`; its argument is where that is typed."""
+
+
+@dataclass(slots=True)
+class Notes:
+    """What is noted on the way.
+
+    Attributes
+    ----------
+    typed
+        Where parts were typed of what repeats, that do not stand at their own path in the text.
+    placed
+        Where parts of placed groups stand in those groups.
+    faults
+        What is wrong, at the paths of the text.
+    left
+        How many characters may still come.
+    """
+
+    typed: Moves = field(default_factory=dict)
+    placed: Moves = field(default_factory=dict)
+    faults: list[Fault] = field(default_factory=list)
+    left: int = MOST
+
+    def refuse(self, path: Path, rule: str) -> None:
+        """Note that something is wrong."""
+        self.faults.append(Fault(path, rule))
+
+    def charge(self, characters: int, path: Path) -> None:
+        """Take what is to be written from what may be, before it is.
+
+        Raises
+        ------
+        TooLongError
+            If that is too much.
+        """
+        self.left -= characters + PLAIN
+        if self.left < 0:
+            raise TooLongError(path)

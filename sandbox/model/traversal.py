@@ -1,0 +1,30 @@
+"""Walking through whatever is made of frozen parts and expressions."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from sandbox.model.base import Model
+from sandbox.model.expressions import Expression
+from sandbox.model.json_positions import Path
+
+
+def expressions(part: object, path: Path = ()) -> Iterator[tuple[Path, Expression]]:
+    """Yield every expression below a part of a level, with the path to it."""
+    pending = [(path, part)]
+    while pending:
+        path, part = pending.pop()
+        if isinstance(part, Expression):
+            yield path, part
+        else:
+            pending += [
+                ((*path, name), child)
+                for name, child in reversed(_children(part))
+                if not (child is None or isinstance(child, str | int | float))  # most there is
+            ]
+
+
+def _children(part: object) -> Sequence[tuple[str | int, object]]:
+    if isinstance(part, Model):
+        return list(vars(part).items())
+    if isinstance(part, tuple):
+        return list(enumerate(part))
+    return list(part.items()) if isinstance(part, Mapping) else ()

@@ -1,0 +1,208 @@
+"""Looking for the cheapest setting by short runs.
+
+Each scheme that is for the level runs at a sequence of rates, each twice the one before, until the
+cheapest run that will do is seen. A rate between that run and the one before is tried, and what
+only the order promises is run, with a finer run beside it, as far as that is not too much work.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.model.schemes import unsmooth
+from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
+from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, record, scaled, stride
+from sandbox.physics.accuracy.errors import AccuracyError
+from sandbox.physics.accuracy.event_errors import onset
+from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_prices
+from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, price, refine
+from sandbox.physics.accuracy.richardson import ORDERS
+from sandbox.physics.guarding.rate_limits import needs
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.state.errors import SimulationError
+from sandbox.physics.stepping.make_world import make_world
+
+CONFIRMED = 2.0
+"""How many times the work of a search may be spent on seeing that what is promised is so."""
+
+FEW = 400
+"""Steps of the first run, at the most: a long run begins with steps that no one would choose."""
+
+LONGEST = 4.0
+"""Hz, or up to twice that: the rate at which it begins at the least."""
+
+MORE_SWEEPS = 4
+"""By how much more often the solver sweeps in the runs that judge it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """The cheapest setting that was found, or the most accurate, and what it was found by."""
+
+    level: Level
+    values: Values
+    target: float
+    wanted: Sequence[Watched]
+    offers: Offers
+    chosen: Candidate
+
+    @property
+    def decided_by(self) -> str:
+        """The quantity with the largest error; empty if none is off."""
+        return self.offers.decisive(self.chosen, self.wanted)
+
+    @property
+    def onset(self) -> float:
+        """How far off a velocity may be where a force sets in or ends.
+
+        0 if that is as little as asked for, or all steps were looked at.
+        """
+        best, rate = self.offers.refinements[0].traces[-1], self.chosen.stepping.rate
+        if stride(rate) == 1:
+            return 0.0
+        off = onset(best, self.wanted, rate).error
+        return off if off > self.target else 0.0
+
+    def priced(self) -> Offer:
+        """Return the setting at its price, which is measured."""
+        return self.chosen.offer(*step_prices(self.level, self.values, self.chosen.stepping))
+
+    def in_real_time(self) -> Offer | None:
+        """Return the most accurate setting that runs in real time."""
+        last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
+        return self.offers.in_real_time(step_prices(self.level, self.values, *last))
+
+
+@dataclass(frozen=True, slots=True)
+class Seeker:
+    """Looks for the cheapest setting of a level; what it takes is as for `calibrate`."""
+
+    level: Level
+    values: Values
+    target: float
+    budget: float
+    progress: Progress | None
+    stop: Stop
+
+    def found(self, wanted: Sequence[Watched]) -> Found:
+        """Return the cheapest setting that is seen to do, or else the most accurate.
+
+        Raises
+        ------
+        AccuracyError
+            If the level takes too long to run.
+        Cancelled
+            If `stop` said so.
+        SimulationError
+            If it does not run at all.
+        """
+        wanted = with_scales(self.level, self.values, wanted, self.stop)
+        refiners = [
+            Refiner(self.level, self.values, start, wanted, self.target)
+            for start in _candidates(self.level, self.values)
+        ]
+        refinements = refine(refiners, self.budget, self.stop, self.progress)
+        if not refinements and (failure := refiners[-1].failure):
+            raise failure
+        if not refinements:
+            raise AccuracyError("the level takes too long to run for its accuracy to be found out")
+        offers = Offers(refinements, [price(refiners, refinement) for refinement in refinements])
+        chosen = offers.best(self.target)
+        if chosen.trace is None:
+            chosen = self._confirmed(chosen, wanted)
+        elif chosen.error <= self.target:
+            chosen = self._refined(chosen, offers, wanted)
+        return Found(self.level, self.values, self.target, wanted, offers, chosen)
+
+    def _run(self, stepping: Stepping, wanted: Sequence[Watched]) -> Trace:
+        return record(self.level, self.values, stepping, wanted, self.stop)
+
+    def _refined(self, chosen: Candidate, offers: Offers, wanted: Sequence[Watched]) -> Candidate:
+        """Return a setting at a rate between the chosen run and the one before, if that will do."""
+        best = offers.refinements[0]
+        refinement = next(found for found in offers.refinements if chosen.trace in found.traces)
+        rate = refinement.between(self.target)
+        if rate is None:
+            return chosen
+        stepping = chosen.stepping.at(rate)
+        with suppress(SimulationError):
+            trace = self._run(stepping, wanted)
+            error = furthest(trace, best.traces[-1], wanted)[0] + best.errors[-1]
+            if error <= self.target:
+                return Candidate(stepping, error, trace, chosen.work * rate / chosen.stepping.rate)
+        return chosen
+
+    def _confirmed(self, chosen: Candidate, wanted: Sequence[Watched]) -> Candidate:
+        """Return what the order promises, and how far it is off if a finer run is not too much.
+
+        Raises
+        ------
+        Cancelled
+            If `stop` said so.
+        """
+        rate, work = chosen.stepping.rate, 3 * chosen.work * self.level.duration(self.values)
+        if work > CONFIRMED * self.budget or 2 * rate > HIGHEST_RATE:
+            return chosen
+        try:
+            here, finer = (self._run(chosen.stepping.at(r), wanted) for r in (rate, 2 * rate))
+        except SimulationError:
+            return chosen._replace(error=float("inf"))
+        spare = 1 + 1 / (2 ** (NEARLY * ORDERS[chosen.stepping.scheme]) - 1)
+        return chosen._replace(error=spare * furthest(here, finer, wanted)[0], trace=here)
+
+
+def with_scales(
+    level: Level, values: Values, wanted: Sequence[Watched], stop: Stop = never
+) -> Sequence[Watched]:
+    """Return what is watched with the scales of a run at the level's own rate.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    """
+    own = Stepping(rate=level.stepping.rate, iterations=level.stepping.iterations)
+    with suppress(SimulationError):
+        return scaled(wanted, record(level, values, own, wanted, stop))
+    return wanted
+
+
+def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
+    """Yield what is tried, from its lowest rate on; the best judge of the others first.
+
+    Where all is smooth it is below the lowest that is chosen, to see by how much that is better.
+    """
+    rate = foot(level.stepping.rate) / (1 if level.effects.contact else 2)
+    while rate * level.duration(values) > FEW and rate > LONGEST:
+        rate /= 2
+    lowest, floor = rate, _floor(level, values)
+    while rate < floor and rate * 2**FEWEST <= HIGHEST_RATE:
+        rate *= 2
+    start = Stepping(rate=rate, iterations=level.stepping.iterations)
+    if not unsmooth(level):
+        yield start.model_copy(update={"scheme": "fourth-order", "rate": rate / 2})
+    elif contact := level.effects.contact:
+        judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
+        yield judge
+        if contact.located or level.effects.in_sequence:  # which has a price, too
+            naive = judge if level.effects.in_sequence else start  # rows at once are for sweeps
+            yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
+    yield start
+
+
+def _floor(level: Level, values: Values) -> float:
+    """Return the rate that the start asks for [Hz]: runs below it can agree on what is wrong.
+
+    It is that after the shortest step, of a scheme that does not wait for piles to settle; 0 where
+    there is no such step.
+    """
+    try:
+        world = make_world(level, values, Stepping(rate=HIGHEST_RATE, scheme="symplectic-euler"))
+        now = world.advance()
+    except SimulationError:
+        return 0.0
+    contact = level.effects.contact
+    found = needs(world.scene, now, (contact and contact.located) or ())
+    return max((need.rate for need in found), default=0.0)

@@ -1,0 +1,306 @@
+"""Runs that are held against each other, and what is watched in them."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import log2
+
+import numpy as np
+
+from sandbox.model.bounds import Duration
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Check, ContactEvent, Instant, Level, SeparationEvent, Stepping
+from sandbox.model.quantities import quantity
+from sandbox.physics.accuracy.errors import Cancelled
+from sandbox.physics.engine.batch import Integers
+from sandbox.physics.measuring.grading import ZERO, applies, least_scale, samples
+from sandbox.physics.measuring.recording import Recorder, Trace, count_steps, needed_at
+from sandbox.physics.stepping.make_world import make_world
+
+Stop = Callable[[], bool]
+"""Tells whether somebody has lost patience."""
+
+BLOCK = 50
+"""Looks at a run between two questions of that kind."""
+
+SEEN = 240.0
+"""Hz, how often a run is looked at, or up to twice that: a look costs more than a step."""
+
+FADING = 0.5
+"""The share of itself that is left, at the most, of what fades as the step is halved."""
+
+ROUNDING = 1e-12
+"""The share of the largest value by which nothing that jumps changes."""
+
+SAME = 1e-9
+"""Times that differ by this share are the same."""
+
+LITTLE = 1e-2
+"""The share of the largest in the scene to which a small coordinate or velocity is relative."""
+
+JUMPS = 5.0
+"""How many times as much as around it a velocity changes, at the least, where it jumps."""
+
+
+RATES = {
+    "position.x": ("velocity.x", "acceleration.x"),
+    "position.y": ("velocity.y", "acceleration.y"),
+    "angle": ("angular_velocity", "angular_acceleration"),
+}
+"""Of each coordinate: how it changes, and how that does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Watched:
+    """A quantity of which the error is estimated, at every step or at an instant.
+
+    Its error is relative to its largest value, or to a scale if that is larger.
+
+    Attributes
+    ----------
+    quantity, at, scale
+        What, when, and relative to what at the least.
+    motion
+        Whether it is watched because its body moves. Where such a velocity jumps, as in an impact,
+        two runs are not compared: how late it jumps is seen in the places.
+    """
+
+    quantity: str
+    at: Instant | None = None
+    scale: float = 0.0
+    motion: bool = False
+
+    @property
+    def rates(self) -> tuple[str, str] | None:
+        """How a coordinate changes, and how that does; None if it is none that is followed."""
+        subject, _, rest = self.quantity.partition(".")
+        if self.at is not None or rest not in RATES:
+            return None
+        first, second = RATES[rest]
+        return f"{subject}.{first}", f"{subject}.{second}"
+
+
+def watched(level: Level, values: Values, also: Iterable[str] = ()) -> tuple[Watched, ...]:
+    """Return what is judged: what the checks that apply measure, what else, and all motion.
+
+    Parameters
+    ----------
+    level, values
+        What is run.
+    also
+        Other quantities, such as those that are recorded.
+    """
+    named = tuple(dict.fromkeys((*checked(level, values), *(Watched(name) for name in also))))
+    throughout = {item.quantity for item in named if item.at is None}
+    return (*named, *(item for item in motion(level) if item.quantity not in throughout))
+
+
+def checked(level: Level, values: Values) -> tuple[Watched, ...]:
+    """Return what the checks that apply measure."""
+    found = (by_check(check, values) for check in level.checks if applies(check, values))
+    return tuple(dict.fromkeys(found))
+
+
+def scaled(wanted: Sequence[Watched], trace: Trace) -> tuple[Watched, ...]:
+    """Return what is watched, of motion only what moves in a run, and with its least scale.
+
+    A coordinate that stays small beside the others of the scene is relative to a share of these.
+    """
+    largest: dict[str, float] = {}
+    for item in wanted:
+        if item.motion:
+            kind = _kind(item)
+            largest[kind] = max(largest.get(kind, 0.0), _largest(trace.columns[item.quantity]))
+    return tuple(
+        replace(item, scale=LITTLE * largest[_kind(item)]) if item.motion else item
+        for item in wanted
+        if not item.motion or np.ptp(trace.columns[item.quantity]) > 0
+    )
+
+
+def _kind(item: Watched) -> str:
+    """Return what sort of motion it is: position, velocity, angle or angular_velocity."""
+    *_, before, last = item.quantity.rsplit(".", 2)
+    return before if last in ("x", "y") else last
+
+
+def by_check(check: Check, values: Values) -> Watched:
+    """Return what a check looks at."""
+    return Watched(check.quantity, check.at, least_scale(check, values))
+
+
+def motion(level: Level) -> Iterator[Watched]:
+    """Yield the places and velocities of the bodies that move freely."""
+    parts = ["position.x", "position.y", "velocity.x", "velocity.y"]
+    parts += ["angle", "angular_velocity"] if level.effects.rotation else []
+    for name, body in level.bodies.items():
+        if body.type == "dynamic":
+            yield from (Watched(f"{name}.{part}", motion=True) for part in parts)
+
+
+def lasting(level: Level, values: Values, duration: float | None) -> Level:
+    """Return a level that lasts as long as it is run [s], if that is longer than its own."""
+    if duration is None or duration <= level.duration(values):
+        return level
+    return level.model_copy(update={"duration": Duration(duration)})
+
+
+def never() -> bool:
+    """Return that nobody has lost patience."""
+    return False
+
+
+def record(
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+    wanted: Sequence[Watched],
+    stop: Stop = never,
+    seen: float = SEEN,
+) -> Trace:
+    """Run a level for its duration and record what is watched.
+
+    Parameters
+    ----------
+    level, values, stepping
+        The run.
+    wanted
+        What is watched.
+    stop
+        Is asked now and then whether to give up.
+    seen
+        How often it is looked at, or up to twice that [Hz]; at every step if that is less often, or
+        if what is watched depends on every step.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` says so.
+    SimulationError
+        If the run had to stop.
+    """
+    world = make_world(level, values, stepping)
+    names = dict.fromkeys(name for item in wanted for name in _needed(item))
+    recorder = Recorder(world, names)
+    all_ = any(_needs_all(level, item) for item in wanted)
+    steps = 1 if all_ else stride(stepping.rate, seen)
+    for look in range(-(-count_steps(world) // steps)):  # to the end at the least:
+        if look % BLOCK == 0 and stop():
+            raise Cancelled
+        world.advance(steps)  # instants are read off samples at equal steps
+        recorder.note()
+    return recorder.trace
+
+
+def _needed(item: Watched) -> Iterator[str]:
+    """Yield what is recorded: of places also how they change."""
+    yield from needed_at(item.quantity, item.at)
+    yield from item.rates or ()
+
+
+def stride(rate: float, seen: float = SEEN) -> int:
+    """Return how many steps go from look to look, at rates of both [Hz].
+
+    It is a power of two, so that runs share instants.
+    """
+    return 1 << int(log2(max(rate / seen, 1)))
+
+
+def _needs_all(level: Level, item: Watched) -> bool:
+    """Whether what is watched depends on every step; books miss none."""
+    known = quantity(item.quantity, level)
+    return isinstance(item.at, ContactEvent | SeparationEvent) or not known.momentary
+
+
+def apart(one: Trace, other: Trace, item: Watched) -> float | None:
+    """Return the largest difference of two runs in a quantity, at the times they share [its unit].
+
+    None if an instant came in neither, infinite if in one of them only.
+    """
+    found, wanted = (samples(trace, item.quantity, item.at) for trace in (one, other))
+    if found is None or wanted is None:
+        return None if found is wanted else np.inf
+    if item.at is not None:
+        return _largest(found[1] - wanted[1])
+    (t, some), (times, many) = found, wanted
+    shared, places = shared_times(t, times)
+    off = some[shared] - many[places]
+    if item.motion and "velocity" in _kind(item) and len(off):
+        off[_jumping((t, some), (times, many), t[shared])] = 0.0
+    return _largest(off)
+
+
+def departure(one: Trace, other: Trace, item: Watched, error: float) -> float | None:
+    """Return until when two runs agree in where things are, to a relative error [s].
+
+    None if they do to the end, or if it is no place that is watched.
+    """
+    if item.at is not None or (item.motion and "velocity" in _kind(item)):
+        return None
+    (t, some), (times, many) = ((r.t, r.columns[item.quantity]) for r in (one, other))
+    shared, places = shared_times(t, times)
+    unit = scale(size(other, item), 0.0)
+    apart = np.flatnonzero(~(np.abs(some[shared] - many[places]) <= error * unit))
+    return float(t[shared][max(apart[0] - 1, 0)]) if len(apart) else None
+
+
+def shared_times(t: Array, times: Array) -> tuple[Integers, Integers]:
+    """Return which of some times are among others, and where there."""
+    places = np.searchsorted(times, t * (1 - SAME)).clip(max=len(times) - 1)
+    shared = np.flatnonzero(np.abs(times[places] - t) <= SAME * t)
+    return shared, places[shared]
+
+
+def _jumping(one: tuple[Array, Array], other: tuple[Array, Array], at: Array) -> Integers:
+    """Return which of some times are beside a jump of one of two runs, each (times, values)."""
+    found = np.concatenate([_jumps(*run) for run in (one, other)])
+    if not len(found):
+        return np.empty(0, dtype=np.intp)
+    wide = float(max(np.diff(run[0]).max(initial=0.0) for run in (one, other)))
+    near = np.abs(at[:, None] - found).min(axis=1)
+    return np.flatnonzero(near <= wide * (1 + SAME))
+
+
+def _jumps(t: Array, values: Array) -> Array:
+    """Return when values jump."""
+    sharp = jumps(values)
+    return (t[:-1][sharp] + t[1:][sharp]) / 2
+
+
+def jumps(values: Array) -> Array:
+    """Return between which looks values jump for good, by far more than around them: (T - 1,)."""
+    change = np.abs(np.diff(values))
+    padded = np.concatenate(([0.0, 0.0], change, [0.0, 0.0]))
+    around = np.maximum(padded[:-4], padded[4:])
+    apart = np.abs(values[2:] - values[:-2])  # what returns at once is no jump
+    stays = np.minimum(np.append(apart, np.inf), np.append(np.inf, apart))
+    sharp = (change > JUMPS * around) & (stays > change / 2)
+    return np.asarray(sharp & (change > ROUNDING * np.abs(values).max(initial=0.0)))
+
+
+def size(trace: Trace, item: Watched) -> float:
+    """Return what the errors of what is watched are relative to: its largest value, or its scale.
+
+    In its unit; 0 if it has neither.
+    """
+    found = samples(trace, item.quantity, item.at)
+    return max(_largest(found[1]) if found else 0.0, item.scale)
+
+
+def unit(traces: Sequence[Trace], item: Watched, error: float) -> float:
+    """Return what an error of the last of some runs is relative to, each finer than that before.
+
+    Where the value itself fades as the step does, it is nothing but an error of zero: 1.
+    """
+    before, last = (size(trace, item) for trace in traces[-2:])
+    return 1.0 if last < FADING * before else scale(last, error)
+
+
+def scale(size: float, error: float) -> float:
+    """Return what an error is relative to: 1 where nothing is there but the error itself."""
+    return size if max(ZERO, error) < size < np.inf else 1.0
+
+
+def _largest(values: Array) -> float:
+    """Return the largest size, infinite if a value is none."""
+    worst = float(np.abs(values).max(initial=0.0))
+    return worst if np.isfinite(worst) else np.inf

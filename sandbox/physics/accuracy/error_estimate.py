@@ -1,0 +1,86 @@
+"""The numerical error of a run: its step is halved, twice."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Instant, Level, Stepping
+from sandbox.physics.accuracy.cache import resolved
+from sandbox.physics.accuracy.compared_runs import Stop, Watched, checked, motion, never, record
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.measuring.recording import Trace
+
+
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """What a run owes to its step, in one quantity.
+
+    Attributes
+    ----------
+    quantity, at
+        What it is the error of, at an instant or the largest over the run.
+    unit
+        Of `difference`.
+    error
+        Relative to the largest value, as a check's; absolute where that is zero. Infinite where an
+        instant comes in some of the runs only.
+    difference
+        The same in the unit.
+    order
+        By which power of the step it falls; None where it is rounding, or falls by none.
+    """
+
+    quantity: str
+    at: Instant | None
+    unit: str
+    error: float
+    difference: float
+    order: float | None
+
+
+def estimate(
+    level: Level,
+    values: Values | None = None,
+    stepping: Stepping | None = None,
+    wanted: Sequence[Watched] | None = None,
+    stop: Stop = never,
+) -> tuple[Estimate | None, ...]:
+    """Estimate the numerical error of a run, which is that of its step and its solver.
+
+    Three runs are taken, seven times the work of the one: at the rate, twice and four times that.
+
+    Parameters
+    ----------
+    level, values, stepping
+        The run; the level's defaults and its own setting if left out.
+    wanted
+        The quantities; those of the level's checks that apply if left out, or if there are none the
+        places and velocities of the bodies.
+    stop
+        Is asked now and then whether to give up.
+
+    Returns
+    -------
+    For each quantity its estimate; None where it is measured at an instant that never comes.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    SimulationError
+        If a run had to stop.
+    """
+    values = level.defaults if values is None else values
+    stepping = resolved(level, values, stepping or level.stepping)
+    items = checked(level, values) or tuple(motion(level)) if wanted is None else wanted
+    finer = (stepping.model_copy(update={"rate": stepping.rate * times}) for times in (1, 2, 4))
+    traces = [record(level, values, each, items, stop) for each in finer]
+    return tuple(_estimate(traces, item) for item in items)
+
+
+def _estimate(traces: Sequence[Trace], item: Watched) -> Estimate | None:
+    errors = extrapolated(traces, item)
+    if errors is None:
+        return None
+    unit = traces[0].units[item.quantity]
+    return Estimate(item.quantity, item.at, unit, errors.relative[0], errors.of[0], errors.order)

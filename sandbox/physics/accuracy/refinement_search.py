@@ -1,0 +1,187 @@
+"""Taking runs with smaller and smaller steps, of several schemes in turn, as far as the work goes.
+
+Whichever next run takes least is taken, so that no scheme spends the time of the others, and what
+cannot be the cheapest any more is left. Work is counted, so the same request takes the same runs;
+a clock ends only what is far more work than the count tells.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from math import inf
+from time import thread_time
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import HIGHEST_RATE, Level, Stepping
+from sandbox.physics.accuracy.compared_runs import SEEN, Stop, Watched, record
+from sandbox.physics.accuracy.refinement import SLOWEST, Refinement, held_against, judged
+from sandbox.physics.accuracy.step_work import LOOK, step_work
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.state.errors import SimulationError
+
+Progress = Callable[[float, str], None]
+"""Is told which share of the time is spent, and what comes next."""
+
+FEWEST = 3
+"""Runs of a scheme before it tells how far it has to go."""
+
+DEARER = 2.0
+"""How many times as much work as another, as far as both tell what they need, is too much."""
+
+PATIENCE = 6.0
+"""How many times as long as counted the runs may take."""
+
+
+@dataclass(slots=True)
+class Refiner:
+    """Runs a level at a rate, and at twice that again and again.
+
+    A run that has to stop, for its steps are too long, counts for nothing.
+
+    Attributes
+    ----------
+    level, values, wanted, target
+        What is run and watched, and how small its errors are to be.
+    stepping
+        What is run next.
+    refinement
+        The runs so far; None if there are no two.
+    failure
+        Why the last one had to stop; None if it did not.
+    step
+        How much work a step is [s], as counted.
+    """
+
+    level: Level
+    values: Values
+    stepping: Stepping
+    wanted: Sequence[Watched]
+    target: float
+    refinement: Refinement | None = None
+    failure: SimulationError | None = None
+    step: float = 0.0
+    _traces: list[Trace] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.step = step_work(self.level, self.values, self.stepping)
+
+    def run(self, stop: Stop) -> None:
+        """Take the next run.
+
+        Raises
+        ------
+        Cancelled
+            If `stop` said so.
+        """
+        self.failure = None
+        try:
+            self._traces.append(record(self.level, self.values, self.stepping, self.wanted, stop))
+        except SimulationError as error:
+            self._traces, self.refinement, self.failure = [], None, error
+        if len(self._traces) > 1:
+            self.refinement = judged(self._traces, self.wanted)
+        self.stepping = self.stepping.model_copy(update={"rate": 2 * self.stepping.rate})
+
+    def work(self, rate: float) -> float:
+        """Return how much work a run at a rate is [s], as counted."""
+        looks = min(rate, 2 * SEEN)
+        return self.level.duration(self.values) * (rate * self.step + looks * LOOK)
+
+    @property
+    def over(self) -> bool:
+        """Whether there is no higher rate."""
+        return self.stepping.rate > HIGHEST_RATE
+
+    @property
+    def needed(self) -> float:
+        """The rate from which on its errors are as small as asked for, as far as it tells [Hz]."""
+        refinement = self.refinement
+        if not refinement or len(self._traces) < FEWEST:
+            return inf
+        rate = refinement.rate_for(self.target) if refinement.believable(self.target) else inf
+        return max(rate, SLOWEST) if rate <= HIGHEST_RATE else inf
+
+    def lags(self, enough: float) -> bool:
+        """Whether it does not tell yet how far it has to go, and may be cheaper than enough [s]."""
+        return self.needed == inf and self.step * self.stepping.rate <= enough
+
+    @property
+    def promised(self) -> float:
+        """What a second of the scene is expected to take that will do [s], as counted."""
+        return self.step * self.needed
+
+
+def refine(
+    refiners: Sequence[Refiner], seconds: float, stop: Stop, progress: Progress | None = None
+) -> list[Refinement]:
+    """Take runs in turn, until the cheapest that will do is seen, or the work is done.
+
+    Where bodies touch, the first is the judge of the others.
+
+    Returns
+    -------
+    The refinements, each with errors held against the best, in the order of those that have any.
+
+    Raises
+    ------
+    Cancelled
+        If `stop` said so.
+    """
+    spent, begun = 0.0, thread_time()
+    refinements: list[Refinement] = []
+    while left := _worthwhile(refiners, refinements):
+        next_ = min(left, key=lambda refiner: refiner.work(refiner.stepping.rate))
+        work = next_.work(next_.stepping.rate)
+        if spent + work > seconds or thread_time() - begun > PATIENCE * seconds:
+            break
+        if progress:
+            progress(spent / seconds, f"{next_.stepping.scheme} at {next_.stepping.rate:g} Hz")
+        spent += work
+        next_.run(stop)
+        refinements = held(refiners)
+    return refinements
+
+
+def held(refiners: Sequence[Refiner]) -> list[Refinement]:
+    """Return what has been found, each refinement with its errors against the best, that first.
+
+    None as long as there is but stock pymunk, which agrees with itself on what is wrong.
+    """
+    found = [refiner.refinement for refiner in refiners if refiner.refinement]
+    judges = [refinement for refinement in found if not refinement.traces[0].stepping.is_stock]
+    if not judges:
+        return []
+    best = min(judges, key=lambda refinement: refinement.errors[-1])
+    if refiners[0].level.effects.contact:
+        best = judges[0]  # only more sweeps of the solver show what it still owes
+    wanted = refiners[0].wanted
+    others = [
+        held_against(refinement, best, wanted) for refinement in found if refinement is not best
+    ]
+    return [best, *others]
+
+
+def price(refiners: Sequence[Refiner], refinement: Refinement) -> float:
+    """Return how much work a step of a refinement is [s], as counted."""
+    return next(
+        c.step for c in refiners if c.refinement and c.refinement.traces is refinement.traces
+    )
+
+
+def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) -> list[Refiner]:
+    """Return those that may still find something cheaper than what is seen to do.
+
+    A run is as cheap as any finer one is not: it must be below what was found already.
+    """
+    left = [refiner for refiner in refiners if not refiner.over]
+    target = refiners[0].target
+    seen = [
+        price(refiners, refinement) * found[0].stepping.rate
+        for refinement in refinements
+        if (found := refinement.cheapest(target))
+    ]
+    least = min(seen, default=inf)
+    left = [refiner for refiner in left if refiner.step * refiner.stepping.rate < least]
+    if refiners[0].level.effects.contact:
+        return left
+    enough = DEARER * min(refiner.promised for refiner in refiners)
+    return [refiner for refiner in left if refiner.promised <= enough or refiner.lags(enough)]

@@ -1,0 +1,87 @@
+"""How far the numbers of a run can be trusted: how many of their digits hold, and until when."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from math import ceil, floor, isfinite, log10
+
+from sandbox.physics.accuracy.compared_runs import LITTLE, Watched, departure, size
+from sandbox.physics.accuracy.event_errors import lateness
+from sandbox.physics.accuracy.richardson import extrapolated
+from sandbox.physics.measuring.recording import Trace
+
+SEEN = 1e-2
+"""The share of its largest value by which a quantity is seen to be off in a graph."""
+
+MOST_DIGITS = 8
+"""There is no room for more in a column of numbers."""
+
+USUAL_DIGITS = 5
+"""Of a number that nothing is known to be off."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trust:
+    """How far a quantity of the run can be trusted.
+
+    Attributes
+    ----------
+    quantity
+        Its name.
+    size, off
+        Its largest value, and its largest numerical error [its unit].
+    until
+        When half of the step makes a difference that is seen in a graph [s]; None if it never does.
+    """
+
+    quantity: str
+    size: float
+    off: float
+    until: float | None
+
+    @property
+    def digits(self) -> int:
+        """How many of its digits hold throughout."""
+        return surviving(self.size, self.off)
+
+
+def surviving(value: float, off: float) -> int:
+    """Return how many significant digits of a value survive if it may be off by so much.
+
+    Half a unit of the last of them is no less than that; none survives in a value that is no
+    larger.
+
+    >>> surviving(3.14159, 2e-4), surviving(3.14159, 9e-4), surviving(0.02, 0.1)
+    (4, 3, 0)
+    """
+    if not value or off <= 0 or not isfinite(value) or not isfinite(off):
+        return USUAL_DIGITS
+    if off >= abs(value):
+        return 0
+    return min(max(floor(log10(abs(value))) - ceil(log10(2 * off)) + 1, 1), MOST_DIGITS)
+
+
+def trusts(traces: Sequence[Trace], items: Iterable[Watched]) -> Iterator[Trust]:
+    """Yield how far quantities of a run can be trusted.
+
+    Parameters
+    ----------
+    traces
+        Runs, each with half the step of the one before; the run is the last but one.
+    items
+        The quantities.
+    """
+    run, finer = traces[-2:]
+    for item in items:
+        if found := extrapolated(traces, item):
+            largest, unit = size(finer, item), found.unit
+            late = lateness(finer, [item]).error * unit
+            until = departure(run, finer, item, SEEN)
+            yield Trust(item.quantity, largest, max(found.of[-2], late), until)
+
+
+def least_known(found: Iterable[Trust]) -> Trust | None:
+    """Return the place that can be trusted least; what hardly leaves zero is none."""
+    places = [trust for trust in found if ".position." in trust.quantity]
+    largest = max((place.size for place in places), default=0.0)
+    far = [place for place in places if place.size > LITTLE * largest]
+    return max(far, key=lambda place: place.off / place.size, default=None)

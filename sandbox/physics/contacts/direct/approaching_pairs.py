@@ -1,0 +1,120 @@
+"""Which bodies that do not touch might within a drift.
+
+How far two are apart is looked at only once one has gone that far against the other since it was
+looked at last: a body that falls is looked at some ten times, and one that stands by another once.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.collision_filter import meets
+from sandbox.physics.contacts.direct.convex_parts import Pair, Shapes
+from sandbox.physics.contacts.direct.corner_contacts import LEAST
+from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.queries import pairs_of
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.constraints import Coordinates, planes
+
+MOST = 6
+"""How many times as far as the coordinate that goes furthest two bodies may go together."""
+
+
+class Strangers:
+    """Keeps how far bodies may go before they meet; n bodies.
+
+    Parameters
+    ----------
+    bodies
+        pymunk's, in order.
+    shapes
+        Theirs.
+    surfaces
+        How they touch, and which are to be looked at.
+    moves
+        (n,), which of them anything can move.
+    """
+
+    def __init__(
+        self,
+        bodies: Sequence[pymunk.Body],
+        shapes: Shapes,
+        surfaces: Surfaces,
+        moves: Booleans,
+    ) -> None:
+        self._bodies, self._shapes = bodies, shapes
+        known = np.isfinite(shapes.reach) & surfaces.figures.straight
+        may = np.triu(surfaces.lands & known[:, None] & known, 1)
+        may &= moves[:, None] | moves
+        self._first, self._second = np.nonzero(may)
+        reach = np.where(known, shapes.reach, 0.0)
+        self._weights = np.concatenate((np.ones(2 * len(reach) + 2), reach, (0.0,)))
+        self._room = np.zeros(len(self._first))  # how far two are apart at the least [m]
+        self._calm = 0.0  # how far any two may go before all are to be looked at [m]
+        self._seen: Array | None = None  # where all were when all were looked at last
+        self._touch: Integers | None = None  # who touched then
+
+    def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+        """Return the pairs that do not touch and might within the drift.
+
+        Parameters
+        ----------
+        contacts
+            Who touches.
+        place
+            Where bodies are.
+        way
+            (3 N,), how far they go in it [m, rad].
+        """
+        if not len(self._first):
+            return []
+        way = way * self._weights
+        if self._seen is not None and contacts.bodies is self._touch:
+            went = (place.values - self._seen) * self._weights
+            if MOST * float((np.abs(went) + np.abs(way)).max()) < self._calm:
+                return []
+        return self._search(contacts, place, way)
+
+    def _search(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
+        """Look at all pairs that may have come close."""
+        first = self._seen is None
+        if self._seen is not None:
+            went = (place.values - self._seen) * self._weights
+            self._room -= self._between(went)
+        self._seen, self._touch = place.values, contacts.bodies
+        ahead = self._between(way)
+        touch, here = set(pairs_of(contacts)), self._shapes.at(place)
+        room, found = self._room.copy(), []
+        for row in np.flatnonzero(self._room < ahead).tolist():
+            pair = int(self._first[row]), int(self._second[row])
+            if pair in touch:
+                self._room[row], room[row] = 0.0, np.inf  # it is looked at once they part
+                continue
+            gap = self._shapes.gap(pair, here)
+            if (first or gap <= ahead[row]) and self._never_meet(pair):
+                gap = np.inf
+            self._room[row] = room[row] = gap
+            if LEAST < ahead[row] >= gap:
+                found.append(pair)
+        self._calm = float(room.min())
+        return found
+
+    def _between(self, way: Array) -> Array:
+        """Return how much closer ways, (3 N,) [m], bring the bodies of each pair at most [m]."""
+        count = len(way) // 3
+        plane, turn = planes(way), np.abs(way[2 * count :])
+        first, second = self._first, self._second
+        return np.asarray(np.abs(plane[first] - plane[second]) + turn[first] + turn[second])
+
+    def _never_meet(self, pair: Pair) -> bool:
+        """Return whether two bodies go through each other, or are parts of one solid."""
+        one, other = (self._bodies[body] for body in pair)
+        return not meets(one, other) or _are_one(one, other)
+
+
+def _are_one(one: pymunk.Body, other: pymunk.Body) -> bool:
+    """Return whether two bodies are welded or stuck together, and do not touch each other."""
+    group, same = ({shape.filter.group for shape in body.shapes} for body in (one, other))
+    return bool(group & same - {0})

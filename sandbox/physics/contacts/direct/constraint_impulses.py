@@ -1,0 +1,84 @@
+"""The impulses with which what rests and what is joined holds after a drift."""
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.joints.exact.constraints import GROWS
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+GIVES = 1e-3
+"""The share of the kinetic energy that surfaces may give in a kick by pressing on each other: they
+give none but for what a step is too long for. Seen are 2e-4 in what is smooth, and 8e-2 where heavy
+bodies squeeze out a light one between them."""
+
+Held = tuple[Array, Array, Active]
+"""Impulses, (r,), the velocities with them, (3 N,), and which rows hold."""
+
+
+def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
+    """Return impulses with which all rows hold after the drift, and the velocities then.
+
+    Newton's method begins with the forces of the step before. Where it does not come home, or
+    comes with energy that nothing gave, bodies are jammed, or squeezed out: what contacts have to
+    give way by within a step is beyond them, and they are kept at the velocities instead of the
+    places, which never gives energy.
+
+    Parameters
+    ----------
+    motion
+        (3 N,), the velocities without impulses [m/s, rad/s].
+    guess
+        The impulses, and which rows hold.
+    driven
+        Whether surfaces that run, or kinematic bodies, may give energy.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are none.
+    """
+    joints, wanted, (impulse, active) = kick.joints, kick.targets(), guess
+    found: Held | None = None
+    try:
+        found = newton(kick, kick.layout, kick.rows, motion, joints.drift, wanted, impulse, active)
+        grown = _grows(kick, motion, found)
+        if not (grown or _squeezes(kick, motion, found)):
+            return found
+    except (JointFailure, NoForces):
+        grown = True
+    none = 0.0 * impulse
+    try:
+        flat = newton(kick, kick.layout, kick.flat_rows, motion, joints.drift, wanted, none, active)
+    except (JointFailure, NoForces):
+        if found is None or grown:
+            raise
+        return found
+    held = kick.layout.joints
+    if held.stop and not driven:
+        work = (flat[0] * (kick.here.jacobian @ (motion + flat[1])))[held]
+        joints.refuse_gain(motion, flat[1], work)
+    return flat
+
+
+def _grows(kick: Kick, motion: Array, found: Held) -> bool:
+    """Return whether energy comes from nowhere: from no winch, belt or kinematic body."""
+    impulse, moved, _ = found
+    joints, jacobian, layout = kick.joints, kick.here.jacobian, kick.layout
+    grown = joints.kinetic(moved) - GROWS * joints.kinetic(motion)
+    if grown <= 0:
+        return False
+    both, free = motion + moved, joints.inverse > 0
+    driven = (jacobian != 0) @ (~free & (both != 0))
+    driven[layout.joints] |= kick.joint_rates() != 0
+    driven[layout.slips] |= kick.runs != 0
+    work = impulse[driven] @ (jacobian[driven] @ (both * free)) / 2
+    return grown > float(work)
+
+
+def _squeezes(kick: Kick, motion: Array, found: Held) -> bool:
+    """Return whether surfaces give energy by pressing on each other."""
+    impulse, moved, _ = found
+    gaps = kick.layout.gaps
+    work = float(impulse[gaps] @ (kick.here.jacobian[gaps] @ (motion + moved))) / 2
+    return work > GIVES * kick.joints.kinetic(motion)

@@ -1,0 +1,80 @@
+"""Overlaps are taken back: bodies are moved, velocities stay."""
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.constraint_rows import Active
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.newton import newton
+from sandbox.physics.contacts.direct.row_layout import Layout, Surfaces
+from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.state.errors import JointFailure, NoForces
+
+NOTHING = 1e-12
+"""m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
+
+
+class Parting:
+    """Takes back overlaps, step by step.
+
+    Parameters
+    ----------
+    surfaces
+        How bodies touch.
+    known
+        What is known of the last kick.
+    """
+
+    def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
+        self._surfaces, self._known = surfaces, known
+        self._held: tuple[Layout, Active] | None = None  # what held in the last
+
+    def way(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return the way, (3 N,) [m, rad], that takes back a share of what overlaps too much.
+
+        As far as they part by themselves they are left to, for what bounces would have more energy
+        further up; so is what has only met. What joints hold in each other stays as it is. None if
+        there is nothing to take back, or no way.
+
+        Parameters
+        ----------
+        kick
+            What touches.
+        leaving
+            (3 N,), how far they go in a step by themselves [m, rad].
+        """
+        back = self._back(kick, leaving)
+        if back is None:
+            return None
+        layout, here, wanted = kick.layout, kick.here, kick.targets()
+        held, slack = here.total[layout.joints], wanted[layout.joints]
+        slack = np.minimum(held, slack)  # a slack rope may grow as long as it is
+        wanted[layout.joints] = np.where(kick.joints.pulls_only, slack, held)
+        wanted[layout.gaps] += back
+        none, still = np.zeros_like(wanted), np.zeros_like(kick.place.values)
+        smooth, start = layout.smooth, self._start(layout)
+        try:
+            _, way, held_now = newton(kick, smooth, kick.rows, still, 1.0, wanted, none, start)
+        except (JointFailure, NoForces):
+            return None
+        self._held = layout, held_now
+        return way
+
+    def _back(self, kick: Kick, leaving: Array) -> Array | None:
+        """Return by how much gaps are to grow, (k,) [m]; None if none is."""
+        layout, correction = kick.layout, self._surfaces.correction
+        touching, depths = layout.touching, kick.contacts.depths
+        deep = depths[touching.pair, touching.point] - self._surfaces.slop
+        if not correction or not (deep > 0).any():
+            return None
+        parts = kick.here.jacobian[layout.gaps] @ leaving
+        parts[self._known.pressed(kick)] = 0.0  # what rolls on parts a little: its way bends
+        back = correction * deep - np.maximum(parts, 0.0)
+        back = np.where(self._known.met(kick) & (back > NOTHING), back, 0.0)
+        return back if back.any() else None
+
+    def _start(self, layout: Layout) -> Active:
+        """Return what held in the last step, if the same touched then."""
+        if self._held and self._held[0] is layout:
+            return self._held[1]
+        return Active(layout.problem.free, np.zeros(len(layout.touching.rubs), dtype=np.intp))

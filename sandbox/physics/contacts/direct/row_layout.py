@@ -1,0 +1,272 @@
+"""The rows of a step: which points touch, and what each row asks for."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.constraint_rows import Friction, Problem, TooMuch
+from sandbox.physics.contacts.direct.gap_functions import Touching
+from sandbox.physics.contacts.direct.islands import islands
+from sandbox.physics.contacts.direct.outlines import Figures
+from sandbox.physics.engine.batch import Booleans, Contacts, Integers
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+MOST_ROWS = 1500
+"""Rows that hang together and can be solved directly: their dense system takes a fifth of a second.
+The cubes of what hangs together count."""
+
+
+class Surfaces(NamedTuple):
+    """How n bodies touch.
+
+    Attributes
+    ----------
+    figures
+        Their outlines.
+    friction, static, restitution
+        (n, n), the pairs' coefficients.
+    running
+        (n, 2), how fast their surfaces run, as those of belts do [m/s].
+    correction
+        The share of an overlap that a step takes back.
+    slop
+        The overlap that is left alone [m].
+    lands
+        (n, n), which pairs are stopped where they come down on each other, without an impact.
+    """
+
+    figures: Figures
+    friction: Array
+    static: Array
+    restitution: Array
+    running: Array
+    correction: float
+    slop: float
+    lands: Booleans
+
+
+class Island(NamedTuple):
+    """Rows that have to do with each other, and with no others.
+
+    Attributes
+    ----------
+    rows
+        Which of all rows.
+    slips
+        Which of all friction.
+    problem
+        What they ask for, numbered by themselves.
+    """
+
+    rows: Integers
+    slips: Integers
+    problem: Problem
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The rows of a step: m of joints, k of gaps, f of slips, in this order.
+
+    Attributes
+    ----------
+    problem
+        What they ask for.
+    islands
+        The same, island by island.
+    touching
+        The points of the gaps and slips.
+    restitution
+        (k,), the coefficients of the gaps.
+    joints, gaps, slips, touch
+        Where they are among all rows; gaps and slips together.
+    """
+
+    problem: Problem
+    islands: list[Island]
+    touching: Touching
+    restitution: Array
+    joints: slice
+    gaps: slice
+    slips: slice
+
+    @property
+    def touch(self) -> slice:
+        """Where gaps and slips are among all rows."""
+        return slice(self.gaps.start, None)
+
+    def asking(self, problem: Problem) -> "Layout":
+        """Return the same rows that ask for something else."""
+        parts = [_part(problem, one.rows, one.slips) for one in self.islands]
+        return replace(self, problem=problem, islands=parts)
+
+    @cached_property
+    def alone(self) -> Integers:
+        """The rows of joints that have to do with no others."""
+        lone = [one.rows[0] for one in self.islands if _is_alone(one)]
+        return np.array(lone, dtype=np.intp)
+
+    @cached_property
+    def together(self) -> list[Island]:
+        """The islands but for those rows."""
+        return [one for one in self.islands if not _is_alone(one)]
+
+    def around(self, some: Booleans) -> "Layout":
+        """Return the same rows, of which only those hang together with some, (r,), to be solved."""
+        return replace(self, islands=[one for one in self.islands if some[one.rows].any()])
+
+    @cached_property
+    def smooth(self) -> "Layout":
+        """Return the same rows without friction."""
+        none = np.zeros(len(self.touching.rubs))
+        friction = replace(self.problem.friction, sticks=none, slips=none)
+        return self.asking(self.problem._replace(friction=friction))
+
+
+def lay_out(contacts: Contacts, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> Layout:
+    """Return the rows of these contacts; the two points of a side share one friction.
+
+    Parameters
+    ----------
+    contacts, joints
+        What touches and what is joined.
+    surfaces
+        How bodies touch.
+    moves
+        (n,), which of them anything can move.
+
+    Raises
+    ------
+    TooMuch
+        If they are more than a step can solve.
+    """
+    first, count = len(joints.pulls_only), len(contacts.bodies)
+    slips, static = (table[tuple(contacts.bodies.T)] for table in surfaces[1:3])
+    touching = Touching.between(contacts, (slips > 0) | (static > 0), surfaces.figures, moves)
+    pair, rubs, (a, b) = touching.pair, touching.rubs, touching.bodies
+    contact = _points_of(rubs, pair[count:], count)
+    contact = np.where(contact >= 0, contact + first, -1)
+    gaps = slice(first, first + len(pair))
+    whole = gaps.stop + len(rubs)
+    free, pushes = np.zeros(whole, dtype=bool), np.zeros(whole, dtype=bool)
+    free[:first], pushes[:first] = ~joints.pulls_only, joints.pulls_only
+    pushes[gaps] = True
+    row = np.arange(gaps.stop, whole)
+    friction = Friction(row, contact, static[rubs], slips[rubs])
+    touch = contacts.bodies[pair]
+    found = islands([*joints.bodies, *touch, *touch[rubs]], moves)
+    problem = Problem(free, pushes, friction, _alike(joints.alike, whole))
+    parts = [_part(problem, rows, rows[rows >= gaps.stop] - gaps.stop) for rows in found]
+    _refuse_large(parts, touching)
+    return Layout(
+        problem,
+        parts,
+        touching,
+        surfaces.restitution[a, b],
+        slice(first),
+        gaps,
+        slice(gaps.stop, whole),
+    )
+
+
+class Layouts:
+    """Lays out the rows of a step, or takes those of the last if the same bodies touch.
+
+    Parameters
+    ----------
+    joints, surfaces, moves
+        See `lay_out`.
+    """
+
+    def __init__(self, joints: ExactJoints, surfaces: Surfaces, moves: Booleans) -> None:
+        self._joints, self._surfaces, self._moves = joints, surfaces, moves
+        self._last: tuple[Contacts, int, Layout] | None = None
+
+    def forget(self) -> None:
+        """Begin anew: there are other joints."""
+        self._last = None
+
+    def of(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts, and remember them."""
+        count = len(self._joints.added)
+        if self._last is None or self._last[1] != count or not _alike_in(self._last[0], contacts):
+            self._last = contacts, count, self.anew(contacts)
+        return self._last[2]
+
+    def anew(self, contacts: Contacts) -> Layout:
+        """Return the rows of these contacts; those that are remembered stay so."""
+        return lay_out(contacts, self._joints, self._surfaces, self._moves)
+
+
+def _alike_in(one: Contacts, other: Contacts) -> bool:
+    """Return whether the same bodies touch, and where they touch twice."""
+    return all(
+        a is b or np.array_equal(a, b)
+        for a, b in ((one.bodies, other.bodies), (one.touches, other.touches))
+    )
+
+
+def _points_of(rubs: Integers, seconds: Integers, count: int) -> Integers:
+    """Return the gaps of each side that rubs: (2, r), its points, and −1 where it has but one.
+
+    Parameters
+    ----------
+    rubs
+        (r,), the sides that rub.
+    seconds
+        The sides that have a second point, in the order in which these follow all first ones.
+    count
+        How many sides there are.
+    """
+    partner = np.full(count, -1)
+    partner[seconds] = count + np.arange(len(seconds))
+    return np.stack((rubs, partner[rubs]))
+
+
+def _refuse_large(parts: Sequence[Island], touching: Touching) -> None:
+    """Refuse rows that hang together and are more than a step can solve, before they are solved.
+
+    Raises
+    ------
+    TooMuch
+        If there are.
+    """
+    if sum(len(part.rows) ** 3 for part in parts) <= MOST_ROWS**3:
+        return
+    body = int(np.bincount(touching.bodies[touching.bodies >= 0]).argmax())
+    most = max(len(part.rows) for part in parts)
+    message = f"{most:,} conditions of contacts and joints hang together"
+    way = "let fewer touch each other, or leave out the 'solver' \"direct\""
+    raise TooMuch(body, f"{message}, and {MOST_ROWS:,} can be solved directly: {way}")
+
+
+def _alike(joints: Integers, whole: int) -> Integers | None:
+    """Return which of all rows are scaled alike: those of each joint; None if all have one."""
+    if len(set(joints.tolist())) == len(joints):
+        return None
+    return np.concatenate((joints, np.arange(len(joints), whole)))
+
+
+def _is_alone(island: Island) -> bool:
+    return len(island.rows) == 1 and bool(island.problem.free[0])
+
+
+def _part(problem: Problem, rows: Integers, slips: Integers) -> Island:
+    """Return what some rows ask for, numbered by themselves."""
+    if len(rows) == len(problem.free):
+        return Island(rows, slips, problem)
+    number = np.full(len(problem.free) + 1, -1)
+    number[rows] = np.arange(len(rows))
+    old = problem.friction
+    friction = Friction(
+        number[old.row[slips]],
+        number[old.contact[:, slips]],
+        old.sticks[slips],
+        old.slips[slips],
+    )
+    alike = None if problem.alike is None else problem.alike[rows]
+    part = Problem(problem.free[rows], problem.pushes[rows], friction, alike)
+    return Island(rows, slips, part)

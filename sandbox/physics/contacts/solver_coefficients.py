@@ -1,0 +1,97 @@
+"""The coefficients of pairs that rub, bounce or stick, where they are not the surfaces' own."""
+
+from collections.abc import Callable
+
+import numpy as np
+import pymunk
+
+from sandbox.model.expressions import Values
+from sandbox.model.level import Level
+from sandbox.physics.contacts.hollow_contacts import Hollows
+from sandbox.physics.contacts.pair_coefficients import pair_coefficients
+from sandbox.physics.contacts.shapes import SKIN
+from sandbox.physics.contacts.static_friction import Sticking, sticking
+
+Collision = Callable[[pymunk.Arbiter, pymunk.Space, object], None]
+
+
+def take_bounces(space: pymunk.Space, level: Level, values: Values) -> np.ndarray:
+    """Take the bounces from pymunk's solver, and return the pairs' coefficients: (n, n).
+
+    Discs stand proud too: those that touch must be in contact, whatever the last digit says.
+    """
+    for shape in space.shapes:
+        shape.elasticity = 0.0
+    stand_proud(space)
+    return pair_coefficients(level, values, "restitution")
+
+
+def stand_proud(space: pymunk.Space) -> None:
+    """Let discs stand proud, as all else does."""
+    for shape in space.shapes:
+        if isinstance(shape, pymunk.Circle):
+            shape.unsafe_set_radius(shape.radius + SKIN)
+
+
+def give_coefficients(
+    space: pymunk.Space, level: Level, values: Values, hollows: Hollows | None
+) -> tuple[int, dict[frozenset[int], Sticking]]:
+    """Give pairs coefficients of their own, and correct those contacts that pymunk gets wrong.
+
+    Returns how many callbacks a contact each makes, and of the pairs whose static coefficient is
+    larger the friction, by the numbers of their bodies.
+    """
+    kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
+    coefficients: dict[tuple[str, str], dict[str, float]] = {}
+    for attribute in ("friction", "restitution"):
+        effect = getattr(level.effects, attribute)
+        for pair in effect.pairs if effect else ():
+            a, b = sorted(pair.bodies)
+            coefficients.setdefault((a, b), {})[attribute] = pair.coefficient(values)
+    sticky = sticking(level, values)
+    hollow = hollows.pairs if hollows else frozenset()
+    watched = dict.fromkeys((*coefficients, *sticky, *sorted(hollow)))
+    for a, b in watched:
+        chosen, stick = coefficients.get((a, b), {}), sticky.get((a, b))
+        round_ = hollows if (a, b) in hollow else None
+        space.on_collision(
+            kinds[a], kinds[b], pre_solve=_setter(chosen, stick, round_), post_solve=_judge(stick)
+        )
+    numbered = {frozenset(kinds[name] - 1 for name in pair): s for pair, s in sticky.items()}
+    return len(watched) + len(sticky), numbered
+
+
+def correct_contacts(space: pymunk.Space, level: Level, hollows: Hollows) -> int:
+    """Correct the contacts that pymunk gets wrong, and return how many callbacks one each makes."""
+    kinds = {name: index + 1 for index, name in enumerate(level.bodies)}
+    for a, b in sorted(hollows.pairs):
+        space.on_collision(kinds[a], kinds[b], pre_solve=_setter({}, None, hollows))
+    return len(hollows.pairs)
+
+
+def _setter(
+    coefficients: dict[str, float],
+    stick: Sticking | None,
+    hollows: Hollows | None,
+) -> Collision:
+    def choose(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
+        if hollows and not hollows.correct(arbiter):
+            return
+        for attribute, value in coefficients.items():
+            setattr(arbiter, attribute, value)
+        if stick:
+            stick.choose(arbiter)
+        if hollows:
+            hollows.follow(arbiter)
+
+    return choose
+
+
+def _judge(stick: Sticking | None) -> Collision | None:
+    if stick is None:
+        return None
+
+    def judge(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: object) -> None:
+        stick.judge(arbiter)
+
+    return judge

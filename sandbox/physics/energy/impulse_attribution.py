@@ -1,0 +1,224 @@
+"""What a kick did: which impulse came from a force, a joint, a contact or a hand."""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sandbox.model import ledger_accounts
+from sandbox.model.expressions import Array
+from sandbox.model.joints import Spring, bodies_of, is_exact
+from sandbox.physics.contacts.contact_work import Kick, completed, pressed, rubbing
+from sandbox.physics.energy.ledger_entries import Entries
+from sandbox.physics.energy.step_record import Recorded, StepRecord
+from sandbox.physics.energy.taut_ropes import reached
+from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.forces.law import Law, Turn
+from sandbox.physics.forces.spring import SpringForce
+from sandbox.physics.forces.velocity_rotation import given
+from sandbox.physics.geometry.distance import surfaces
+from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.state.motion import Instant
+
+if TYPE_CHECKING:
+    from sandbox.physics.events.joint_impacts import Jolt
+
+
+class Attribution:
+    """Books what each cause did in a kick; n bodies.
+
+    Parameters
+    ----------
+    run
+        Whose kicks they are.
+    laws
+        The forces that act in them.
+    entries
+        Where they are booked.
+
+    Attributes
+    ----------
+    elastic
+        Whether no impact may take energy: what it takes is left unexplained.
+    """
+
+    def __init__(self, run: Recorded, laws: tuple[Law, ...], entries: Entries) -> None:
+        scene, level = run.scene, run.level
+        self._scene, self._laws, self._entries = scene, laws, entries
+        self._mass = scene.inertia
+        self._surfaces = surfaces(scene.bodies.values())
+        # solved directly, friction takes from a rebound what it would give otherwise
+        self.elastic = _elastic(run) and not (scene.direct and level.effects.friction)
+        own = [j for j in level.joints.values() if not (isinstance(j, Spring) or is_exact(j))]
+        self._driven = any(ledger_accounts.drives(joint, level) for joint in own)
+        self._hung = {list(scene.bodies).index(name) for joint in own for name in bodies_of(joint)}
+
+    def book(
+        self,
+        step: StepRecord,
+        kick: Kick,
+        change: Array,
+        pulls: Pulls,
+        contacts: Contacts,
+        slack: Booleans | None,
+    ) -> None:
+        """Book a kick that changes velocities so, (n, 3), and which ropes were slack before it.
+
+        None of that is told where bodies have stuck to each other in it.
+
+        A rope that is caught stops all that it reaches at once. What keeps its length and what
+        touches there work on each other within the kick; what they take together is the loss.
+        """
+        rest = kick.inertia * change
+        rest -= sum((self.force(law, kick) for law in self._laws), np.zeros_like(rest))
+        rest -= sum((self._turn(turn, kick) for turn in self._scene.turns), np.zeros_like(rest))
+        impulses, works = self._joints(kick, pulls)
+        rest -= impulses
+        jump = self._jump(step, kick)
+        rest -= jump
+        rest -= self._own(kick, rest, contacts)
+        rest -= self._hand(step, kick, rest, contacts)
+        lost = self._touch(kick, rest, kick.work(jump), contacts)
+        if slack is None:
+            self._entries.lose("sticking", float(works.sum()))
+        else:
+            moves = kick.inertia[:, 0] > 0
+            lost += float(works[reached(pulls, contacts, slack, moves)].sum())
+        if lost:
+            self._entries.lose("impacts", lost)
+
+    def jolt(self, jolt: "Jolt") -> None:
+        """Book an impact of joints at one instant: what these take is lost."""
+        kick = Kick(
+            jolt.t,
+            0.0,
+            Instant.at(jolt.t, jolt.place, jolt.begun),
+            jolt.place[:, :2],
+            (jolt.begun + jolt.after) / 2,
+            self._mass,
+        )
+        impulses, works = self._joints(kick, jolt.pulls)
+        rest = kick.inertia * (jolt.after - jolt.begun) - impulses
+        lost = float(works.sum()) + self._touch(kick, rest, 0.0, jolt.contacts)
+        if not jolt.elastic:
+            self._entries.lose("impacts", lost)
+
+    def force(self, law: Law, kick: Kick) -> Array:
+        """Book the impulse of a law, and return it: (n, 3).
+
+        A kinematic body holds its own against it, and does work by that.
+        """
+        every = self._impulse(law, kick)
+        impulse = np.where(kick.inertia > 0, every, 0.0)
+        self._entries.give(law.effect.name, impulse, kick.place)
+        self._entries.do(law, kick.work(every))
+        if "bodies" in self._entries.works:
+            self._entries.works["bodies"] -= kick.work(np.where(self._mass[:, :1] > 0, 0.0, every))
+        if isinstance(law, SpringForce) and law.damping:
+            elastic = self._impulse(replace(law, damping=0.0), kick)
+            self._entries.losses["damping"] += kick.work(every - elastic)
+        return impulse
+
+    def _turn(self, turn: Turn, kick: Kick) -> Array:
+        """Book the impulse of what turns velocities, which does no work; return it: (n, 3)."""
+        impulse = np.zeros_like(self._mass)
+        change = given(turn.rate(kick.seen), kick.mean[:, :2], kick.length)
+        impulse[:, :2] = kick.inertia[:, :2] * change
+        self._entries.give(turn.effect.name, impulse, kick.place)
+        return impulse
+
+    def _impulse(self, law: Law, kick: Kick) -> Array:
+        wrench = np.zeros_like(self._mass)
+        law.add(kick.seen, wrench)
+        return wrench * kick.length
+
+    def _joints(self, kick: Kick, pulls: Pulls) -> tuple[Array, Array]:
+        """Book the impulses of the exact joints; return them, (n, 3), and their works, (m,).
+
+        Those of what is driven are booked, and 0.
+        """
+        kinematic = kick.inertia[:, 0] == 0
+        drives = pulls.changes | (pulls.jacobian[:, kinematic] != 0).any(axis=(1, 2))
+        impulses = -pulls.tension[:, None, None] * pulls.jacobian
+        impulses = np.where(kick.inertia > 0, impulses, 0.0)
+        works = np.sum(impulses * kick.mean, axis=(1, 2))
+        if "joints" in self._entries.works:
+            self._entries.works["joints"] += float(works[drives].sum())
+        together: Array = impulses.sum(axis=0)
+        self._entries.give("supports", together, kick.place)
+        return together, np.where(drives, 0.0, works)
+
+    def _own(self, kick: Kick, rest: Array, contacts: Contacts) -> Array:
+        """Book pymunk's own joints: what is left to the bodies they hold, but for contacts."""
+        impulse = np.zeros_like(rest)
+        if not self._hung:
+            return impulse
+        for row in self._hung:
+            impulse[row] = rest[row]
+            impulse[row, :2] -= pressed(contacts, row)
+        impulse[kick.inertia == 0] = 0.0
+        self._entries.give("supports", impulse, kick.place)
+        if self._driven:
+            self._entries.works["joints"] += kick.work(impulse)
+        return impulse
+
+    def _jump(self, step: StepRecord, kick: Kick) -> Array:
+        """Return the impulses of impacts that come one after the other: (n, 3)."""
+        if step.jump is None:
+            return np.zeros_like(self._mass)
+        impulse = kick.inertia * step.jump
+        self._entries.give("supports", impulse, kick.place)
+        return impulse
+
+    def _hand(self, step: StepRecord, kick: Kick, rest: Array, contacts: Contacts) -> Array:
+        """Book what a hand has pulled, as far as contacts do not account for it: (n, 3)."""
+        impulse = np.zeros_like(rest)
+        hold = step.hold
+        if hold is None:
+            return impulse
+        row, (x, y) = hold
+        pull = rest[row, :2] - pressed(contacts, row)
+        impulse[row] = *pull, (x * pull[1] - y * pull[0]) * (self._mass[row, 2] > 0)
+        self._entries.works["hand"] += kick.work(impulse)
+        self._entries.impulses.setdefault("hand", np.zeros(3))
+        self._entries.give("hand", impulse, kick.place)
+        return impulse
+
+    def _touch(self, kick: Kick, rest: Array, jumped: float, contacts: Contacts) -> float:
+        """Book what contacts did: all that is left to the bodies that touch, and in sequence.
+
+        Return the work that impacts may account for.
+        """
+        if not len(contacts.bodies):
+            return 0.0
+        touching = np.zeros(len(rest), dtype=bool)
+        touching[contacts.bodies] = True
+        impulse = np.where(touching[:, None], rest, 0.0)
+        self._entries.give("supports", impulse, kick.place)
+        pressing = kick.work(impulse)
+        across, drives = rubbing(
+            completed(contacts, impulse), kick.place, kick.mean, kick.inertia, self._surfaces
+        )
+        drives = {name: work for name, work in drives.items() if name in self._entries.works}
+        given = jumped + pressing - sum(drives.values())
+        if not kick.length:
+            # in an impact friction and rebound act at once, and one feeds the other
+            across = min(max(across, given), 0.0)
+        self._entries.put_in(drives)
+        self._entries.rub(across)
+        lost = given - across
+        if lost > 0 and not kick.length and "sticking" in self._entries.losses:
+            self._entries.losses["sticking"] += (
+                lost  # who sticks presses on each other in the same impact
+            )
+            return 0.0
+        return 0.0 if self.elastic else lost
+
+
+def _elastic(run: Recorded) -> bool:
+    """Whether all impacts have e = 1, so that none may take energy."""
+    effect, values = run.level.effects.restitution, run.values
+    if effect is None:
+        return False
+    own = [body.restitution for body in run.level.bodies.values() if body.restitution]
+    return all(e(values) == 1 for e in (*own, *(pair.coefficient for pair in effect.pairs)))

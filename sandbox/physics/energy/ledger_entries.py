@@ -1,0 +1,69 @@
+"""The accounts of a ledger, and the entries that are made in them."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sandbox.model import ledger_accounts
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level
+from sandbox.physics.forces.law import Law
+from sandbox.physics.state.motion import momentum
+
+
+class Entries:
+    """What is booked so far, by what did it.
+
+    Attributes
+    ----------
+    potential
+        What is stored [J].
+    works
+        What was put in, or taken out [J].
+    losses
+        What was lost, as negative numbers [J].
+    impulses
+        (3,) each, what came from outside: along x and y [N s], and about the origin [N m s].
+    """
+
+    def __init__(self, level: Level) -> None:
+        self.potential = dict.fromkeys(ledger_accounts.potentials(level), 0.0)
+        self.works = dict.fromkeys((*ledger_accounts.works(level), "hand"), 0.0)
+        self.losses = dict.fromkeys(ledger_accounts.losses(level), 0.0)
+        self.impulses = {name: np.zeros(3) for name in ledger_accounts.outside(level)}
+
+    def give(self, name: str, impulse: Array, place: Array) -> None:
+        """Book what gave impulses (n, 3) at places, unless bodies give them to each other."""
+        if name in self.impulses:
+            self.impulses[name] = self.impulses[name] + momentum(impulse, place)
+
+    def support(self, given: Array) -> None:
+        """Book what supports gave: (3,)."""
+        if "supports" in self.impulses:
+            self.impulses["supports"] += given
+
+    def put_in(self, works: Mapping[str, float]) -> None:
+        """Book works by what did them, where there is an account for it."""
+        for name in works.keys() & self.works.keys():
+            self.works[name] += works[name]
+
+    def do(self, law: Law, work: float) -> None:
+        """Book the work of a law that is not booked by what it stores."""
+        if law.effect.book == "work":
+            self.works[law.effect.booked] += work
+        elif law.effect.book == "loss":
+            self.losses[law.effect.booked] += work
+
+    def rub(self, work: float) -> None:
+        """Book the work of friction."""
+        if "friction" in self.losses:
+            self.losses["friction"] += work
+
+    def lose(self, name: str, work: float) -> None:
+        """Book a loss; what would be a gain stays unexplained."""
+        self.losses[name] += min(work, 0.0)
+
+    @property
+    def explained(self) -> float:
+        """The sum of all works and losses [J]."""
+        return sum(self.works.values()) + sum(self.losses.values())

@@ -1,0 +1,29 @@
+"""Ropes that are caught, and what such a jerk reaches."""
+
+import numpy as np
+
+from sandbox.physics.contacts.direct.islands import islands
+from sandbox.physics.engine.batch import Booleans, Contacts
+from sandbox.physics.joints.joint_forces import Pulls
+
+
+def reached(pulls: Pulls, contacts: Contacts, slack: Booleans, moves: Booleans) -> Booleans:
+    """Return which joints' equations a jerk reaches, from body to body: (m,).
+
+    Parameters
+    ----------
+    pulls, contacts
+        What held, and what touched, in a kick.
+    slack
+        (m,), which equations did not pull before. A rope that is caught in one drift is stopped in
+        the kick before it and the one after it.
+    moves
+        (n,), which bodies anything can move.
+    """
+    caught = pulls.pulls_only & (pulls.tension > 0) & slack
+    found = np.zeros(len(caught) + len(contacts.bodies), dtype=bool)
+    if caught.any():
+        held = [np.flatnonzero(row.any(axis=1)) for row in pulls.jacobian]
+        for rows in islands([*held, *contacts.bodies], moves):
+            found[rows] = caught[rows[rows < len(caught)]].any()
+    return found[: len(caught)]

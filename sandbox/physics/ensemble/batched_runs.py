@@ -1,0 +1,250 @@
+"""Many worlds in one batch of arrays, where gravity and exact joints act and nothing touches.
+
+Each run starts as a world of its own, with its first kick. From there on all step together: the
+drift and the kick are pymunk's own arithmetic, the joints those of `ManyJoints`, and what is
+measured is measured by each world's own `Meter`. On x86-64 each ends in the bits of the same run
+alone. What a run alone would be stopped for, or nearly, is left to be run alone.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.level import Level, Stepping
+from sandbox.model.quantities import Quantity, quantity
+from sandbox.physics.engine.batch import Booleans, Integers
+from sandbox.physics.joints.exact.batched_joints import ManyJoints
+from sandbox.physics.measuring.recording import Trace
+from sandbox.physics.metering.meter import Meter
+from sandbox.physics.state.motion import Instant, kinetic_energy
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.world import World
+
+CHUNK = 500
+"""How many steps are taken between two looks at what was measured."""
+
+DOUBTED = 0.25
+"""The share of the energy there was that a run may gain before it is run alone: the watchdog stops
+it at once this energy, or more."""
+
+_UNKNOWN = ("tension", "push", "torque", "normal", "friction", "contact.normal", "contact.friction")
+"""What only a world of its own knows."""
+
+Stop = Callable[[Mapping[str, Array], Array, World], int | None]
+"""Returns from the columns of some instants at which a run is over; None if at none of them."""
+
+
+def suits(level: Level, stepping: Stepping, names: Sequence[str]) -> bool:
+    """Whether runs of a level may be taken together, as far as its text tells.
+
+    Parameters
+    ----------
+    names
+        The quantities to measure.
+    """
+    still = all(body.type != "kinematic" for body in level.bodies.values())
+    simple = stepping.scheme == "leapfrog" and set(level.effects.declared) <= _EFFECTS
+    calm = still and not level.happens
+    return simple and calm and all(_known(quantity(name, level)) for name in names)
+
+
+_EFFECTS = {"gravity", "rotation"}
+
+
+def _known(name: Quantity) -> bool:
+    return name.momentary and name.attribute not in _UNKNOWN
+
+
+def accepts(world: World) -> bool:
+    """Whether a world may be one of many: all its joints are lengths that are solved together."""
+    joints = world.scene.joints
+    others = joints.strings or joints.own or joints.springs or joints.wires
+    return not others and (joints.together is None or joints.together.plain)
+
+
+@dataclass(slots=True)
+class Flown:
+    """How a run ended.
+
+    Attributes
+    ----------
+    trace
+        What was recorded; None if it must be run alone.
+    stopped
+        Whether a condition has ended it.
+    """
+
+    trace: Trace | None
+    stopped: bool
+
+
+class Flight:
+    """N worlds of one level, right after their start, that go on together.
+
+    Parameters
+    ----------
+    worlds
+        All accepted, with the same bodies and joints and the same step.
+    names
+        The quantities to record.
+    steps
+        How many steps each takes.
+    stop
+        What ends a run before.
+    """
+
+    def __init__(
+        self, worlds: Sequence[World], names: Sequence[str], steps: Sequence[int], stop: Stop | None
+    ) -> None:
+        self._worlds, self._stop = worlds, stop
+        self._steps = np.array(steps)
+        self._dt = worlds[0].dt
+        self._meters = [Meter(world, names) for world in worlds]
+        self._columns: list[list[dict[str, Array]]] = [
+            [{n: np.atleast_1d(c) for n, c in meter(world.snapshot).items()}]
+            for meter, world in zip(self._meters, worlds, strict=True)
+        ]
+        self._found: list[Flown | None] = [None] * len(worlds)
+        self._flying = np.arange(len(worlds))
+        state = np.array([world.scene.batch.state() for world in worlds])
+        self._place, self._velocity = state[:, :, :3].copy(), state[:, :, 3:].copy()
+        self._moves = np.array([world.scene.mass > 0 for world in worlds])
+        self._kick = np.array([_gravity(world) for world in worlds]) * self._dt
+        self._kick = np.where(self._moves[:, :, None], self._kick[:, None], 0.0)
+        together = [j for world in worlds if (j := world.scene.joints.together)]
+        self._joints = ManyJoints(together, self._dt) if together else None
+        self._energies = _Energies(worlds)
+
+    def fly(self) -> list[Flown]:
+        """Take all to their ends."""
+        taken = 0
+        with np.errstate(all="ignore"):  # what is not finite is left to be run alone
+            while len(self._flying):
+                count = int(min(CHUNK, self._steps[self._flying].max() - taken))
+                doubted = self._chunk(taken, count) if count else None
+                taken += count
+                self._sort_out(taken, doubted)
+        return [flown or Flown(None, stopped=False) for flown in self._found]
+
+    def _chunk(self, taken: int, count: int) -> Booleans:
+        """Take some steps, measure them, and return which runs must be run alone."""
+        shape = len(self._flying), count, self._place.shape[1], 3
+        place, velocity, acceleration = np.empty(shape), np.empty(shape), np.empty(shape)
+        doubted = np.zeros(len(self._flying), dtype=bool)
+        for i in range(count):
+            before = self._velocity
+            doubted |= self._step()
+            place[:, i] = self._place
+            velocity[:, i] = (before + self._velocity) / 2
+            acceleration[:, i] = (self._velocity - before) / self._dt
+        doubted |= self._energies.doubt(self._flying, place, velocity)
+        t = self._times(taken + 1, taken + count)
+        for at, run in enumerate(self._flying):
+            columns = _measured(self._meters[run], t, place[at], velocity[at], acceleration[at])
+            self._columns[run].append(columns)
+        return doubted
+
+    def _step(self) -> Booleans | bool:
+        """Take a step, and return which runs must be looked at alone: (N,)."""
+        self._place = self._place + self._velocity * self._dt
+        velocity = self._velocity.copy()
+        velocity[:, :, :2] = velocity[:, :, :2] + self._kick
+        if self._joints is None:
+            self._velocity = velocity
+            return False
+        self._velocity, doubted = self._joints.solve(self._place, velocity)
+        return doubted
+
+    def _sort_out(self, taken: int, doubted: Booleans | None) -> None:
+        """Take note of the runs that are over, and go on with the others."""
+        going = np.ones(len(self._flying), dtype=bool)
+        for at, run in enumerate(self._flying):
+            if doubted is not None and doubted[at]:
+                self._found[run], going[at] = Flown(None, stopped=False), False
+            elif flown := self._ended(int(run), taken):
+                self._found[run], going[at] = flown, False
+        if going.all():
+            return
+        self._flying = self._flying[going]
+        self._place, self._velocity = self._place[going], self._velocity[going]
+        self._kick = self._kick[going]
+        if self._joints:
+            self._joints.keep(going)
+
+    def _ended(self, run: int, taken: int) -> Flown | None:
+        """Return how a run has ended; None if it goes on."""
+        parts, world = self._columns[run], self._worlds[run]
+        if self._stop and len(parts) > 1:
+            last = parts[-1]
+            t = self._times(taken - len(next(iter(last.values()))) + 1, taken)
+            at = self._stop(last, t, world)
+            if at is not None and (end := taken - len(t) + at + 1) <= self._steps[run]:
+                return Flown(self._trace(run, end), stopped=True)
+        if taken < self._steps[run]:
+            return None
+        return Flown(self._trace(run, int(self._steps[run])), stopped=False)
+
+    def _times(self, first: int, last: int) -> Array:
+        """Return the times of some steps, as a world counts them [s]."""
+        return np.asarray(np.arange(first, last + 1) * self._dt, dtype=float)
+
+    def _trace(self, run: int, steps: int) -> Trace:
+        world, parts = self._worlds[run], self._columns[run]
+        columns = {n: np.concatenate([part[n] for part in parts])[: steps + 1] for n in parts[0]}
+        units = {name: found.unit for name, found in self._meters[run].quantities.items()}
+        t = self._times(0, steps)
+        self._columns[run] = []
+        return Trace(world.level, world.values, world.stepping, t, columns, units, {}, {})
+
+
+class _Energies:
+    """Looks whether runs have gained energy; all of it is kinetic, or gravity's."""
+
+    def __init__(self, worlds: Sequence[World]) -> None:
+        self._mass = np.array([world.scene.mass for world in worlds])
+        self._moment = np.array([world.scene.moment for world in worlds])
+        self._gravity = np.array([_gravity(world) for world in worlds])
+        self._least, self._lowest = np.full(len(worlds), np.inf), np.full(len(worlds), np.inf)
+
+    def doubt(self, runs: Integers, place: Array, velocity: Array) -> Booleans:
+        """Return which of some runs must be run alone, from (N, T, n, 3) of each: (N,)."""
+        mass, moment = self._mass[runs, None], self._moment[runs, None]
+        fall = np.einsum("ntbc,nc->ntb", place[..., :2], self._gravity[runs])
+        stored = -(mass * fall).sum(axis=-1)
+        motion = Instant.at(0.0, place, velocity)
+        energy = stored + kinetic_energy(mass, moment, motion).sum(axis=-1)
+        self._least[runs] = np.minimum(self._least[runs], energy.min(axis=1))
+        self._lowest[runs] = np.minimum(self._lowest[runs], stored.min(axis=1))
+        there_was = self._least[runs] - self._lowest[runs]
+        calm = energy.max(axis=1) - self._least[runs] <= DOUBTED * there_was
+        return ~(calm & np.isfinite(energy).all(axis=1))
+
+
+def _gravity(world: World) -> tuple[float, float]:
+    gravity = world.scene.gravity
+    return gravity.acceleration if gravity else (0.0, 0.0)
+
+
+def _measured(
+    meter: Meter, t: Array, place: Array, velocity: Array, acceleration: Array
+) -> dict[str, Array]:
+    """Return what a meter makes of some instants of one run: (T, n, 3) each."""
+    nothing = np.zeros(place.shape[:2])
+    none = np.zeros((len(t), 0))
+    return meter(
+        Snapshot(
+            t=t,
+            position=place[..., :2],
+            angle=place[..., 2],
+            velocity=velocity[..., :2],
+            angular_velocity=velocity[..., 2],
+            acceleration=acceleration[..., :2],
+            angular_acceleration=acceleration[..., 2],
+            normal=nothing,
+            friction=nothing,
+            tension=none,
+            torque=none,
+        )
+    )

@@ -1,0 +1,151 @@
+"""Elastic stops: what runs into one is turned back with some of its speed.
+
+It is turned back at its own time within a drift, by Newton's law of restitution (see
+`joint_impacts.py`). Until then the stop is no part of the equations of the joints. What would come
+back within a step rests on the stop: from there the stop holds it like any other joint that only
+pushes, until it leaves. So a ball that bounces lower and lower comes to rest. Its last bounces,
+lower than a g dt²/8, are taken by the stop.
+"""
+
+from collections.abc import Mapping
+from typing import Self
+
+import numpy as np
+
+from sandbox.model.acting_events import bouncing
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.events.drift_events import NEAR, Part, since
+from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.joints.exact.joint_system import JointSystem, coordinates_of
+from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.scene.scene import Scene
+
+TOUCHING = 1e-9
+"""m or rad, from which on a stop is touched."""
+
+
+class Bounces:
+    """Lets bodies bounce off the stops of a scene; n bodies, s sides of stops.
+
+    Parameters
+    ----------
+    scene
+        What moves; its joints have the sides.
+    sides
+        The equations of the sides.
+    restitution
+        Of each stop, by its name.
+    dt
+        The time step [s].
+    """
+
+    def __init__(
+        self, scene: Scene, sides: JointSystem, restitution: Mapping[str, float], dt: float
+    ) -> None:
+        self._scene, self._sides, self._dt = scene, sides, dt
+        self._restitution = [restitution[name] for name in sides.names]
+        self._resting: set[int] = set()
+        self._begin()
+
+    @classmethod
+    def of(cls, scene: Scene, level: Level, values: Values, dt: float) -> Self | None:
+        """Return that of a scene; None if nothing in it bounces off a stop."""
+        sides = scene.joints.elastic
+        restitution = {name: e(values) for name, e in bouncing(level.joints)}
+        return cls(scene, sides, restitution, dt) if sides else None
+
+    def _begin(self) -> None:
+        """Hold what lies at a stop from the start and does not run into it."""
+        state = self._scene.batch.state()
+        beyond, rate = self._beyond(state[:, :3]), self._rate(state[:, :3], state[:, 3:])
+        for side in np.flatnonzero((np.abs(beyond) <= TOUCHING) & (np.abs(rate) <= TOUCHING)):
+            self._hold(int(side))
+        if self._resting:
+            self._together.calm()
+
+    def release(self) -> None:
+        """Let go of what leaves the stop that it has rested on."""
+        for side in sorted(self._resting):
+            if not self._together.tension[self._rows(side)].any():
+                self._let_go(side)
+
+    def first(self, part: Part) -> tuple[int, float] | None:
+        """Return which side is met first in a part of a drift, and how long after its begin [s]."""
+        states = part.state(0.0), part.state(part.lasts)
+        now, then = (self._beyond(place) for place, _ in states)
+        meets = then > 0
+        if not meets.any():
+            return None
+        rates = [self._rate(place, velocity) for place, velocity in states]
+        waits: dict[int, float] = {}
+        for side in np.flatnonzero(meets).tolist():
+            begins, ends = (float(rate[side]) for rate in rates)
+            if side in self._resting or (part.lasts == 0 and begins < 0):
+                continue
+            if begins >= 0 and now[side] >= -TOUCHING:
+                waits[side] = 0.0
+                continue
+            turns = part.lasts * begins / (begins - ends) if begins < 0 < ends else 0.0
+            waits[side] = self._meets(side, part, turns)
+        latest = part.lasts - NEAR * self._dt
+        soon = {side: wait for side, wait in waits.items() if wait <= max(latest, 0.0)}
+        return min(soon.items(), key=lambda item: item[1], default=None)
+
+    def _meets(self, side: int, part: Part, low: float) -> float:
+        """Return when a side is met, after a time at which it is not [s]."""
+        return since(lambda t: bool(self._beyond(part.state(t)[0])[side] > 0), low, part.lasts)
+
+    def rests(self, side: int, part: Part, wait: float) -> bool:
+        """Whether what meets a side so long after the beginning of a part would be back at once."""
+        place, velocity = part.state(wait)
+        comes = self._rate(place, velocity)[side]
+        pressed = self._rate(place, part.acceleration)[side]
+        return bool(2 * self._restitution[side] * comes <= pressed * self._dt)
+
+    def bounce(self, side: int, t: float, *, rests: bool) -> Jolt:
+        """Let what meets a side at a time leave it again [s], or stay."""
+        self._hold(side)
+        row = int(np.flatnonzero(self._rows(side))[0])
+        found = jolt(self._scene, t, {} if rests else {row: self._restitution[side]})
+        if rests:
+            self._together.calm()
+        else:
+            self._let_go(side)
+        return found
+
+    @property
+    def _together(self) -> ExactJoints:
+        together = self._scene.joints.together
+        assert together
+        return together
+
+    def _hold(self, side: int) -> None:
+        equations = self._sides.equations
+        first = len(equations.rows)
+        if side < first:
+            self._together.add([equations.rows[side]], [])
+        else:
+            self._together.add([], [equations.others[side - first]])
+        self._resting.add(side)
+
+    def _let_go(self, side: int) -> None:
+        self._together.drop(self._sides.names[side])
+        self._resting.discard(side)
+        if self._scene.direct:
+            self._scene.direct.relay()
+
+    def _rows(self, side: int) -> Booleans:
+        """Return which equations of those solved together are that of a side: (m,)."""
+        name = self._sides.names[side]
+        return np.array([joint == name for joint in self._together.names], dtype=bool)
+
+    def _beyond(self, place: Array) -> Array:
+        """Return how far beyond their stops bodies are at a place, (n, 3): (s,) [m, rad]."""
+        return self._sides.look(self._sides.at(place)).total - self._sides.length
+
+    def _rate(self, place: Array, velocity: Array) -> Array:
+        """Return how fast they come nearer to their stops there: (s,) [m/s, rad/s]."""
+        jacobian = self._sides.look(self._sides.at(place)).jacobian
+        return np.asarray(jacobian @ coordinates_of(velocity).values)

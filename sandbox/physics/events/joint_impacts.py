@@ -1,0 +1,113 @@
+"""Impacts of joints at one instant: of one that catches, or of what runs into an elastic stop.
+
+All that is joined or touches takes part: the impulses λ along the rows of the Jacobian J are found
+together, so that right after it nothing that holds is parted any further, and what bounces leaves
+as Newton's law of restitution says,
+
+    v' = v + M⁻¹ Jᵀ λ,    J v' = −e J v,
+
+with λ >= 0 where something only pulls or pushes. A joint that catches has e = 0: it is the
+perfectly inelastic impact of what it ties, and takes the energy of their motion against each other.
+"""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.impacts import impulses
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.outlines import Figures
+from sandbox.physics.contacts.direct.row_layout import Surfaces, lay_out
+from sandbox.physics.engine.batch import NO_CONTACTS, Contacts
+from sandbox.physics.joints.exact.shake import ExactJoints
+from sandbox.physics.joints.joint_forces import Pulls
+from sandbox.physics.scene.scene import Scene
+
+
+class Jolt(NamedTuple):
+    """What an impact of joints did; n bodies, m equations.
+
+    Attributes
+    ----------
+    t
+        When it was [s].
+    place
+        (n, 3), where bodies were [m, rad].
+    begun, after
+        (n, 3), the velocities before it, and after it [m/s, rad/s].
+    pulls
+        What the exact joints gave: the tensions are impulses [N s].
+    contacts
+        Who touched whom, with impulses.
+    elastic
+        Whether it can take no energy: nothing but what gives back all speed is run into.
+    """
+
+    t: float
+    place: Array
+    begun: Array
+    after: Array
+    pulls: Pulls
+    contacts: Contacts
+    elastic: bool
+
+
+def jolt(scene: Scene, t: float, bounces: Mapping[int, float] | None = None) -> Jolt:
+    """Let what is joined come to terms at once; the velocities of the scene are those before it.
+
+    Parameters
+    ----------
+    scene
+        What moves.
+    t
+        The time [s].
+    bounces
+        The coefficient of restitution of the equations that give back speed, by their rows.
+
+    Raises
+    ------
+    JointFailure, NoForces
+        If there are no such impulses.
+    """
+    joints = scene.joints.together
+    assert joints
+    joints.check()
+    kick = _kick(scene, joints, t)
+    _, motion = joints.coordinates()
+    bounces = bounces or {}
+    leaves, out = np.zeros(len(kick.response)), np.zeros(len(kick.response), dtype=bool)
+    impulse, came = np.zeros_like(leaves), motion.values
+    if bounces:  # velocities at an instant obey what holds only to second order in the step
+        out[list(bounces)] = True
+        impulse = impulses(kick, came, leaves, out)
+        came = came + impulse @ kick.response
+    for row, restitution in bounces.items():
+        leaves[row] = restitution * min(float(kick.here.jacobian[row] @ came), 0.0)
+    impulse = impulse + impulses(kick, came, leaves, np.zeros_like(out))
+    state = scene.batch.state()
+    pulls = Pulls(
+        joints.jacobian(),
+        impulse[kick.layout.joints],
+        joints.pulls_only,
+        joints.changes,
+        np.array(joints.names, dtype=str),
+    )
+    after = state[:, 3:] + (impulse @ kick.response)[joints.order]
+    others = joints.pulls_only.sum() - len(bounces) + len(kick.contacts.bodies)
+    elastic = not others and bool(bounces) and min(bounces.values()) == 1
+    return Jolt(t, state[:, :3], state[:, 3:], after, pulls, kick.pushing(impulse), elastic)
+
+
+def _kick(scene: Scene, joints: ExactJoints, t: float) -> Kick:
+    """Return the rows of all that is joined or touches where bodies are."""
+    lengths = joints.lengths(t), joints.lengths(t + joints.drift)
+    if scene.direct:
+        return scene.direct.standing(lengths)
+    count = len(scene.mass)
+    none, never = np.zeros((count, count)), np.zeros((count, count), dtype=bool)
+    running = np.zeros((count, 2))
+    surfaces = Surfaces(Figures([]), none, none, none, running, 0.0, 0.0, never)
+    layout = lay_out(NO_CONTACTS, joints, surfaces, scene.mass > 0)
+    return Kick.at(joints.place(), joints, NO_CONTACTS, layout, running, lengths)

@@ -1,0 +1,116 @@
+"""The force laws that a level declares; each effect's own module makes them.
+
+A law is imported where a level declares it: what a scene does not call for is not even loaded.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from importlib import import_module
+from importlib.util import find_spec
+from typing import Any
+
+from sandbox.model.effects import EFFECTS, Effects
+from sandbox.model.effects.contract import Effect, IncompleteError
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
+from sandbox.model.shapes import evaluate
+from sandbox.physics.forces.gravity import Gravity
+from sandbox.physics.forces.law import Given, Law, Turn
+from sandbox.physics.forces.variable_mass import Flow, MassFlows, Share, steady
+
+__all__ = ["Gravity", "Law", "Turn", "any_law", "gravity", "laws", "mass_share", "part_of"]
+
+_ROOM = __name__.rpartition(".")[0]
+
+
+def gravity(effects: Effects, values: Values, mass: Array, share: Share) -> Gravity | None:
+    """Return the level's uniform gravity, if it declares any."""
+    if effects.gravity is None:
+        return None
+    return Gravity(evaluate(effects.gravity.acceleration, values), mass, share)
+
+
+def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, ...]]:
+    """Return the declared laws that pymunk does not apply by itself: forces, and what turns.
+
+    Raises
+    ------
+    IncompleteError
+        If what an effect makes is not what it says of itself.
+    """
+    forces: list[Law] = []
+    turns: list[Turn] = []
+    for effect in effects.told:
+        if not effect.is_law:
+            continue
+        for law in _laws_of(effect, getattr(effects, effect.name), given):
+            _require(effect, law)
+            (turns if effect.turns else forces).append(law)
+    return tuple(forces), tuple(turns)
+
+
+def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa: ANN401
+    make = part_of(effect, "laws")
+    if not given.switches:
+        return make(said, given)
+    from sandbox.physics.forces.switched_laws import switched_laws
+
+    return switched_laws(make, said, effect.name, given)
+
+
+def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
+    """Return how the masses of a level's bodies change; `steady` if nothing flows."""
+    found: list[Flow] = []
+    for effect in effects.told:
+        if effect.changes_mass:
+            found += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
+    return MassFlows(found, mass) if found else steady
+
+
+def any_law(level: Level) -> bool:
+    """Whether a level has forces that pymunk does not apply by itself, springs among them."""
+    declared = any(effect.is_law for effect in level.effects.told)
+    return declared or any(joint.kind.force for joint in level.joints.values())
+
+
+def missing(effects: Iterable[Effect]) -> Iterator[str]:
+    """Yield what is missing of effects that act by a law, without loading any."""
+    for effect in effects:
+        if effect.is_law and find_spec(f"{_ROOM}.{effect.name}") is None:
+            yield _told(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
+
+
+def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
+    """Return what an effect's own module makes something with."""
+    module = import_module(f"{_ROOM}.{effect.name}")
+    if not hasattr(module, function):
+        raise IncompleteError(_told(effect, f"add a function '{function}' to {_file(effect)}"))
+    found: Callable[..., Iterable[Any]] = getattr(module, function)
+    return found
+
+
+def _require(effect: Effect, law: Law | Turn) -> None:
+    """Refuse a law that is not what its effect says of itself."""
+    needed = ("rate",) if effect.turns else ("add", "potential_energy")
+    if lacking := [name for name in needed if not hasattr(law, name)]:
+        kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"
+        which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
+        raise IncompleteError(_told(effect, f"{which} has no '{lacking[0]}'"))
+    if law.effect.name != effect.name:
+        which = f"{type(law).__name__} in {_file(effect)} says that it is of '{law.effect.name}'"
+        raise IncompleteError(_told(effect, which))
+
+
+def _told(effect: Effect, rule: str) -> str:
+    return f"the effect '{effect.name}' is declared in {_declaration(effect)}, but {rule}"
+
+
+def _declaration(effect: Effect) -> str:
+    return f"sandbox/model/effects/{effect.name}.py"
+
+
+def _file(effect: Effect) -> str:
+    return f"{_ROOM.replace('.', '/')}/{effect.name}.py"
+
+
+if _lacking := next(missing(EFFECTS.values()), None):
+    raise IncompleteError(_lacking)

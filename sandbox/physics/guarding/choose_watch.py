@@ -1,0 +1,63 @@
+"""What watches a run, as far as its level can go wrong."""
+
+from functools import partial
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.guarding.lost_bodies import Lost
+from sandbox.physics.state.snapshot import Snapshot
+
+if TYPE_CHECKING:
+    from sandbox.physics.energy.step_record import Recorded
+
+
+class Watch(Protocol):
+    """Looks at what is observed anyway, and changes nothing; see `Watchdog` for what it tells."""
+
+    doubts: bool
+    trusts: bool
+
+    @property
+    def good(self) -> Snapshot:
+        """The last state in which all was well, as far as was looked."""
+
+    def look(
+        self,
+        now: Snapshot,
+        contacts: Contacts,
+        before: Array,
+        *,
+        disturbed: bool,
+        cut: bool = False,
+    ) -> None:
+        """Look at what was observed; see `Watchdog.look`."""
+
+
+def make_watch(run: "Recorded", now: Snapshot, contacts: Contacts, begun: Array) -> Watch:
+    """Make what watches a run from a state on, and let it look at that; see `Watchdog`.
+
+    Raises
+    ------
+    SimulationError
+        If something is wrong with it.
+    """
+    scene, touching = run.scene, run.level.effects.contact is not None
+    watch: Watch
+    with np.errstate(all="ignore"):  # what is not finite is told by name
+        if touching or scene.laws or scene.turns or run.level.joints:
+            watch = _watchdog(run, now, contacts)
+        else:
+            watch = Lost(scene, run.stepping, now)
+        watch.look(now, contacts, begun, disturbed=True)
+    return watch
+
+
+def _watchdog(run: "Recorded", now: Snapshot, contacts: Contacts) -> Watch:
+    from sandbox.physics.guarding.energy_audit import Audit
+    from sandbox.physics.guarding.watchdog import Watchdog
+
+    built = run.level, run.values, run.stepping, run.scene
+    return Watchdog(*built, now, contacts, partial(Audit, run))

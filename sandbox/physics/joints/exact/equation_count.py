@@ -1,0 +1,47 @@
+"""How many equations the exact joints of a level may make, estimated before any table is made.
+
+Each is a row of a table with three entries a body; unless they are rods and wires apart from each
+other, the product of the table with itself is made and solved in each step. A chain of 800 rods
+takes 0.1 s a step, one of 2,000 more than a second and 500 MB.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.exact.constraints import Condition
+from sandbox.physics.joints.exact.separate_joints import are_apart
+from sandbox.physics.state.errors import JointFailure
+
+MOST_TERMS = 2_000_000
+"""Equations times bodies: a table has 48 MB then."""
+
+MOST_PRODUCTS = 600_000_000
+"""The square of the equations times the bodies: 1.8e9 products a step."""
+
+
+def refuse_too_many(equations: Sequence[Condition], inverse: Array) -> None:
+    """Refuse more equations than a step can solve.
+
+    Parameters
+    ----------
+    equations
+        Those of all exact joints that are solved together.
+    inverse
+        (n,), of the bodies, 0 of what nothing moves [1/kg].
+
+    Raises
+    ------
+    JointFailure
+        If there are more.
+    """
+    count, bodies = len(equations), len(inverse)
+    solved = count**2 * bodies > MOST_PRODUCTS
+    if count * bodies <= MOST_TERMS and not solved:
+        return
+    if count * bodies > MOST_TERMS or not are_apart(equations, np.append(inverse, 0.0)):
+        most = min(MOST_TERMS // bodies, int((MOST_PRODUCTS / bodies) ** 0.5))
+        message = f"the exact joints make {count:,} equations among {bodies:,} bodies, and"
+        hint = "let most of them be springs, or split the level"
+        raise JointFailure(equations[-1].joint, f"{message} {most:,} are the most; {hint}")

@@ -1,0 +1,233 @@
+"""All forces on a body at a step, from the impulses that the engine gave it.
+
+A kick of length h around a step changes a velocity from v₋ to v₊. A force is the impulse that it
+gave in it, over h: weight and the force laws as they acted there, with the motion that they saw;
+joints and contacts by the impulses that were found. The acceleration is that over the same kick,
+a = (v₊ − v₋)/h, which leapfrog has at a step, and quantities and graphs show. So
+
+    Σ F = m a,    Σ (r × F) + couples = I α
+
+is a claim about the engine: each side is known by itself. Where mass changes, m is that at the
+step, and what matter brings or takes along is a force (Meshchersky). Joints in a scheme of fourth
+order have forces at the step itself, and so has the acceleration there (see `ExactJoints.motion`).
+
+An impact within the kick is a force, too: its impulse over h, which says as much about the step as
+about the impact, and is marked. There the sum is not promised: of a pair that parted and closes
+again within three steps pymunk tells more than it gave. An impact that cuts the drift before the
+kick, at its own time, is not in it.
+
+Of two things pymunk tells no direction: the pull of a hand, and of joints with `"exact": false`.
+They are what is left of m a, and where they act the sum proves nothing: that is marked as well.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.model.joints import bodies_of, is_exact
+from sandbox.model.shapes import XY, evaluate
+from sandbox.physics.energy.step_record import StepRecord
+from sandbox.physics.engine.batch import Contacts
+from sandbox.physics.forces.law import Given, Law
+from sandbox.physics.forces.laws_by_effect import one_by_one
+from sandbox.physics.joints.joint_forces import pulls_on
+from sandbox.physics.measuring.contact_forces import Press, presses, settled
+from sandbox.physics.measuring.free_body import HAND, IMPACT, Acting, FreeBody
+from sandbox.physics.state.anchor import Anchor
+from sandbox.physics.state.motion import Instant, Motion
+from sandbox.physics.stepping.world import World
+
+
+class FreeBodies:
+    """Draws up the free-body diagrams of a world, of the step that it observed last.
+
+    A run pays nothing for it; who looks pays for one body.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world, self._scene, level = world, world.scene, world.level
+        self._names = list(world.scene.bodies)
+        scene = world.scene
+        given = Given(
+            level, world.values, self._names, scene.mass, scene.share, world.dt, scene.switches
+        )
+        self._laws = list(one_by_one(level.effects, given))
+        self._own = {
+            name: tuple(bodies_of(joint))
+            for name, joint in level.joints.items()
+            if not (is_exact(joint) or joint.kind.force)
+        }
+
+    def of(self, body: str) -> FreeBody | None:
+        """Return the forces on a body; None if nothing moves it, or none are known yet.
+
+        Those of a scheme that does not begin with half a kick are known after its first step.
+
+        Raises
+        ------
+        ValueError
+            If the scene has no such body.
+        """
+        row = self._names.index(body)
+        kick = self._kick(row)
+        if not kick.mass or not np.isfinite(kick.rates).all():
+            return None
+        known = [acting for acting in self._known(kick) if acting.size or acting.couple]
+        touching = self._pressing(kick, known)
+        for press in touching:
+            known += press.acting(self._names[press.row], kick.center)
+        rest = self._rest(body, kick, known)
+        x, y, spin = kick.rates.tolist()
+        struck = any(acting.name == IMPACT for acting in known) or kick.struck
+        return FreeBody(
+            body=body, t=kick.step.t, mass=kick.mass, moment=kick.moment, center=kick.center,
+            forces=(*known, *rest), acceleration=(x, y), angular_acceleration=spin,
+            along=_along(touching), struck=struck, closed=bool(rest),
+        )  # fmt: skip
+
+    def _kick(self, row: int) -> "_Kick":
+        scene, step = self._scene, self._world.last
+        seen = step.seen or Instant.of(step.snapshot)
+        share = float(np.broadcast_to(scene.share(seen.t), len(self._names))[row])
+        x, y = step.snapshot.position[row].tolist()
+        rates = _rates(step, row, held=scene.joints.together is not None)
+        mass, moment = float(scene.mass[row]) * share, float(scene.moment[row]) * share
+        return _Kick(row, step, seen, (x, y), mass, moment, rates)
+
+    def _known(self, kick: "_Kick") -> Iterator[Acting]:
+        """Yield what gravity, the laws, joints and impacts in sequence do."""
+        scene, row, center = self._scene, kick.row, kick.center
+        if gravity := scene.gravity:
+            x, y = gravity.acceleration
+            yield Acting(gravity.effect.called, "", (kick.mass * x, kick.mass * y), center)
+        for entry, law in self._laws:
+            at = getattr(entry, "at", None)
+            arm = _turned(evaluate(at, self._world.values), kick) if at else None
+            yield self._by_law(kick, law, arm)
+        if (turned := kick.step.turned) is not None:
+            x, y = (kick.mass * turned[row]).tolist()
+            name = ", ".join(turn.effect.called for turn in scene.turns)
+            yield Acting(name, "", (x, y), center)
+        for name, spring in scene.joints.springs.items():
+            acting = self._by_law(kick, spring, _arm(spring.ends, kick))
+            yield acting._replace(name=self._called(name), by=name)
+        for joint, (x, y, torque) in pulls_on(scene.joints, row, len(self._names)):
+            wound = joint in scene.joints.radii  # a string leaves its wheel at the rim
+            arm = None if wound else _arm(scene.joints.paths.get(joint, ()), kick)
+            yield Acting.of(self._called(joint), joint, (x, y), torque, center, arm)
+        if (jump := kick.step.jump) is not None:
+            x, y, spin = (jump[row] / kick.length).tolist()
+            force = kick.mass * x, kick.mass * y
+            yield Acting.of(IMPACT, "", force, kick.moment * spin, center, None)
+
+    def _by_law(self, kick: "_Kick", law: Law, arm: XY | None) -> Acting:
+        wrench = np.zeros((len(self._names), 3))
+        law.add(kick.seen, wrench)
+        x, y, torque = wrench[kick.row].tolist()
+        return Acting.of(law.effect.called, "", (x, y), torque, kick.center, arm)
+
+    def _called(self, joint: str) -> str:
+        """Return what the force of a joint is called; what has stuck is none of the level's."""
+        known = self._world.level.joints.get(joint)
+        return known.kind.pull if known else "reaction"
+
+    def _pressing(self, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Press]:
+        direct, contacts = self._scene.direct, kick.contacts
+        wrenches = direct.wrenches(kick.row) if direct else None
+        found = list(presses(contacts, wrenches, kick.row, np.array(kick.center), kick.length))
+        if not kick.moment:
+            return found
+        torque = sum(acting.torque(kick.center) for acting in known)
+        torque += sum(float(press.normal[2] + press.friction[2]) for press in found)
+        return settled(found, kick.moment * float(kick.rates[2]) - torque)
+
+    def _rest(self, body: str, kick: "_Kick", known: Sequence[Acting]) -> Sequence[Acting]:
+        """Return what is left to joints that pymunk solves, and to a hand."""
+        pulling = [name for name, bodies in self._own.items() if body in bodies]
+        held = kick.step.hold is not None and kick.step.hold[0] == kick.row
+        if not (pulling or held):
+            return ()
+        x, y = (kick.mass * kick.rates[:2]).tolist()
+        rest = x - sum(a.force[0] for a in known), y - sum(a.force[1] for a in known)
+        torque = kick.moment * float(kick.rates[2]) - sum(a.torque(kick.center) for a in known)
+        name = " and ".join([*([HAND] if held else []), *(["reaction"] if pulling else [])])
+        return (Acting.of(name, ", ".join(pulling), rest, torque, kick.center, None),)
+
+
+class _Kick(NamedTuple):
+    """The last kick, as it was for one body.
+
+    Attributes
+    ----------
+    row
+        Of the body.
+    step
+        What the world tells of it.
+    seen
+        The motion that force laws saw in it.
+    center
+        Where the body's centre of mass was [m].
+    mass, moment
+        Of the body then [kg, kg m²].
+    rates
+        (3,), its accelerations [m/s², rad/s²].
+    """
+
+    row: int
+    step: StepRecord
+    seen: Motion
+    center: XY
+    mass: float
+    moment: float
+    rates: Array
+
+    @property
+    def length(self) -> float:
+        """How long it was: the first is half of one [s]."""
+        whole = self.step.parts[-1].kick
+        return whole / 2 if self.step.after is None else whole
+
+    @property
+    def contacts(self) -> Contacts:
+        """Those of the kick itself: what cut the drift before it comes first."""
+        collided = self.step.impacts
+        return self.step.contacts.after(len(collided.impacts) if collided else 0)
+
+    @property
+    def struck(self) -> bool:
+        """Whether the body has just come to touch something."""
+        contacts = self.contacts
+        return bool(contacts.first[(contacts.bodies == self.row).any(axis=1)].any())
+
+
+def _rates(step: StepRecord, row: int, *, held: bool) -> Array:
+    """Return the accelerations of a body over the kick, or at the step: (3,) [m/s², rad/s²]."""
+    if step.after is None or (step.composed and held):
+        now = step.snapshot
+        return np.append(now.acceleration[row], now.angular_acceleration[row])
+    rates: Array = (step.after[row] - step.begun[row]) / step.parts[-1].kick
+    return rates
+
+
+def _turned(point: XY, kick: _Kick) -> XY:
+    """Return along the plane's axes a point of the body, from its centre of mass [m]."""
+    _, arm = Anchor(kick.row, complex(*point)).find(kick.seen)
+    return float(arm.real), float(arm.imag)
+
+
+def _arm(path: Sequence[Anchor], kick: _Kick) -> XY | None:
+    """Return where a joint holds the body, from its centre [m]; None if not at one point."""
+    held = [anchor for anchor in path if anchor.body == kick.row]
+    if len(held) != 1:
+        return None
+    _, arm = held[0].find(kick.seen)
+    return float(arm.real), float(arm.imag)
+
+
+def _along(touching: Sequence[Press]) -> tuple[XY, ...]:
+    """Return the directions along surfaces, that of the hardest press first."""
+    sizes = [(float(np.hypot(*press.normal[:2])), press) for press in touching]
+    hardest = sorted((each for each in sizes if each[0]), key=lambda each: -each[0])
+    return tuple((float(p.normal[1]) / n, float(-p.normal[0]) / n) for n, p in hardest)

@@ -1,0 +1,131 @@
+"""How the bodies of a scene touch: their shapes, who solves contacts, and who sticks to whom."""
+
+from typing import TYPE_CHECKING
+
+import pymunk
+
+from sandbox.model.collision_filter import apart
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level, Stepping, is_direct
+from sandbox.physics.contacts.corner_gaps import reach_out
+from sandbox.physics.contacts.hollow_shapes import make_hollow
+from sandbox.physics.contacts.pair_count import most_pairs, refuse_crowd
+from sandbox.physics.contacts.shapes import (
+    DIRECT_SKIN,
+    SKIN,
+    choose_correction,
+    leave_contacts,
+    make_surfaces,
+    run_belts,
+    skip_ids,
+)
+from sandbox.physics.contacts.solver_coefficients import (
+    correct_contacts,
+    give_coefficients,
+    stand_proud,
+    take_bounces,
+)
+from sandbox.physics.engine.broadphase import choose_broad_phase
+from sandbox.physics.joints.composites import Touches
+from sandbox.physics.scene.build_context import Made, Pairs
+
+if TYPE_CHECKING:
+    from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.hollow_contacts import Hollows
+    from sandbox.physics.contacts.sequential_impacts import Sequence as Sequential
+
+
+def make_contacts(
+    space: pymunk.Space,
+    bodies: dict[str, pymunk.Body],
+    level: Level,
+    values: Values,
+    stepping: Stepping,
+) -> Pairs:
+    """Give bodies the shapes with which they touch, and say what happens where they do."""
+    ours = not stepping.is_stock
+    if ours:
+        skip_ids(space, level)
+    sequence = level.effects.in_sequence and ours
+    direct = ours and is_direct(level)
+    skin, shapes = _skin(ours=ours, direct=direct), {}
+    for kind, (name, spec) in enumerate(level.bodies.items(), start=1):
+        shapes[name] = make_surfaces(spec, bodies[name], level, values, skin, kind)
+    if pairs_apart := sorted(apart(level)):
+        from sandbox.physics.contacts.collision_filter import keep_apart
+
+        keep_apart(space, bodies, pairs_apart)
+    refuse_crowd(shapes, most_pairs(stepping.iterations, direct=direct))
+    for made in shapes.values():  # pymunk looks for pairs at once
+        space.add(*made)
+    follows = ours and not (sequence or direct)
+    drift = 1 / stepping.rate if follows else None
+    hollows = make_hollow(space, level, values, shapes, skin, drift)
+    reach = choose_broad_phase(space)
+    run_belts(level, values, bodies)
+    if sequence or direct:
+        bounces = take_bounces(space, level, values) if sequence else None
+        if not sequence:
+            stand_proud(space)
+        count = correct_contacts(space, level, hollows) if hollows else 0
+        pairs = Pairs(count, {}, bounces, reach, hollows)
+    else:
+        given = give_coefficients(space, level, values, hollows)
+        pairs = Pairs(*given, None, reach, hollows)
+    if ours:
+        reach_out(space)
+        _choose_solver(space, level, values, 1 / stepping.rate)
+    return pairs
+
+
+def _choose_solver(space: pymunk.Space, level: Level, values: Values, dt: float) -> None:
+    """Leave contacts to what solves them directly, or say how pymunk is to take overlaps back."""
+    if is_direct(level):
+        leave_contacts(space)
+    else:
+        choose_correction(space, level, values, dt)
+
+
+def _skin(*, ours: bool, direct: bool) -> float:
+    """Return how far flat surfaces stand proud [m]."""
+    if not ours:
+        return 0.0
+    return DIRECT_SKIN if direct else SKIN
+
+
+def make_direct(made: Made, hollows: "Hollows | None") -> "Direct | None":
+    """Make what solves contacts and exact joints together, where the level wants it."""
+    level, stepping = made.level, made.stepping
+    if stepping.is_stock or not is_direct(level):
+        return None
+    from sandbox.physics.contacts.direct.solver import Direct
+    from sandbox.physics.contacts.direct.surfaces import surfaces_of
+    from sandbox.physics.contacts.queries import Query
+
+    assert made.joints.together
+    bodies = list(made.bodies.values())
+    surfaces = surfaces_of(level, made.values, bodies)
+    assert bodies[0].space
+    query = Query(bodies[0].space, bodies, hollows)
+    dt, strikes = 1 / stepping.rate, not level.effects.in_sequence
+    return Direct(
+        made.batch, made.joints.together, surfaces, made.inertia, dt, query, strikes=strikes
+    )
+
+
+def make_sequence(made: Made, restitution: Array | None) -> "Sequential | None":
+    """Make what lets impacts come one after the other, where their coefficients say so."""
+    if restitution is None:
+        return None
+    from sandbox.physics.contacts.sequential_impacts import Sequence
+
+    together, dt = made.joints.together, 1 / made.stepping.rate
+    return Sequence(made.batch, restitution, made.inverse_mass, together, dt)
+
+
+def touches_of(space: pymunk.Space, level: Level) -> Touches | None:
+    """Watch the pairs that are to stick to each other, if there are any."""
+    sticking = level.effects.sticking
+    if sticking is None:
+        return None
+    return Touches(space, list(level.bodies), [pair.bodies for pair in sticking.pairs])

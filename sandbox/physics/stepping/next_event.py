@@ -1,0 +1,109 @@
+"""What a scene waits for: which of its events happens first in a part of a drift.
+
+A force that is only known at steps, such as that of a rod, is taken to change within a drift as it
+did in the last.
+"""
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from sandbox.model.acting_events import Crossing, Happening, loads
+from sandbox.model.expressions import Array
+from sandbox.physics.events.drift_events import NEAR, Part, crosses, within
+from sandbox.physics.events.joint_breaking import SUDDEN
+from sandbox.physics.metering.meter import Meter
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.stage import Setup
+
+Value = Callable[[str, float], float]
+"""Tells a quantity so long after the beginning of a part [s]."""
+
+
+class Waiting:
+    """Finds what happens in a drift; j joints.
+
+    Parameters
+    ----------
+    setup
+        Of what runs.
+    pending
+        What is still to happen, by name: it is taken off by whoever lets it happen.
+    """
+
+    def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:
+        level, self._scene, self._dt = setup.level, setup.scene, setup.kicks.clock.dt
+        self._pending = pending
+        self._meter = Meter(setup, {h.waits.quantity for h in pending.values()} - {"t"})
+        borne = loads(level.joints, setup.values)
+        self._sudden = SUDDEN * np.array([borne.get(n, np.inf) for n in level.joints])
+        self.begin()
+
+    def begin(self) -> None:
+        """Take up a motion of which nothing is known yet."""
+        self._was: dict[str, float] = {}
+        self._pulled: tuple[Array, Array] | None = None  # tensions and torques at the last step
+
+    def note(self) -> None:
+        """Take note of the forces in the last part of a drift, from which the next one begins."""
+        self._pulled = self._pulls()
+
+    def first(self, part: Part) -> tuple[str, float] | None:
+        """Return what happens first in a part, and how long after its beginning [s]."""
+        forces = self._pulls()
+        last = forces if self._pulled is None else self._pulled
+        growth = [(now - then) / self._dt for now, then in zip(forces, last, strict=True)]
+        growth[0] = np.where(np.abs(growth[0]) * self._dt > self._sudden, 0.0, growth[0])
+        self._pulled = None
+        waits: dict[str, tuple[float, float]] = {}
+        seen: dict[float, dict[str, Array]] = {}
+
+        def value(quantity: str, time: float) -> float:
+            if time not in seen:
+                seen[time] = self._meter(self._snapshot(part, time, growth))
+            return float(seen[time][quantity])
+
+        for name, (waited, *_) in self._pending.items():
+            if (wait := self._wait(name, waited, part, value)) is not None:
+                beyond = waited.direction == "beyond"
+                load = abs(value(waited.quantity, wait)) / waited.value if beyond else 0.0
+                waits[name] = wait, -load
+        if not waits:
+            return None
+        first = min(waits, key=lambda name: waits[name])
+        return first, waits[first][0]
+
+    def _wait(self, name: str, waited: Crossing, part: Part, value: Value) -> float | None:
+        """Return how long it takes until a quantity crosses its value; None if not in this part."""
+        latest = part.lasts - NEAR * self._dt
+        if waited.quantity == "t":
+            wait = max(waited.value - part.t, 0.0)
+            return wait if wait <= max(latest, 0.0) else None
+        now, then = (value(waited.quantity, time) for time in (0.0, part.lasts))
+        was = self._was.get(name, now)
+        self._was[name] = now
+        if crosses(waited, was, now):
+            return 0.0
+        if not crosses(waited, now, then):
+            return None
+        wait = within(lambda time: value(waited.quantity, time), waited, part.lasts)
+        return wait if wait <= latest else None
+
+    def _pulls(self) -> tuple[Array, Array]:
+        """Return the tensions and torques of the joints that are solved: (j,) each [N, N m]."""
+        joints = self._scene.joints
+        return joints.tensions(), joints.torque()
+
+    def _snapshot(self, part: Part, time: float, growth: list[Array]) -> Snapshot:
+        """Return the state so long after the beginning of a part; forces grow as they did."""
+        motion, none = part.at(time), np.zeros(len(part.place))
+        tension, torque = self._pulls()
+        return Snapshot(
+            *motion,
+            acceleration=part.acceleration[:, :2],
+            angular_acceleration=part.acceleration[:, 2],
+            normal=none,
+            friction=none,
+            tension=tension + growth[0] * time,
+            torque=torque + growth[1] * time,
+        )

@@ -1,0 +1,32 @@
+"""Contacts and exact joints solved together, instead of pymunk's kick; see `contacts/direct`."""
+
+from sandbox.physics.energy.step_record import StepRecord
+from sandbox.physics.state.kick import Kick
+from sandbox.physics.stepping.stage import Setup, Stage
+from sandbox.physics.stepping.stages.solved_joints import bearing
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage."""
+    direct, forces, dt = setup.scene.direct, setup.forces, setup.kicks.clock.dt
+    assert direct
+
+    def begin(kick: Kick) -> None:
+        direct.begin(forces.held(dt), start=kick.at_step)
+
+    def solve(kick: Kick) -> None:
+        direct.solve(kick.until)
+
+    def refit(_t: float) -> None:
+        direct.forget()
+
+    def record(step: StepRecord) -> StepRecord:
+        return step._replace(divided=direct.drifted)
+
+    return Stage(
+        in_kick=begin,
+        after_kick=bearing(setup, solve),
+        refit=refit,
+        record=record,
+        contacts=lambda: direct.contacts,
+    )

@@ -1,0 +1,291 @@
+"""Events that act: what they cut, tie and switch is done at its own time, within a drift.
+
+See `events/drift_events.py`. From then on the bodies are held and kicked for half of what is left
+of the drift, by all that still acts, so that exact joints hold at its end. pymunk is then handed
+the places and the velocities of a straight drift that leads there. Euler's schemes know no
+velocities at a step, and are no better than a step: there events act at the step that finds them.
+
+A joint that breaks is an event like others, which waits for its force. Where several bear too much
+at once, the one that is furthest beyond what it bears goes first, and may take the load off the
+rest. For a blow see `events/joint_breaking.py`. What is tied, and what bounces off a stop, changes
+velocities at once, in a *jolt*: see `events/joint_impacts.py`.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+
+import numpy as np
+
+from sandbox.model.acting_events import Happening, happenings
+from sandbox.model.expressions import Array
+from sandbox.physics.energy.step_record import StepRecord
+from sandbox.physics.energy.taut_ropes import reached
+from sandbox.physics.engine.batch import Booleans
+from sandbox.physics.events.drift_events import Part, acted, acted_at_a_step, stored
+from sandbox.physics.events.elastic_stops import Bounces
+from sandbox.physics.events.joint_impacts import Jolt, jolt
+from sandbox.physics.joints.joint_changes import catch, let_go
+from sandbox.physics.joints.joint_forces import Pulls, pulls_of
+from sandbox.physics.state.motion import Instant
+from sandbox.physics.stepping.next_event import Waiting
+from sandbox.physics.stepping.stage import Setup, Stage
+
+Act = Callable[[float], None]
+"""Does what happens at a time [s]."""
+
+MOST = 1000
+"""How much may happen in one step, one after the other."""
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage."""
+    acting = Acting(setup)
+    return Stage(
+        before_drift=acting.look,
+        started=acting.start,
+        begun=acting.begun,
+        record=acting.record,
+        calls=1,
+    )
+
+
+class Acting:
+    """Waits for what happens in a level, and does what that says; n bodies."""
+
+    def __init__(self, setup: Setup) -> None:
+        level, scene = setup.level, setup.scene
+        self._kicks, self._forces, self._scene = setup.kicks, setup.forces, scene
+        self._dt, self._leapfrog = setup.kicks.clock.dt, setup.leapfrog
+        self._touching = level.effects.contact is not None
+        found = happenings(level.events, level.joints, setup.values)
+        self._pending = {name: one for name, one in found.items() if name not in scene.happened}
+        self._waiting = Waiting(setup, self._pending)
+        self._bounces = Bounces.of(scene, level, setup.values, self._dt)
+        self._laws = (*((scene.gravity,) if scene.gravity else ()), *scene.laws)
+        self._fixed = scene.mass == 0
+        self._past: tuple[Pulls, Pulls] | None = None  # in the last kick, and in that before it
+        self._parts: list[Part] = []
+        self._jolts: list[Jolt] = []
+        self._switched = 0.0
+        self.start(scene.batch.velocity(), np.zeros_like(scene.inertia))
+
+    def start(self, begun: Array, acceleration: Array) -> None:
+        """Take up a motion: the velocities and accelerations at its start, (n, 3) each."""
+        self._begun = begun - acceleration * (self._dt / 2)
+        self._waiting.begin()
+
+    def begun(self) -> Array:
+        """Return the velocities that the last kick began with: (n, 3) [m/s, rad/s]."""
+        return self._begun
+
+    def record(self, step: StepRecord) -> StepRecord:
+        """Add what happened in the drift of a step."""
+        if not self._parts:
+            return step
+        if self._leapfrog:
+            told = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
+        else:
+            told = acted_at_a_step(self._begun, self._laws, self._switched)
+        return step._replace(acted=told._replace(jolts=tuple(self._jolts)))
+
+    def look(self) -> None:
+        """Let happen what does in the coming drift."""
+        state, self._parts, self._switched = self._scene.batch.state(), [], 0.0
+        self._jolts = []
+        before, self._begun = self._begun, state[:, 3:]
+        for broken in self._pending.keys() & self._scene.happened.keys():
+            del self._pending[broken]  # by a blow
+        if self._bounces:
+            self._bounces.release()
+        if not (self._pending or self._bounces):
+            return
+        parts = list(self._follow(self._whole(state, before)))
+        if len(parts) > 1:
+            self._parts = parts
+            self._go_on(parts[-1], state)
+
+    def _whole(self, state: Array, before: Array) -> Part:
+        """Return the coming drift, of states (n, 6), if nothing happens in it."""
+        after, smooth = state[:, 3:], self._forces.smooth
+        acceleration = (after - before) / self._dt
+        struck = self._struck() | self._jerked()
+        acceleration[struck] = smooth[struck]
+        acceleration[self._fixed] = 0.0
+        velocity = after - acceleration * (self._dt / 2) if self._leapfrog else after
+        lasts = self._dt if self._leapfrog else 0.0
+        return Part(self._kicks.clock.after(0), lasts, state[:, :3], velocity, acceleration, smooth)
+
+    def _struck(self) -> Booleans:
+        """Return whose velocities an impact has changed in the last kick: (n,)."""
+        if self._scene.direct:
+            return self._scene.direct.last.struck
+        struck = np.zeros(len(self._fixed), dtype=bool)
+        if self._touching:
+            contacts = self._scene.batch.contacts()
+            struck[contacts.bodies[contacts.first]] = True
+        return struck
+
+    def _jerked(self) -> Booleans:
+        """Return whose velocities a rope has changed that is being caught: (n,)."""
+        scene, moves = self._scene, ~self._fixed
+        pulls = pulls_of(scene.joints, len(moves))
+        before = self._past or (pulls, pulls)
+        self._past, slack = (pulls, before[0]), pulls.slack_before(*before)
+        if not pulls.pulls_only.any() or pulls.new(before[0]).any():
+            return np.zeros(len(moves), dtype=bool)
+        contacts = scene.direct.contacts if scene.direct else scene.batch.contacts()
+        caught = reached(pulls, contacts, slack, moves)
+        return np.asarray(pulls.jacobian[caught].any(axis=(0, 2)))
+
+    def _follow(self, part: Part) -> Iterator[Part]:
+        """Yield the parts of a drift, from one event or bounce to the next."""
+        for _ in range(MOST):
+            found = self._waiting.first(part) if self._pending else None
+            bounce = self._bounces.first(part) if self._bounces else None
+            if bounce is not None and (found is None or bounce[1] < found[1]):
+                wait, jolts = bounce[1], True
+                act = partial(self._bounce, bounce[0], part, wait)
+            elif found is not None:
+                name, wait = found
+                happening = self._pending.pop(name)
+                act, jolts = partial(self._throw, name, happening), bool(happening.tie)
+            else:
+                break
+            left = part.lasts - wait
+            *before, part = self._until(part, wait) if jolts else (part._replace(lasts=wait),)
+            yield from (*before, part)
+            part = self._happen(part, left, act)
+        self._waiting.note()
+        yield from self._halves(part) if self._jolts and self._leapfrog else (part,)
+
+    def _until(self, part: Part, wait: float) -> Sequence[Part]:
+        """Return what leads to a jolt: to its end, the force that acts there; see `_halves`."""
+        if not (self._leapfrog and wait):
+            return (part._replace(lasts=wait),)
+        left = part.lasts - wait
+        acceleration = self._tried(part, self._ahead(left), part.state(wait), (left / 2, left))
+        return _in_halves(part._replace(lasts=wait), acceleration, self._forces.smooth)
+
+    def _ahead(self, left: float) -> float:
+        """Return how much of a step has passed where so much of a drift is left [s]."""
+        return 1 - left / self._dt if self._leapfrog else 0.0
+
+    def _happen(self, part: Part, left: float, act: Act) -> Part:
+        """Let something happen at the end of a part; return what is left of the drift from there.
+
+        That is so long [s].
+        """
+        scene, ahead = self._scene, self._ahead(left)
+        place, velocity = part.state(part.lasts)
+        t = self._kicks.clock.after(ahead)
+        scene.batch.set_state(np.concatenate((place, velocity), axis=1))
+        motion, count = Instant.at(t, place, velocity), len(self._jolts)
+        before = stored(self._laws, motion)
+        act(t)
+        self._switched += stored(self._laws, motion) - before
+        if self._jolts[count:]:
+            velocity = self._jolts[-1].after
+            scene.batch.set_velocity(velocity)
+        if not self._leapfrog:
+            return part._replace(velocity=velocity, lasts=left)
+        with self._kicks.held():
+            after = self._kicks.settle(ahead, velocity, left / 2, left, at_step=True)
+        acceleration = (after - velocity) / (left / 2)
+        acceleration[self._fixed] = 0.0
+        return Part(t, left, place, velocity, acceleration, self._forces.smooth)
+
+    def _halves(self, part: Part) -> tuple[Part, Part]:
+        """Return the halves of the last part of a drift with jolts; the end has its own force.
+
+        So what is left of a drift after a jolt is a step of leapfrog by itself, and as good as one.
+        """
+        place, _ = part.state(part.lasts)
+        _, middle = part.state(part.lasts / 2)
+        lasts = (part.lasts + self._dt) / 2, self._dt
+        acceleration = self._tried(part, 1.0, (place, middle), lasts)
+        return _in_halves(part, acceleration, self._forces.smooth)
+
+    def _tried(
+        self, part: Part, ahead: float, state: tuple[Array, Array], lasts: tuple[float, float]
+    ) -> Array:
+        """Return the accelerations in a kick that is only tried: (n, 3) [m/s², rad/s²].
+
+        Those of the part are taken for what an impact, or a rope that is caught, stops in it.
+
+        Parameters
+        ----------
+        part
+            Of the drift.
+        ahead
+            When: so many steps after the last.
+        state
+            (n, 3) each, places and velocities then [m, rad, m/s, rad/s].
+        lasts
+            How long the kick lasts, and the drift after it [s].
+        """
+        joints, count = self._scene.joints, len(self._fixed)
+        before = pulls_of(joints, count)
+        self._scene.batch.set_state(np.concatenate(state, axis=1))
+        with self._kicks.tried():
+            after = self._kicks.settle(ahead, state[1], *lasts, at_step=True)
+        pulls = pulls_of(joints, count)
+        caught = pulls.pulls_only & (pulls.tension > 0) & ~(before.tension > 0)
+        wild = self._struck() | pulls.jacobian[caught].any(axis=(0, 2))
+        found = (after - state[1]) / lasts[0]
+        return np.where((wild | self._fixed)[:, None], part.acceleration, found)
+
+    def _throw(self, name: str, happening: Happening, t: float) -> None:
+        """Cut, tie and switch what is said, at a time [s]."""
+        scene, (_, cut, tie, on, off) = self._scene, happening
+        scene.happened[name] = t
+        for joint in cut:
+            let_go(scene.joints, joint, t)
+        if cut and scene.direct:
+            scene.direct.relay()
+        for changed in (*cut, *off, *tie, *on):
+            if switch := scene.switches.get(changed):
+                switch.turn(t, on=changed in tie or changed in on)
+        if sum(catch(scene.joints, joint, t) for joint in tie):
+            self._jolts.append(jolt(scene, t))
+            assert scene.joints.together
+            scene.joints.together.calm()
+
+    def _bounce(self, side: int, part: Part, wait: float, t: float) -> None:
+        """Let what meets a side of a stop bounce off it, so long after the beginning of a part."""
+        assert self._bounces
+        rests = self._bounces.rests(side, part, wait)
+        self._jolts.append(self._bounces.bounce(side, t, rests=rests))
+
+    def _go_on(self, last: Part, state: Array) -> None:
+        """Hand pymunk a straight drift to where the last part leads; states are (n, 6)."""
+        scene, dt = self._scene, self._dt
+        if not self._leapfrog:
+            self._begun = last.velocity
+            return
+        end, velocity = last.state(last.lasts)
+        begun = velocity - last.acceleration * (dt / 2)
+        place = end - begun * dt
+        begun[self._fixed], place[self._fixed] = state[self._fixed, 3:], state[self._fixed, :3]
+        if self._touching and not scene.direct:  # what pymunk is to remember are whole impulses
+            with self._kicks.held():
+                self._kicks.settle(1.0, begun, dt, dt)
+        scene.joints.time(dt, dt)
+        scene.batch.set_state(np.concatenate((place, begun), axis=1))
+        self._forces.restart(begun - last.acceleration * dt)
+        self._begun = begun
+
+
+def _in_halves(part: Part, acceleration: Array, smooth: Array) -> tuple[Part, Part]:
+    """Return the halves of a part that comes to the same place with another force in the second.
+
+    Parameters
+    ----------
+    part
+        With the force of its beginning.
+    acceleration, smooth
+        (n, 3), those at its end: all of it, and what gravity and laws give [m/s², rad/s²].
+    """
+    half, (place, _) = part.lasts / 2, part.state(part.lasts)
+    _, middle = part.state(half)
+    begin = place - middle * half - acceleration * (half * half / 2)
+    return part._replace(lasts=half), Part(part.t + half, half, begin, middle, acceleration, smooth)

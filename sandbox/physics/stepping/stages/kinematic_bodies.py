@@ -1,0 +1,27 @@
+"""Kinematic bodies that follow formulas of the time: led anew in the kick of each step.
+
+What solves contacts directly knows the velocities before a kick, and what acts in it; so there
+bodies are led after pymunk's solver, and what they are led by is told before as an acceleration.
+"""
+
+from sandbox.physics.engine.kinematic_bodies import Motions
+from sandbox.physics.state.kick import Kick
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage; between two steps, as at an impact, such bodies go on as they are."""
+    clock, forces, scene = setup.kicks.clock, setup.forces, setup.scene
+    motions = Motions(setup.level.bodies, setup.values, scene.batch, clock.dt)
+
+    def look(kick: Kick) -> None:
+        if kick.ahead == 0:
+            forces.carry(motions.bodies, motions.look(kick.t, kick.length))
+            if not scene.direct:
+                motions.lead()
+
+    def lead(kick: Kick) -> None:
+        if kick.ahead == 0:
+            motions.lead()
+
+    return Stage(in_kick=look, after_kick=lead if scene.direct else None)

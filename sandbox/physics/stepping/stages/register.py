@@ -1,0 +1,53 @@
+"""The list of all stages: what calls for each, and what makes it.
+
+A stage is imported where a level calls for it: what a scene does not need is not even loaded.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from math import isfinite
+
+from sandbox.physics.stepping.stage import Setup, Stage
+
+_ROOM = __name__.rpartition(".")[0]
+
+
+def declared(setup: Setup) -> Iterator[Stage]:
+    """Yield the stages that a level calls for, in the order in which they act."""
+    for wanted, make in STAGES.values():
+        if wanted(setup):
+            yield make(setup)
+
+
+def _by(module: str) -> Callable[[Setup], Stage]:
+    """Return what makes a stage: the function `make` of a module of this folder."""
+
+    def make(setup: Setup) -> Stage:
+        made: Stage = import_module(f"{_ROOM}.{module}").make(setup)
+        return made
+
+    return make
+
+
+def _has_motions(setup: Setup) -> bool:
+    return any(body.motion for body in setup.level.bodies.values())
+
+
+def _has_cuts(setup: Setup) -> bool:
+    effects = setup.level.effects
+    named = (effect and effect.located for effect in (effects.contact, effects.friction))
+    return setup.leapfrog and any(located is not None for located in named)
+
+
+STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
+    "events that act": (lambda s: s.level.happens, _by("drift_events")),
+    "force laws": (lambda s: s.forces.acts, _by("force_laws")),
+    "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
+    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("solved_joints")),
+    "located impacts, and located ends of slipping": (_has_cuts, _by("located_events")),
+    "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
+    "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),
+    "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
+    "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
+}
+"""What calls for each stage, and what makes it."""

@@ -1,0 +1,61 @@
+"""Joints that are not pymunk's: what holds exactly is solved after pymunk's kick."""
+
+from collections.abc import Sequence
+from functools import partial
+
+from sandbox.model.acting_events import loads
+from sandbox.physics.joints.joint_changes import stick
+from sandbox.physics.joints.joints import Joints
+from sandbox.physics.state.kick import Kick, Work
+from sandbox.physics.stepping.stage import Setup, Stage
+
+
+def make(setup: Setup) -> Stage:
+    """Make the stage; contacts that are solved directly take the exact joints with them."""
+    scene = setup.scene
+    joints, touching = scene.joints, setup.level.effects.contact is not None
+    before = [string.warm_start for string in joints.strings.values()] if touching else []
+    after = _all(_solvers(joints, alone=scene.direct is None))
+    if after and scene.direct is None:
+        after = bearing(setup, after)
+    return Stage(in_kick=_all(before), after_kick=after, refit=joints.refit)
+
+
+def _solvers(joints: Joints, *, alone: bool) -> list[Work]:
+    """Return what must run after pymunk's solver.
+
+    Parameters
+    ----------
+    joints
+        Of the scene.
+    alone
+        Whether the exact joints are solved without contacts, and therefore here.
+    """
+    work: list[Work] = [string.solve for string in joints.strings.values()]
+    if joints.touches:
+        work.append(partial(stick, joints))
+    if alone and (together := joints.together):
+        work.append(lambda kick: together.solve(kick.until))
+    return work
+
+
+def bearing(setup: Setup, solve: Work) -> Work:
+    """Return what solves joints, so that those break that a blow goes through and that can."""
+    borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
+    if not (borne and together):
+        return solve
+    from sandbox.physics.events.joint_breaking import Blows
+
+    return Blows(setup.scene, together, borne, solve)
+
+
+def _all(work: Sequence[Work]) -> Work | None:
+    """Return one call of all; None if there are none."""
+    if len(work) < 2:
+        return work[0] if work else None
+    return partial(_each, work)
+
+
+def _each(work: Sequence[Work], kick: Kick) -> None:
+    for item in work:
+        item(kick)

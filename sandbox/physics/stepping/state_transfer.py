@@ -1,0 +1,107 @@
+"""A world that begins where another one stands, at a later step, with other parameters or parts.
+
+What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
+those half a kick before and after. From there the new world is started like any other, with half a
+kick of its own forces (see `start.py`): leapfrog's velocities are half a step ahead, and those of
+the old world have half a kick of the old forces in them, so to hand these on would be wrong by
+Δa h/2. Impulses that solvers remember, and whether a contact sticks, are found out anew.
+"""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.joints.joint_changes import catch, let_go
+from sandbox.physics.scene.scene import Scene
+from sandbox.physics.state.snapshot import Snapshot
+from sandbox.physics.stepping.stage import Setup
+
+
+def take_over(setup: Setup, now: Snapshot, steps: int, before: Scene) -> None:
+    """Put a scene that has not begun into a state.
+
+    Parameters
+    ----------
+    setup
+        Of the new world, before its stages are made.
+    now
+        The state of the old one.
+    steps
+        How many it has taken: time goes on from there.
+    before
+        That of the old one: what has been welded, tied, cut or switched since its start stays so.
+    """
+    setup.scene.batch.set_state(_states(now))
+    _weld(setup, before)
+    _happen(setup, before, steps)
+    _begin_at(setup, steps)
+
+
+def begin_late(setup: Setup, now: Snapshot, steps: int, rows: Mapping[str, int]) -> None:
+    """Let a scene begin as its level says, but at a later step.
+
+    Parameters
+    ----------
+    setup
+        Of the new world, before its stages are made.
+    now
+        The state of the old one.
+    steps
+        How many it has taken: time goes on from there.
+    rows
+        The rows of its bodies there: those that follow formulas of the time are where these say.
+    """
+    batch, before = setup.scene.batch, _states(now)
+    state = np.column_stack((batch.state()[:, :3], batch.velocity()))
+    for row, (name, body) in enumerate(setup.level.bodies.items()):
+        if body.motion is not None and name in rows:
+            state[row] = before[rows[name]]
+    batch.set_state(state)
+    _begin_at(setup, steps)
+
+
+def _states(now: Snapshot) -> Array:
+    return np.column_stack((now.position, now.angle, now.velocity, now.angular_velocity))
+
+
+def _begin_at(setup: Setup, steps: int) -> None:
+    """Let time go on from a step, with the bodies where they are now."""
+    scene, clock = setup.scene, setup.kicks.clock
+    clock.steps = steps
+    for body in scene.bodies.values():
+        scene.space.reindex_shapes_for_body(body)
+    if together := scene.joints.together:
+        together.go_on(clock.after(0))
+    if scene.direct:
+        scene.direct.go_on(clock.after(0))
+
+
+def _happen(setup: Setup, before: Scene, steps: int) -> None:
+    """Tie, cut and switch what events have tied, cut and switched before."""
+    scene = setup.scene
+    scene.happened.update(before.happened)
+    _catch(scene, before, steps * setup.kicks.clock.dt)
+    for name, t in before.joints.cut.items():
+        let_go(scene.joints, name, t)
+    for name, switch in before.switches.items():
+        scene.switches[name].thrown[:] = switch.thrown
+
+
+def _catch(scene: Scene, before: Scene, now: float) -> None:
+    """Tie what events have tied before, where it is now; that was no impact."""
+    latches, old = scene.joints.latches, before.joints.latches
+    if latches is None or old is None:
+        return
+    for name, t in old.tied.items():
+        if catch(scene.joints, name, now) and scene.joints.together:
+            scene.joints.together.calm()
+        latches.tied[name] = t
+
+
+def _weld(setup: Setup, before: Scene) -> None:
+    """Weld those bodies, where they are, that have stuck to each other before."""
+    joints, names = setup.scene.joints, list(setup.scene.bodies)
+    for a, b in before.joints.joined[len(joints.joined) :].tolist():
+        if joints.solids and joints.weld and joints.solids.join(names[a], names[b]):
+            joints.weld(names[a], names[b])

@@ -1,0 +1,58 @@
+"""Levels of many bodies."""
+
+import json
+
+import pytest
+
+from sandbox.model.crowd_levels import CROWDS, CrowdError, crowd
+from sandbox.model.level import MAX_BODIES
+from sandbox.model.loading import MAX_BYTES, parse
+from sandbox.model.writing import text
+from sandbox.physics.measuring.grading import grade
+from sandbox.physics.run import simulate
+
+
+@pytest.mark.parametrize("kind", CROWDS)
+@pytest.mark.parametrize("count", [2, 7, 50])
+def test_a_crowd_is_a_level_with_so_many_bodies(kind: str, count: int) -> None:
+    level = parse(text(crowd(kind, count)))
+
+    assert sum(body.type == "dynamic" for body in level.bodies.values()) == count
+
+
+@pytest.mark.parametrize("kind", ["gas", "chain", "cluster"])
+@pytest.mark.parametrize("count", [2, 20])
+def test_a_crowd_keeps_its_checks(kind: str, count: int) -> None:
+    """A gas its energy: 2e-5 where three meet at once; links and centres are kept to rounding."""
+    for result in grade(simulate(parse(text(crowd(kind, count))), duration=2)):
+        assert result.verdict == "passed", result
+
+
+def test_a_pile_is_as_deep_however_many_there_are() -> None:
+    """So that the solver has as far to reach: at 60 Hz, discs of a pile twice as deep sink."""
+    heights = []
+    for count in (100, 5000):
+        bodies = crowd("pile", count)["bodies"]
+        heights.append(max(body["position"][1] for body in bodies.values() if "mass" in body))
+
+    assert heights[0] == heights[1]
+
+
+def test_the_largest_gas_can_be_loaded() -> None:
+    said = text(crowd("gas", MAX_BODIES - 1))
+
+    assert len(said.encode()) < MAX_BYTES
+    assert len(json.loads(said)["bodies"]) == MAX_BODIES
+
+
+@pytest.mark.parametrize(
+    ("kind", "count", "message"),
+    [
+        ("gass", 10, "there is no scene 'gass'; did you mean 'gas'?"),
+        ("gas", 0, "a gas of 0 bodies: there must be between 1 and 19999"),
+        ("chain", 301, "a chain of 301 bodies: there must be between 1 and 300"),
+    ],
+)
+def test_what_cannot_be_made_is_refused(kind: str, count: int, message: str) -> None:
+    with pytest.raises(CrowdError, match=message):
+        crowd(kind, count)

@@ -1,0 +1,93 @@
+"""The books of a run close as well as its scheme can, or say by how much they do not."""
+
+import pytest
+
+from sandbox.model.level import Level
+from sandbox.physics.energy.book_closure import Closing
+from sandbox.physics.run import simulate
+from tests.physics.scenes import GRAVITY, atwood, box, disc, floor, level, orbit
+
+
+def closing(scene: Level, duration: float = 1.0) -> Closing:
+    found = simulate(scene, duration=duration, books=True).closing
+    assert found is not None
+    return found
+
+
+def swing(rate: float) -> Level:
+    spring = {"type": "spring", "ends": [[0, 0], "bob"], "stiffness": 40, "length": 1}
+    return level({"bob": disc((1.5, 0))}, {}, joints={"k": spring}, stepping={"rate": rate})
+
+
+def test_where_forces_are_constant_the_books_close_to_rounding() -> None:
+    found = closing(atwood(1, 1.5))
+
+    assert found.closes
+    assert found.unexplained < 1e-13 * found.turned
+    assert found.text.startswith("closes to ")
+
+
+@pytest.mark.parametrize("rate", [30, 60, 240])
+def test_a_spring_is_unexplained_by_no_more_than_its_step_and_about_as_much(rate: float) -> None:
+    """(ω dt)² / 4 of it, ω² = k / m; the bound is twice that."""
+    found = closing(swing(rate), 2.0)
+
+    assert found.closes
+    assert found.unexplained == pytest.approx(40 / rate**2 / 4 * found.turned, rel=0.02)
+    assert found.bound == pytest.approx(2 * found.unexplained, rel=0.02)
+
+
+def test_a_bend_that_is_too_sharp_for_the_steps_is_told() -> None:
+    """What is thrown past the centre of an attraction is not where it would be."""
+    found = closing(orbit(speed=0.3, rate=60), 4.0)
+
+    assert found.share > 1e-2
+
+
+def test_eulers_scheme_does_not_close() -> None:
+    found = closing(orbit(scheme="explicit-euler"))
+
+    assert not found.closes
+    assert "J unexplained (" in found.text
+
+
+def test_what_overlaps_gave_is_told() -> None:
+    scene = level(
+        {"ball": disc((0, 1), radius=0.1, restitution=0.1), "floor": floor(restitution=1)},
+        {**GRAVITY, "contact": {"solver": "direct"}, "restitution": {}},
+    )
+    found = closing(scene)
+
+    assert not found.closes
+    assert "J of it by taking back overlaps" in found.text
+
+
+def test_books_of_far_too_coarse_steps_do_not_close_whatever_these_may_leave() -> None:
+    found = Closing(turned=7000, unexplained=3500, overlaps=0, bound=9500, scale=7000)
+
+    assert not found.closes
+    assert found.text == "3.5e+03 J of 7e+03 J unexplained (50 %)"
+
+
+def test_what_rests_turns_nothing_over() -> None:
+    scene = level({"box": box((0, 0.25)), "floor": floor()}, {**GRAVITY, "contact": {}})
+
+    assert closing(scene).text == "nothing turned over"
+
+
+def test_a_load_that_hops_without_gaining_is_told_by_its_books() -> None:
+    """Each landing takes what the hop gave: forces are wrong by far, and nothing diverges."""
+    rods = {f"{name}_rod": {"type": "rod", "ends": [name, "top"]} for name in ("left", "right")}
+    scene = level(
+        {
+            "left": box((-0.6, 0.1), size=(0.3, 0.2), friction=1),
+            "right": box((0.6, 0.1), size=(0.3, 0.2), friction=1),
+            "top": disc((0, 1.2), radius=0.1, mass=300, friction=1),
+            "floor": floor(friction=1),
+        },
+        {**GRAVITY, "contact": {"solver": "iterative"}, "friction": {}},
+        joints=rods,
+        stepping={"rate": 4000},
+    )
+
+    assert closing(scene, 0.2).share > 0.1

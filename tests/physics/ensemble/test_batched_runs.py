@@ -1,0 +1,92 @@
+"""Runs that go together end in the bits of each alone."""
+
+import numpy as np
+import pytest
+
+from sandbox.model.catalog import find
+from sandbox.model.expressions import Array, Values
+from sandbox.model.level import Level
+from sandbox.model.loading import choose, load
+from sandbox.physics.ensemble.batched_runs import Flight, accepts, suits
+from sandbox.physics.run import build, simulate
+from sandbox.physics.stepping.world import World
+from tests.sample import thinned
+
+PENDULUM = "lagrange/double-pendulum"
+WATCHED = (
+    "t",
+    "lower.position.x",
+    "upper.velocity",
+    "lower.acceleration.y",
+    "system.energy",
+    "system.angular_momentum",
+    "second.length",
+)
+
+
+def worlds(level: Level, values: list[Values]) -> list[World]:
+    return [build(level, v) for v in values]
+
+
+@pytest.mark.parametrize("count", thinned([3, 2, 17], 3))
+def test_pendulums_end_in_the_bits_of_each_alone(count: int) -> None:
+    """Chaos would make 1e-5 of the last bit within two seconds."""
+    level = load(find(PENDULUM))
+    values = [choose(level, {"angle": 101 + 2.7 * i, "m": 0.6 + i / 20}) for i in range(count)]
+    steps = [600 + 30 * i for i in range(count)]
+    assert suits(level, level.stepping, WATCHED)
+    flown = Flight(worlds(level, values), WATCHED, steps, None).fly()
+    for one, chosen, length in zip(flown, values, steps, strict=True):
+        alone = simulate(level, chosen, length / level.stepping.rate, WATCHED)
+        assert one.trace is not None
+        assert (one.trace.t == alone.t).all()
+        for name in WATCHED:
+            assert (one.trace.columns[name] == alone.columns[name]).all(), name
+
+
+@pytest.mark.parametrize("name", ["kinematics/projectile", "kinematics/free-fall"])
+def test_so_does_what_flies_freely(name: str) -> None:
+    level = load(find(name))
+    values = [choose(level, {"g": 2.0 + i}) for i in range(5)]
+    names = ("t", "ball.position.y", "ball.speed", "ball.energy")
+    for one, chosen in zip(
+        Flight(worlds(level, values), names, [70] * 5, None).fly(), values, strict=True
+    ):
+        alone = simulate(level, chosen, 70 / level.stepping.rate, names)
+        assert one.trace is not None
+        assert all((one.trace.columns[n] == alone.columns[n]).all() for n in names)
+
+
+def test_a_condition_ends_each_where_it_holds_first() -> None:
+    level = load(find("kinematics/projectile"))
+    values = [choose(level, {"angle": angle}) for angle in (10.0, 30.0, 80.0)]
+
+    def falls(columns: dict[str, Array], _: Array, __: World) -> int | None:
+        below = columns["ball.velocity.y"] < 0
+        return int(np.argmax(below)) if below.any() else None
+
+    names = ("t", "ball.velocity.y")
+    for one in Flight(worlds(level, values), names, [900] * 3, falls).fly():  # type: ignore[arg-type]
+        assert one.stopped
+        assert one.trace is not None
+        assert (one.trace.columns["ball.velocity.y"][:-1] >= 0).all()
+        assert one.trace.columns["ball.velocity.y"][-1] < 0
+
+
+def test_what_a_run_alone_is_stopped_for_is_left_to_it() -> None:
+    """At 20 Hz the joints of a fast pendulum cannot be kept."""
+    level = load(find(PENDULUM))
+    slow = level.model_copy(update={"stepping": level.stepping.at(12)})
+    values = [choose(slow, {"angle": angle}) for angle in (100.0, 149.0)]
+    flown = Flight(worlds(slow, values), ("t",), [200] * 2, None).fly()
+    assert any(one.trace is None for one in flown)
+
+
+@pytest.mark.parametrize(
+    "name", ["newton/incline", "energy/spring-oscillator", "lagrange/simple-pendulum"]
+)
+def test_contacts_springs_and_lone_rods_run_alone(name: str) -> None:
+    level = load(find(name))
+    body = next(n for n, b in level.bodies.items() if b.type == "dynamic")
+    names = ("t", f"{body}.position.x")
+    assert not (suits(level, level.stepping, names) and accepts(build(level)))
