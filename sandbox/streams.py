@@ -1,4 +1,4 @@
-"""What is said to whoever has started the process, who may have gone, or have no room for it."""
+"""Standard output and error, whose reader may have gone or whose disk may be full."""
 
 import io
 import os

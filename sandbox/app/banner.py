@@ -1,4 +1,4 @@
-"""What is told at the top of the stage: the most pressing of what there is to tell."""
+"""The banner at the top of the stage: the most urgent of the messages."""
 
 from math import inf
 

@@ -1,4 +1,4 @@
-"""What each command of the window does: its own, those of its pages, and those of its overlays."""
+"""The action of each command: the window's own, those of its pages, and those of its overlays."""
 
 from collections.abc import Callable, Mapping
 from functools import partial

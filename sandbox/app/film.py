@@ -1,4 +1,4 @@
-"""A run as a film: taken again, drawn frame by frame, and encoded as GIF or MP4."""
+"""A run as a film: replayed, drawn frame by frame, and encoded as GIF or MP4."""
 
 import os
 from collections.abc import Iterator

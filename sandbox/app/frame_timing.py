@@ -1,4 +1,4 @@
-"""How long the window's frames take, while a level plays with a graph and forces in sight."""
+"""How long the window's frames take while a level plays with a graph and forces in sight."""
 
 from dataclasses import dataclass
 from time import perf_counter, thread_time

@@ -1,4 +1,4 @@
-"""Which key does what, but for what pages and overlays declare themselves; see `commands`."""
+"""The keys of the window's own commands; pages and overlays declare theirs (see `commands`)."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What runs over each other on the stage, and in which colours."""
+"""The legend of the stage: which runs are drawn over each other, in which colours."""
 
 from collections.abc import Sequence
 

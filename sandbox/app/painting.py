@@ -1,4 +1,4 @@
-"""What a frame of the window looks like: the stage or the cards, the columns, and the help."""
+"""Painting a frame of the window: the stage or the cards, the columns, and the help."""
 
 import pygame
 

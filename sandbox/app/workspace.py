@@ -1,4 +1,4 @@
-"""What a window holds: the level that is open, or why none is, and all that stands around it."""
+"""The contents of a window: the open level, or why none is open, and the panels around it."""
 
 from collections.abc import Mapping
 from pathlib import Path

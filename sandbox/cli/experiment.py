@@ -1,4 +1,4 @@
-"""`experiment`: many runs of a level, measured, kept and drawn."""
+"""`experiment`: many runs of a level, measured, stored and drawn."""
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence

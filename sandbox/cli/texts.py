@@ -1,4 +1,4 @@
-"""The catalogues of the window's languages, brought up to date with what code and levels say.
+"""Updates the catalogues of translations with the texts of code and levels.
 
 `python -m sandbox.cli.texts` does so. It needs Babel, which the extra `test` brings.
 """

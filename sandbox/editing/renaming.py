@@ -1,4 +1,4 @@
-"""A body, a joint or a parameter gets another name, everywhere in its level."""
+"""Renaming a body, a joint or a parameter everywhere in its level."""
 
 import json
 import re

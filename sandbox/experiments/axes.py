@@ -1,4 +1,4 @@
-"""What is varied: the values of a grid, or a distribution from which values are drawn.
+"""The axes of an experiment: the values of a grid, or a distribution to draw from.
 
 0:90:91          a grid: from, to, and how many values
 1:1000:31:log    the same with equal ratios

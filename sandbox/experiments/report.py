@@ -1,4 +1,4 @@
-"""The page of an experiment: what it found, in pictures and tables, in one file."""
+"""The page of an experiment: its results in pictures and tables, in one file."""
 
 import json
 from collections.abc import Callable, Mapping

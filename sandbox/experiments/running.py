@@ -1,4 +1,4 @@
-"""Some rows of an experiment, run and measured: the same bits wherever, and in whatever company."""
+"""Running and measuring some rows of an experiment, with the same bits wherever it is done."""
 
 import pickle
 from collections.abc import Iterator, Mapping, Sequence

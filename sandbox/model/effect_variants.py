@@ -1,4 +1,4 @@
-"""The same level with an effect more or less: what a scene would do if something did not act.
+"""Variants of a level, with one effect more or less.
 
 Both ways a level becomes another level; nothing is changed in place. What an effect that is
 switched off leaves without meaning goes with it: friction needs contact.

@@ -1,4 +1,4 @@
-"""Reading and writing files whole or not at all."""
+"""Files read and written whole or not at all."""
 
 import os
 import platform

@@ -1,4 +1,4 @@
-"""Files that a checkout holds and a program writes."""
+"""Files of the checkout that a program writes."""
 
 import sys
 from collections.abc import Callable, Iterable

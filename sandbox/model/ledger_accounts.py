@@ -1,4 +1,4 @@
-"""The accounts of a level's ledger: where its energy and its momentum come from, and where they go.
+"""The accounts of a level's ledger: where its energy and momentum come from and go.
 
 What a force takes from the kinetic energy is stored as potential energy, or lost for good, or was
 put in from outside. Each effect says which (see `sandbox.model.effects.contract`).

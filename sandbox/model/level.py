@@ -1,4 +1,4 @@
-"""The level format: what a level's JSON file may say.
+"""The level format: everything that a level's JSON file may say.
 
 A `Level` is frozen: it describes a scene and never changes. What moves lives in the world that
 `sandbox.physics` builds from it.

@@ -1,4 +1,4 @@
-"""The JSON Schema of the level format, for editors: `python -m sandbox.model.schema` writes it."""
+"""The JSON Schema of the level format, for editors; `python -m sandbox.model.schema` writes it."""
 
 import json
 import sys

@@ -1,4 +1,4 @@
-"""What a scheme and a rate ask of a level.
+"""What each scheme and rate requires of a level.
 
 Fourth order needs smooth forces that do not depend on velocities. What holds exactly is as good,
 rods, pins, rails and wires: it holds back in time as well.

@@ -1,4 +1,4 @@
-"""Whether forces can hold a scene where it is, and whether they are those that were measured.
+"""Whether forces can hold a scene in place, and whether they match those measured.
 
 At rest the forces on each body add up to nothing. Contacts press, n >= 0, and rub no more than
 Coulomb lets them, |f| <= mu n; ropes pull; rods, pins, rails and welds do whatever is needed. Where

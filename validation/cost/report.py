@@ -1,4 +1,4 @@
-"""A sweep as JSON, and as a table."""
+"""The report of a sweep, as JSON and as a table."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict

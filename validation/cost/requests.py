@@ -1,4 +1,4 @@
-"""Accuracies that are asked for: what is delivered, and at what price beside the whole sweep's."""
+"""Requests for an accuracy: what is delivered, and at what cost beside the whole sweep's."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a sweep says: orders, the points that nothing beats, and the headline beside pymunk."""
+"""The summary of a sweep: orders, the best points, and the comparison with stock pymunk."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

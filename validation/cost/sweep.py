@@ -1,4 +1,4 @@
-"""Running a level with every scheme, at every rate."""
+"""The sweep: a level with every scheme, at every rate."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""The page: what was measured, put into templates."""
+"""The page of the report: measurements put into templates."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""One accuracy that is asked for, and what comes of it.
+"""One request for an accuracy, and its outcome.
 
 A setting is held against a run with a much smaller step, and against settings that cost less.
 """

@@ -1,4 +1,4 @@
-"""How hard a scene can be made until its bound breaks: for the sandbox, and for pymunk alone.
+"""Frontiers: how hard a scene can be made until its bound breaks, here and in stock pymunk.
 
 pymunk gets what the sandbox's step costs at the same difficulty, and takes as many steps for it as
 it can. Both are timed on the same machine, one after the other.

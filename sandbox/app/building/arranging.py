@@ -1,4 +1,4 @@
-"""What can be done with several bodies at once: aligned, spread, mirrored, laid flat."""
+"""Actions on several bodies at once: align, spread, mirror, lay flat."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial

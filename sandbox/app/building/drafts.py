@@ -1,4 +1,4 @@
-"""The drafts of a window: none is lost when another level is shown, or when the window ends."""
+"""The drafts of a window: none is lost when another level is shown or the window closes."""
 
 import os
 from contextlib import suppress

@@ -1,4 +1,4 @@
-"""A level under edit as tools see it: its text, its drawing, what is selected, and every change."""
+"""The level under edit as the tools see it: text, drawing, selection, and every change."""
 
 import json
 from collections.abc import Callable, Collection, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""The editor: it takes the place of the hand while its page is open, and leads to the run and back.
+"""The editor: it takes the mouse while its page is open, and switches to the run and back.
 
 What is built is drawn at its start, as its text says it. Once time runs the run is shown, the hand
 is back, and tools throw things into the run; to go back to the start is to go back to building.

@@ -1,4 +1,4 @@
-"""What of a part of a level can be typed, chosen or switched, by its model: nothing is listed here.
+"""The fields of any part of a level that can be edited, derived from its model.
 
 A new field of a level, a body, a joint or an effect is in the inspector at once, with its unit and
 with what its docstring says.

@@ -1,4 +1,4 @@
-"""What there is to choose about files: to recover what was not saved, or whose changes stay."""
+"""Choices about files: recover unsaved work, or keep one of two versions."""
 
 from functools import partial
 from time import localtime, strftime

@@ -1,4 +1,4 @@
-"""What the inspector shows of the work, and how it is set."""
+"""What the inspector shows of the selection, and how it sets fields."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial

@@ -1,4 +1,4 @@
-"""What keys mean while something is built, and what the help tells of them."""
+"""The keys of the editor, and their lines in the help."""
 
 from collections.abc import Callable, Mapping
 from functools import partial

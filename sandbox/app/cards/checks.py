@@ -1,4 +1,4 @@
-"""How the checks of a level stand."""
+"""The card with the results of a level's checks."""
 
 from collections.abc import Mapping, Sequence
 

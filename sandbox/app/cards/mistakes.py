@@ -1,4 +1,4 @@
-"""Mistakes in a level's file, each below its place in the text."""
+"""The card with the mistakes in a level's file, each below its place in the text."""
 
 from collections.abc import Sequence
 from itertools import pairwise

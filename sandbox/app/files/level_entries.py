@@ -1,4 +1,4 @@
-"""What is known of a level before it is opened."""
+"""The entry of a level in the list, read without loading the whole level."""
 
 import json
 from pathlib import Path

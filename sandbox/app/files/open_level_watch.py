@@ -1,4 +1,4 @@
-"""The file of the level that is shown, looked at while it is."""
+"""A watch on the file of the open level, which may change on disk."""
 
 from pathlib import Path
 

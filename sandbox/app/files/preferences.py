@@ -1,4 +1,4 @@
-"""What a person has chosen for the window, kept in the user's data folder."""
+"""The user's settings of the window, kept in the data folder."""
 
 from pathlib import Path
 from typing import Annotated

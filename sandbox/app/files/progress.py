@@ -1,4 +1,4 @@
-"""Which challenges were solved, kept in the user's data folder from one day to the next."""
+"""The challenges that were solved, kept in the user's data folder."""
 
 from pathlib import Path
 from typing import Annotated

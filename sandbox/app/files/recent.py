@@ -1,4 +1,4 @@
-"""Which files were opened, kept in the user's data folder from one day to the next."""
+"""The files that were opened recently, kept in the user's data folder."""
 
 import os
 from pathlib import Path

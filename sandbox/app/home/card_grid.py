@@ -1,4 +1,4 @@
-"""Where cards stand: in rows as wide as the area, below the headings of their chapters."""
+"""The layout of the cards: in rows as wide as the area, below the headings of their chapters."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Above the cards: what was drawn and not saved, to go on with."""
+"""The strip above the cards: drafts that were not saved, to go on with."""
 
 from collections.abc import Sequence
 from time import localtime, strftime

@@ -1,4 +1,4 @@
-"""The home page: levels as cards on the stage's area."""
+"""The home page: all levels as cards in place of the stage."""
 
 from collections.abc import Sequence
 from functools import cache, lru_cache

@@ -1,4 +1,4 @@
-"""A level that plays on its card while the mouse rests on it: the first seconds, and no dear one.
+"""The preview that plays on a card while the mouse rests on it, unless the level is expensive.
 
 All of it happens in the window's own frames, within a few milliseconds of each. A level is dear
 where it has many parts, waits for a search, or where its steps or its pictures do not fit. Then its

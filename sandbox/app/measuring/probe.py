@@ -1,4 +1,4 @@
-"""A probe on the trails: when a body was under the mouse, where, and how fast."""
+"""A probe on the trails: when the body under the mouse was there, and how fast."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

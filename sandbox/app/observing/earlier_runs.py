@@ -1,4 +1,4 @@
-"""Runs that were there before: what stays of them when a parameter is changed."""
+"""Earlier runs, kept for comparison when a parameter is changed."""
 
 from typing import NamedTuple
 

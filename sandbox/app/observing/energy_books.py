@@ -1,4 +1,4 @@
-"""The energies of a run over time, and the books of where they come from and go."""
+"""The energies of a run over time, and the accounts of where they come from and go."""
 
 from dataclasses import dataclass
 

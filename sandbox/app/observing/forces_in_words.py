@@ -1,4 +1,4 @@
-"""The forces on the bodies of a scene in words, and what comes of them."""
+"""The forces on the bodies of a scene, and their sums, in words."""
 
 from collections.abc import Iterator
 from math import hypot, sqrt

@@ -1,4 +1,4 @@
-"""What has happened in a run: where the events of its checks were, and what was measured there."""
+"""The events of a run so far at which its checks measure, and what was measured there."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""A scene in words: what is on the stage, for a terminal or a screen reader."""
+"""A scene in words, for a terminal or a screen reader."""
 
 from collections.abc import Iterator
 from math import hypot

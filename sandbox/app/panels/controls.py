@@ -1,4 +1,4 @@
-"""The bar below: playing, speed, time, and what is shown."""
+"""The bar at the bottom: play, speed, time, and overlays."""
 
 from collections.abc import Iterator, Mapping
 

@@ -1,4 +1,4 @@
-"""The foot of the side panel: how many checks hold, and where the energy is."""
+"""The footer of the side panel: how many checks hold, and where the energy is."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence

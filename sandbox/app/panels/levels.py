@@ -1,4 +1,4 @@
-"""The list of levels, by chapter, and a field that finds some of them."""
+"""The list of levels, by chapter, with a search field."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path

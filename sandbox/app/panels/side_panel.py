@@ -1,4 +1,4 @@
-"""The column on the right: the pages of the level behind tabs, and the foot below them."""
+"""The column on the right: the pages of the level behind tabs, and the footer below them."""
 
 from collections.abc import Iterator
 

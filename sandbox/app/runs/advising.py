@@ -1,4 +1,4 @@
-"""What helps a run that had to stop, tried in the background and told when it is known."""
+"""The search for what helps a run that had to stop, in the background."""
 
 from sandbox.app.background import Background
 from sandbox.app.runs.session import Session

@@ -1,4 +1,4 @@
-"""Other runs of the scene that is played, beside it: each a world of its own, in lockstep.
+"""Companion runs: the same scene with changes, each in its own world, in lockstep with the run.
 
 What differs is the level, by its effects, or how time advances. Nothing is shared between the
 worlds but the time to which they have come.

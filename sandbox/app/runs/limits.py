@@ -1,4 +1,4 @@
-"""What a run in the window may take of a person's time and of memory before it pauses and says so.
+"""The limits on a run's time and memory at which the window pauses and says so.
 
 Nothing is wrong with such a run, so that it goes on whenever somebody wants it to. The window
 answers between any two steps.

@@ -1,4 +1,4 @@
-"""What is seen of a run that is played: by pages, panels, the banner and the stage."""
+"""What pages, panels, the banner and the stage read of a run."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""A level being played: how its runs begin, as its file says or changed. No window is needed."""
+"""The session: the level that is played, and how its runs begin. No window is needed."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Taking back what a person has changed of a run: parameters, effects, scheme, rate, and speed."""
+"""Undo for changes of a run: parameters, effects, scheme, rate, and speed."""
 
 from collections.abc import Mapping, Sequence
 from itertools import takewhile

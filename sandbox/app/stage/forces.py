@@ -1,4 +1,4 @@
-"""Given forces as arrows, put together tip to tail, and the tips that a hand can drag."""
+"""Given forces as arrows, added tip to tail; their tips can be dragged."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

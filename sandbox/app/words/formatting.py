@@ -1,4 +1,4 @@
-"""How numbers and moments are put for a person to read."""
+"""Numbers, times and settings, formatted for a person to read."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10

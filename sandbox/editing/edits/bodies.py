@@ -1,4 +1,4 @@
-"""New bodies, as they are drawn, and bodies taken out.
+"""Adding bodies that were drawn, and deleting bodies.
 
 A body is drawn of one material: 10 kg on each square metre. What it needs to act is declared with
 it: gravity and contact where nothing is declared yet, and a coefficient where every body has one.

@@ -1,4 +1,4 @@
-"""Bodies copied, with the joints among them, into the same level or another one."""
+"""Copying bodies with the joints among them, into the same level or another one."""
 
 import json
 from collections.abc import Collection, Mapping

@@ -1,4 +1,4 @@
-"""Any field of a level set to what was typed, and any number made a parameter."""
+"""Setting any field of a level, and turning a number into a parameter."""
 
 import json
 import re

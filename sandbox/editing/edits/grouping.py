@@ -1,4 +1,4 @@
-"""Bodies put into a group, which the editor selects with one click, and taken out of it.
+"""Grouping bodies, so that one click selects all of them, and ungrouping them.
 
 A group is a line of `view.together`. No body is in two of them.
 """

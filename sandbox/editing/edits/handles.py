@@ -1,4 +1,4 @@
-"""Bodies made larger or smaller, by the handles of their shapes.
+"""Resizing bodies by the handles of their shapes.
 
 A disc has one on its rim; a box one at each corner and in the middle of each side, and what lies
 opposite stays; lines and polygons have one at each corner. A body whose mass is that which it was

@@ -1,4 +1,4 @@
-"""Bodies seen in a mirror: their places, shapes and motions, and the joints among them."""
+"""Mirror images of bodies: their places, shapes, motions, and the joints among them."""
 
 from collections.abc import Collection
 from typing import Literal

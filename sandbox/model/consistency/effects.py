@@ -1,4 +1,4 @@
-"""The effects that are declared have something to act on."""
+"""Declared effects have something to act on."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What an effect says of itself, once. Everything else that knows of effects is derived from it.
+"""The contract of an effect: what it declares once, and everything else derives from.
 
 To add one, see `docs/how-to/add-an-effect.md`. An effect is
 

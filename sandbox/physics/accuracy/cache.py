@@ -1,4 +1,4 @@
-"""Settings that were found before, kept in the user's cache folder.
+"""A cache of settings that were found, in the user's cache folder.
 
 What is kept is found again by a hash of all that it depends on: the level, its parameters, the
 accuracy, the sandbox's code and the versions of what it stands on. So nothing stale is ever used.

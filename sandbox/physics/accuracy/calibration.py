@@ -1,4 +1,4 @@
-"""The cheapest setting that reaches an accuracy: what it is, or why there is none."""
+"""Calibration: the cheapest setting that reaches an accuracy, or why there is none."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -114,16 +114,16 @@ def calibrate(
     seeker = Seeker(level, values, target, budget, progress, stop)
     wanted, judged_by = _judges(level, values, also)
     found = seeker.found(wanted)
-    if found.chosen.error > target:
-        known = foretold(found.offers.refinements, found.wanted, target)
-        chaos = chaotic(level, values, found.offers.fine, stop)
-        until = f"foretold until t = {known:.3g} s" if known else "not foretold at all"
-        if not chaos:
-            raise _refused(found, target, judged_by, until)
+    if found.chosen.error <= target:
+        return _setting(found, judged_by)
+    known = foretold(found.offers.refinements, found.wanted, target)
+    chaos = chaotic(level, values, found.offers.fine, stop)
+    until = f"foretold until t = {known:.3g} s" if known else "not foretold at all"
+    if chaos:
         judged_by = f"its energy, for it is chaotic: {chaos}; where things are is {until}"
         found = seeker.found((_ENERGY,))
-        if found.chosen.error > target:
-            raise _refused(found, target, judged_by, until)
+    if found.chosen.error > target:
+        raise _refused(found, target, judged_by, until)
     return _setting(found, judged_by)
 
 

@@ -1,4 +1,4 @@
-"""What the refinements of a level have to offer: settings, their errors and their prices."""
+"""The candidates for a setting that the refinements of a level offer, with errors and costs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Looking for the cheapest setting by short runs.
+"""The cheapest setting, found by short runs.
 
 Each scheme that is for the level runs at a sequence of rates, each twice the one before, until the
 cheapest run that will do is seen. A rate between that run and the one before is tried, and what

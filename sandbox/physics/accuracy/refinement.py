@@ -1,4 +1,4 @@
-"""Runs of one scheme with smaller and smaller steps, and what they tell of others."""
+"""Step refinement: runs of one scheme with smaller and smaller steps, and what they predict."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Taking runs with smaller and smaller steps, of several schemes in turn, as far as the work goes.
+"""The search over schemes and steps: which run comes next, as far as the work allows.
 
 Whichever next run takes least is taken, so that no scheme spends the time of the others, and what
 cannot be the cheapest any more is left. Work is counted, so the same request takes the same runs;

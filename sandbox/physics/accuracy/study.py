@@ -1,4 +1,4 @@
-"""What the accuracy of a level is, what it is made of, and what more of it would cost.
+"""A study of a level's accuracy: how large the error is, what causes it, what less would cost.
 
 A study is a row of findings, each told as soon as it is known, for somebody who looks on.
 """

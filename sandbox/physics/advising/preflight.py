@@ -1,4 +1,4 @@
-"""What is known against a level before it runs: steps too long for it, bodies that overlap."""
+"""What speaks against a level before it runs: steps that are too long, bodies that overlap."""
 
 from math import inf
 

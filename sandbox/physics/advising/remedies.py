@@ -1,4 +1,4 @@
-"""What helps a run that had to stop: tried before it is told.
+"""Remedies for a run that had to stop, each tried before it is suggested.
 
 Whoever shows why a run stopped asks for it; the run itself only says what it suspects. Each remedy
 is tried in a world of its own, from the start, by far enough that the stop would have come, and all

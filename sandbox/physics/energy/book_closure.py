@@ -1,4 +1,4 @@
-"""Whether the books of a run close, and how well they can.
+"""Whether the energy books of a run close, and how well they can.
 
 Leapfrog keeps another energy than the one that is read, to rounding: with a drift in the middle of
 which it is read, the two differ by

@@ -1,4 +1,4 @@
-"""Blows that go through joints which break.
+"""Joints that break under an impact.
 
 What is rigid has no finite force where it is jerked taut or struck: it takes an impulse in no time.
 A joint that breaks at a force therefore breaks before it has given any, and what it held goes on
@@ -29,7 +29,7 @@ SUDDEN = 0.5
 less is a force that rises, and found within the drift."""
 
 
-class Blows:
+class JointBreaking:
     """Solves the joints of a scene in a kick, and once more without those that a blow breaks.
 
     Parameters

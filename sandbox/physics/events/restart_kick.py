@@ -1,4 +1,4 @@
-"""How bodies go on from where something ends within a step: a kick of bodies that are held.
+"""The kick with which held bodies go on after an event within a step.
 
 They are held there and kicked, as all are before the first step, by pymunk's solver and the joints
 together. A contact that slips keeps on slipping in a kick that is short enough; one whose slip has

@@ -1,4 +1,4 @@
-"""The force laws that a level declares; each effect's own module makes them.
+"""The force laws that a level declares, made by each effect's own module.
 
 A law is imported where a level declares it: what a scene does not call for is not even loaded.
 """

@@ -1,4 +1,4 @@
-"""The laws of a level one by one, for whoever tells what each of them does."""
+"""The laws of a level one by one, each with its effect."""
 
 from collections.abc import Iterator
 

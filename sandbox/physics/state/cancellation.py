@@ -1,4 +1,4 @@
-"""Places in a long computation at which whoever waits for it may look up, and break it off.
+"""Cancellation points: places in a long computation where it can be broken off.
 
 The loops that can make one step last for seconds come to a `cancellation_point` each time round.
 pymunk's own step has none, nor has a call of LAPACK: they are over before anybody is asked. Nobody

@@ -1,4 +1,4 @@
-"""What can go wrong while a world runs."""
+"""The errors of a running world."""
 
 from math import ceil
 

@@ -1,4 +1,4 @@
-"""What is said of a kick to all that have a part in it."""
+"""A kick, as all that take part in it are told of it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

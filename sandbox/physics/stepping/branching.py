@@ -1,4 +1,4 @@
-"""A run that goes on from where it stands with other parameters, or with other parts.
+"""Branches: a run goes on from where it stands, with other parameters or parts.
 
 `state_transfer.py` says how.
 """

@@ -1,4 +1,4 @@
-"""What is told of a run that had to stop, whatever stopped it."""
+"""The message for a run that had to stop, whatever stopped it."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What a scene waits for: which of its events happens first in a part of a drift.
+"""The next event: which of a scene's events comes first in a part of a drift.
 
 A force that is only known at steps, such as that of a rod, is taken to change within a drift as it
 did in the last.

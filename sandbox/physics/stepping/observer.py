@@ -1,4 +1,4 @@
-"""The state at a step, from the velocities half a kick before and after it.
+"""The observer: the state at a step, from the velocities half a kick before and after it.
 
 The velocity at a step is the mean of the two, and the acceleration their difference over the kick.
 Where something hits there is no such mean (see `post_impact_velocity` and `sequential_impacts`).

@@ -1,4 +1,4 @@
-"""A world that begins where another one stands, at a later step, with other parameters or parts.
+"""Handing a state to a new world, which goes on with other parameters or parts.
 
 What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
 those half a kick before and after. From there the new world is started like any other, with half a

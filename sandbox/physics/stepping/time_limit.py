@@ -1,4 +1,4 @@
-"""Stops a run whose steps take so long that nobody can wait for it.
+"""The limit on computing time: stops a run whose steps take too long to wait for.
 
 What a step takes is counted before it is taken wherever that can be; this is for what is left. A
 step is broken off at a cancellation point; where it has none, the run ends after the step.

@@ -1,4 +1,4 @@
-"""A level that runs, step by step.
+"""The world: a level that runs, step by step.
 
 A step is a drift and a kick (`kicks.py`). What only some levels call for takes part in it as a
 stage: `stage.py` says how, and `stages/register.py` lists them.

@@ -1,4 +1,4 @@
-"""What accuracy costs beside pymunk, over all levels."""
+"""The cost of accuracy beside stock pymunk, over all levels."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""How accuracies that were asked for were answered."""
+"""The answers to requests for an accuracy."""
 
 from dataclasses import dataclass
 from math import isfinite

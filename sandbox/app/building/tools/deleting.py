@@ -1,4 +1,4 @@
-"""The tool that takes bodies and joints out."""
+"""The tool that deletes bodies and joints."""
 
 import pygame
 

@@ -1,4 +1,4 @@
-"""What is drawn from one point to another: discs and boxes."""
+"""The tools for discs and boxes, which are drawn from one point to another."""
 
 from abc import ABC, abstractmethod
 from math import cos, dist, sin, tau

@@ -1,4 +1,4 @@
-"""The tool that ties bodies together, with any joint that there is."""
+"""The tool that joins bodies, with any kind of joint."""
 
 from collections.abc import Mapping
 from math import dist

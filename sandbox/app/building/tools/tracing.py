@@ -1,4 +1,4 @@
-"""What is drawn through several points: polygons, surfaces, and what a hand draws freely."""
+"""The tools for polygons, surfaces and freehand strokes, which are drawn through several points."""
 
 from math import atan2, degrees, dist
 

@@ -1,4 +1,4 @@
-"""What is told of a run's accuracy and of the time that it takes."""
+"""The card with a run's accuracy, and the computing time that it costs."""
 
 from collections.abc import Mapping
 

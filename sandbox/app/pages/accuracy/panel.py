@@ -1,4 +1,4 @@
-"""The page of the accuracy: what a digit costs here, and what the error is made of."""
+"""The page Accuracy: what the next digit costs, and what the error is made of."""
 
 from math import log10
 

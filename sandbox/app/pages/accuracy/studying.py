@@ -1,4 +1,4 @@
-"""What is known of the accuracy of the run that is shown, and the work to learn it."""
+"""The study of the run's accuracy: what is known so far, and the work that goes on."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING

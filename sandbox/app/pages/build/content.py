@@ -1,4 +1,4 @@
-"""What the page says and offers besides fields: mistakes, offers, suggestions, effects."""
+"""The parts of the page besides the fields: mistakes, offers, suggestions, effects."""
 
 from functools import partial
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Fields, choices and switches for whatever can be set of a part; see `building.fields`."""
+"""The inspector: fields, choices and switches of the selected part (see `building.fields`)."""
 
 import dataclasses
 from collections.abc import Collection, Iterator, Mapping, Sequence

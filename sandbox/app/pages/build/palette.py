@@ -1,4 +1,4 @@
-"""The tools, and what is done with a level as a whole: they stay while the page is scrolled."""
+"""The palette of tools and of actions on the whole level; it stays while the page scrolls."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial

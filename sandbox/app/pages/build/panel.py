@@ -1,4 +1,4 @@
-"""The page on which levels are built: the tools, what there is to decide, and the fields."""
+"""The page Build: the tools, the pending decisions, and the fields."""
 
 import os
 from collections.abc import Collection, Sequence

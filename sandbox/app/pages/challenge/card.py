@@ -1,4 +1,4 @@
-"""How a challenge stands: its task, its stars, its goals, and the hints that were asked for."""
+"""The card of a challenge: its task, its stars, its goals, and the hints that were asked for."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Judges every run by its level's challenge, and keeps the stars."""
+"""The judge of challenges: it holds every run against the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
 from sandbox.app.runs.session import Session

@@ -1,4 +1,4 @@
-"""What effects that are switched off and on change."""
+"""The card that shows what the switched effects change."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The page of the effects: each a switch, and below what a change of them makes of the run."""
+"""The page Effects: a switch for each effect, and below it what the change does to the run."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""The curve of an experiment, as far as its runs are made."""
+"""The card with the curve of an experiment, as far as it has been computed."""
 
 from collections.abc import Iterator, Sequence
 

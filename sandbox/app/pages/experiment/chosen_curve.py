@@ -1,4 +1,4 @@
-"""Which curve a person looks at, level by level, and the runs that it is made of."""
+"""The curve that was chosen, level by level, and the runs behind it."""
 
 from typing import NamedTuple
 

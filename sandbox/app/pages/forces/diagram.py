@@ -1,4 +1,4 @@
-"""A free-body diagram, and the forces put together tip to tail."""
+"""A free-body diagram, and the forces added tip to tail."""
 
 from collections.abc import Iterator, Sequence
 from math import atan2, copysign, cos, hypot, pi, sin

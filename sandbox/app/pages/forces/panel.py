@@ -1,4 +1,4 @@
-"""The page of the forces: a diagram, and the axes along which it tells components."""
+"""The page Forces: the diagram, and the choice of axes."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED

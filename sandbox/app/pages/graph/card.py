@@ -1,4 +1,4 @@
-"""Graphs of what was chosen: one for each unit, with the closed form and earlier runs."""
+"""The graphs of the chosen quantities: one for each unit, with the closed form and earlier runs."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -69,14 +69,12 @@ def graphs(
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
         _told(card, columns, these, up, units, across, cursor, trust)
-        series = [
-            *_faint(earlier, these, across),
-            *_closed(session, columns, these, up, across),
-            *(
-                Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
-                for name in these
-            ),
-        ]
+        own = (
+            Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
+            for name in these
+        )
+        before = _faint(earlier, these, across)
+        series = [*before, *_closed(session, columns, these, up, across), *own]
         size = width, pen.px(HEIGHT)
         rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))

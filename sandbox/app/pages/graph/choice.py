@@ -1,4 +1,4 @@
-"""Which quantities a person looks at, level by level, for as long as the window is open."""
+"""The quantities chosen for the graphs, level by level, as long as the window is open."""
 
 from itertools import chain, islice
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What is graphed, as a picture by matplotlib; it is drawn in another process."""
+"""The graphs as a picture by matplotlib, drawn in another process."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path

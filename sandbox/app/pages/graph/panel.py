@@ -1,4 +1,4 @@
-"""The page of graphs: what is drawn is chosen from lists, and told under the mouse."""
+"""The page Graph: lists to choose from, and the values under the mouse."""
 
 from collections.abc import Callable, Sequence
 from functools import partial

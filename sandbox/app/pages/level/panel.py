@@ -1,4 +1,4 @@
-"""The level's own page: what it is, its parameters, its checks."""
+"""The page of the level itself: description, parameters, checks."""
 
 from typing import TYPE_CHECKING
 

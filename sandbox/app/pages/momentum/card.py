@@ -1,4 +1,4 @@
-"""The momentum of each body and of all together, and what gave it."""
+"""The momentum of each body and of all together, and the impulses that gave it."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What is told of a prediction: the question, how it came out, and what would explain that."""
+"""The card of a prediction: the question, the result, and what explains the difference."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The page of predictions: what is asked, a field for the answer, and what came of it."""
+"""The page Predict: the question, a field for the answer, and the result."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED

@@ -1,4 +1,4 @@
-"""What was asked and predicted, and what came of it, from one window's page to the next."""
+"""The prediction in progress: what was asked and answered, and how it came out."""
 
 from typing import TYPE_CHECKING
 

@@ -1,4 +1,4 @@
-"""What can be asked of a level before it runs, and what is typed in answer."""
+"""The questions that a level allows, and how a typed answer is read."""
 
 import re
 from collections.abc import Mapping

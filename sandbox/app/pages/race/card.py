@@ -1,4 +1,4 @@
-"""How the schemes stand that race."""
+"""The card with the standings of the schemes that race."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""The steppers' race: the same scene by every scheme that it can use, each with its own world."""
+"""The race: several schemes step the same scene, each in a world of its own."""
 
 from collections.abc import Iterator
 from contextlib import suppress

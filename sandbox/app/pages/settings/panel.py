@@ -1,4 +1,4 @@
-"""The page of the window's settings: a row of choices for each."""
+"""The page Settings: a row of choices for each setting."""
 
 from collections.abc import Callable, Sequence
 from functools import partial

@@ -1,4 +1,4 @@
-"""Films are made in another process, while the window goes on."""
+"""Films, made in another process while the window goes on."""
 
 from sandbox.app.background import Background
 from sandbox.app.film import Kind, film

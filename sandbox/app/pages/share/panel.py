@@ -1,4 +1,4 @@
-"""The page that takes something away: pictures, films, tables, runs, levels."""
+"""The page Share: it saves pictures, films, tables, runs and levels."""
 
 from collections.abc import Callable
 from functools import partial

@@ -1,4 +1,4 @@
-"""What of a run can be taken away, as files in a folder of the person's own."""
+"""The files that can be saved of a run, in the person's own folder."""
 
 from collections.abc import Sequence
 from datetime import datetime

@@ -1,4 +1,4 @@
-"""The values of what is graphed, a row for each of some instants of the run so far."""
+"""The values of the graphed quantities, a row for each of some instants."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

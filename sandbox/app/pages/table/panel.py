@@ -1,4 +1,4 @@
-"""The page of values: the table, a button that saves all of it, and the stopwatch."""
+"""The page Table: the values, a button that saves all of them, and the stopwatch."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED

@@ -1,4 +1,4 @@
-"""A stopwatch in the time of the run, started and stopped by hand or by what happens."""
+"""A stopwatch in the time of the run, started and stopped by hand or by events."""
 
 from math import ceil, log10
 from typing import NamedTuple

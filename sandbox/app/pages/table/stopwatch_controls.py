@@ -1,4 +1,4 @@
-"""The stopwatch on the page of values: what it shows, its buttons, and what starts and stops it."""
+"""The stopwatch on the page Table: its display, its buttons, and the choice of triggers."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION

@@ -1,4 +1,4 @@
-"""What can start and stop the stopwatch: a hand, or what happens in the run."""
+"""The triggers of the stopwatch: a hand, or an event of the run."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Which bodies that do not touch might within a drift.
+"""Pairs of bodies that do not touch, but might within a drift.
 
 How far two are apart is looked at only once one has gone that far against the other since it was
 looked at last: a body that falls is looked at some ten times, and one that stands by another once.
@@ -22,7 +22,7 @@ MOST = 6
 """How many times as far as the coordinate that goes furthest two bodies may go together."""
 
 
-class Strangers:
+class ApproachingPairs:
     """Keeps how far bodies may go before they meet; n bodies.
 
     Parameters

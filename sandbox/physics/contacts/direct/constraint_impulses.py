@@ -1,4 +1,4 @@
-"""The impulses with which what rests and what is joined holds after a drift."""
+"""The impulses with which contacts and joints hold after a drift."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active

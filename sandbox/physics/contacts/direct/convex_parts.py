@@ -1,4 +1,4 @@
-"""Convex parts of bodies in plain numbers: how far apart they are, and what of which is in which.
+"""Convex parts of bodies in plain numbers: how far apart they are, and which overlap.
 
 They have few corners, and few of them are looked at in a step: arrays would take longer.
 """

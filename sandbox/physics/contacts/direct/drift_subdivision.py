@@ -1,4 +1,4 @@
-"""A drift in parts, where no impulses hold what touches and is joined through the whole of it.
+"""A drift in parts, for when no impulses can hold contacts and joints through all of it.
 
 A heavy wheel on a chain of light planks whips them straight. What would keep their lengths until
 the end of the drift does not exist then: the equations of the step have no solution, whatever

@@ -1,4 +1,4 @@
-"""Which of pymunk's contacts there are."""
+"""False contacts of pymunk, which are taken away."""
 
 from collections.abc import Callable
 
@@ -13,7 +13,7 @@ FURTHER = 1.5
 """How many times as far as it moves in a step a body may be found in another at first."""
 
 
-class Belief:
+class FalseContacts:
     """Takes away contacts that there are not.
 
     Of shapes that lie parallel, far from each other, pymunk now and then finds that they touch,

@@ -1,4 +1,4 @@
-"""Impacts of a step, all at once: of what is held as well."""
+"""The impacts of a step, all at once, with the joints that take part."""
 
 import numpy as np
 

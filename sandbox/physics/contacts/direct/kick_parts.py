@@ -1,4 +1,4 @@
-"""What a kick did, part by part."""
+"""The parts of a kick, and what each did."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What comes down within a drift on what it does not touch yet: an impact before the drift.
+"""Landings: bodies that meet within a drift are stopped by an impact before it.
 
 Found where the drift ends, it is as deep as it went since, and to take that back lifts it. So once
 a kick is known, its drift is followed to the end, and what would be in each other there is let
@@ -18,7 +18,7 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Foresight
+from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -42,7 +42,7 @@ class Landed(NamedTuple):
 
 
 def land(
-    foresight: Foresight,
+    speculative: SpeculativeContacts,
     kick: Kick,
     motion: Array,
     pairs: Sequence[Pair],
@@ -55,7 +55,7 @@ def land(
 
     Parameters
     ----------
-    foresight
+    speculative
         Knows what meets.
     kick, motion
         The kick, and the velocities after it, (3 N,) [m/s, rad/s].
@@ -71,7 +71,7 @@ def land(
     found: Landed | None = None
     moved = motion
     for _ in range(LOOKS):
-        ahead = foresight.look(kick, moved, pairs)
+        ahead = speculative.look(kick, moved, pairs)
         if ahead is None:
             break
         kick = meeting(kick, ahead)

@@ -1,4 +1,4 @@
-"""Overlaps are taken back: bodies are moved, velocities stay."""
+"""Overlap correction: bodies are moved apart, and their velocities stay."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ NOTHING = 1e-12
 """m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
 
 
-class Parting:
+class OverlapCorrection:
     """Takes back overlaps, step by step.
 
     Parameters

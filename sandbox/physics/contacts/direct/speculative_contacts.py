@@ -18,7 +18,7 @@ import numpy as np
 import pymunk
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.approaching_pairs import Strangers
+from sandbox.physics.contacts.direct.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import (
     ALIKE,
@@ -39,7 +39,7 @@ LOOKS = 30
 more box."""
 
 
-class Foresight:
+class SpeculativeContacts:
     """Finds which corners come down within a drift; n bodies.
 
     Parameters
@@ -53,7 +53,7 @@ class Foresight:
 
     Attributes
     ----------
-    strangers
+    approaching
         Knows which of those that do not touch might.
     """
 
@@ -62,21 +62,21 @@ class Foresight:
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
         self._least = max(LEAST, surfaces.slop)
-        self.strangers = Strangers(bodies, shapes, surfaces, moves)
+        self.approaching = ApproachingPairs(bodies, shapes, surfaces, moves)
 
-    def look(self, kick: Kick, motion: Array, strangers: Sequence[Pair]) -> Contacts | None:
+    def look(self, kick: Kick, motion: Array, approaching: Sequence[Pair]) -> Contacts | None:
         """Return what meets within the drift after a kick, where it starts; None if nothing does.
 
         Parameters
         ----------
         motion
             (3 N,), the velocities after the kick [m/s, rad/s].
-        strangers
+        approaching
             The pairs that did not touch before it and might.
         """
-        drift, known = kick.joints.drift, set(pairs_of(kick.contacts)) if strangers else ()
+        drift, known = kick.joints.drift, set(pairs_of(kick.contacts)) if approaching else ()
         turning = self._turning(kick.contacts, angles(motion) * drift)
-        coming = [pair for pair in strangers if pair not in known]
+        coming = [pair for pair in approaching if pair not in known]
         if not (turning or coming):
             return None
         here = self._shapes.at(kick.place)

@@ -1,4 +1,4 @@
-"""What an exact joint says: equations between the coordinates of bodies.
+"""The constraints of exact joints: equations between the coordinates of bodies.
 
 The plane is complex here: a point is x + iy, and dC = Re(conj(J) dz) + K dθ.
 """

@@ -1,4 +1,4 @@
-"""Events that act: what they cut, tie and switch is done at its own time, within a drift.
+"""The stage of events that act: each takes effect at its own time within a drift.
 
 See `events/drift_events.py`. From then on the bodies are held and kicked for half of what is left
 of the drift, by all that still acts, so that exact joints hold at its end. pymunk is then handed

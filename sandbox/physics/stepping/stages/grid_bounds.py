@@ -1,4 +1,4 @@
-"""The grid in which pymunk finds who touches whom ends somewhere: nobody may come there."""
+"""The stage that stops bodies from leaving the grid in which pymunk looks for pairs."""
 
 from math import hypot
 

@@ -1,4 +1,4 @@
-"""The list of all stages: what calls for each, and what makes it.
+"""The register of stages: what calls for each, and what makes it.
 
 A stage is imported where a level calls for it: what a scene does not need is not even loaded.
 """
