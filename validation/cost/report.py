@@ -82,7 +82,7 @@ def _cells(sweep: Sweep) -> list[str]:
         f"{here.error:.1e}",
         milliseconds(here.seconds_per_second),
         *(beside or ("never", "", "")),
-        *("–" if price is None else milliseconds(price) for price in reached),
+        *("–" if cost is None else milliseconds(cost) for cost in reached),
     ]
 
 
@@ -123,7 +123,7 @@ def asked_table(sweeps: Sequence[Sweep]) -> Table:
             f"{request.delivered:.1e}",
             f"{request.estimated:.1e}",
             f"{s.scheme} {s.rate:g} Hz" if s else "none",
-            milliseconds(request.price),
+            milliseconds(request.cost),
             milliseconds(request.cheapest),
             "[green]✓[/]" if request.honoured else "–" if request.beyond else "[red]✗[/]",
         )
@@ -142,7 +142,7 @@ def summed(sweeps: Sequence[Sweep]) -> str:
 
 
 def milliseconds(seconds: float) -> str:
-    """Return a price as milliseconds of computing for a second of the scene."""
+    """Return a cost as milliseconds of computing for a second of the scene."""
     return f"{two_digits(seconds * 1e3)} ms/s"
 
 

@@ -129,7 +129,7 @@ def html(found: Report) -> str:
         percent=percent,
         rows=rows,
         foldable=foldable,
-        price=price,
+        cost=cost,
         figure=stability_report.number,
         further=stability_report.further,
         ratio=cost_report.times,
@@ -201,8 +201,8 @@ def times(ratio: float) -> str:
     return f"{ratio / 10**exponent:.1f} × 10{plots.superscript(exponent)} times"
 
 
-def price(seconds: float | None) -> str:
-    """Return the price of a second of the scene in ms."""
+def cost(seconds: float | None) -> str:
+    """Return the cost of a second of the scene in ms."""
     return (
         "–" if seconds is None or not isfinite(seconds) else cost_report.two_digits(seconds * 1e3)
     )

@@ -217,21 +217,21 @@ def offer(setting: Setting) -> str:
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.chosen)}"
     return say(
-        "{error} cannot be had in real time: it takes {price:.2g} s of computing for 1 s."
+        "{error} cannot be had in real time: it takes {cost:.2g} s of computing for 1 s."
         " Instead: {offer}",
         error=error(setting.target),
-        price=setting.chosen.price,
+        cost=setting.chosen.cost,
         offer=_offer(setting.in_real_time),
     )
 
 
 def _offer(found: Offer) -> str:
     return say(
-        "{scheme} at {rate:g} Hz, error {error}, {price:.3g} ms of computing for 1 s",
+        "{scheme} at {rate:g} Hz, error {error}, {cost:.3g} ms of computing for 1 s",
         scheme=scheme(found.stepping.scheme),
         rate=found.stepping.rate,
         error=error(found.error),
-        price=1e3 * found.price,
+        cost=1e3 * found.cost,
     )
 
 

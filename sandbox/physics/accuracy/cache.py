@@ -152,7 +152,7 @@ def _read(path: Path, key: str, level: Level) -> Setting | None:
     except (OSError, ValidationError, SchemeError):
         return None
     chosen = setting.chosen
-    sound = isfinite(chosen.price) and 0 <= chosen.error <= setting.target
+    sound = isfinite(chosen.cost) and 0 <= chosen.error <= setting.target
     return setting if sound and held == key and checked == _hash(key, setting) else None
 
 

@@ -28,7 +28,7 @@ class Setting:
     target
         What was asked for.
     chosen
-        The setting, its estimated error and its price.
+        The setting, its estimated error and its cost.
     judged_by
         What the error is that of, in words.
     verified
@@ -128,9 +128,9 @@ def calibrate(
 
 
 def _setting(found: Found, judged_by: str) -> Setting:
-    """Return what was found, at its price."""
-    offer = found.priced()
-    affordable = None if offer.price <= REAL_TIME else found.in_real_time()
+    """Return what was found, at its cost."""
+    offer = found.timed()
+    affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None
     return Setting(
         found.target, offer, judged_by, verified, affordable, found.decided_by, found.onset
@@ -141,7 +141,7 @@ def _refused(found: Found, target: float, judged_by: str, until: str) -> Accurac
     """Say that an accuracy cannot be had, and what can."""
     decided = f", of which {found.decided_by} decided" if found.decided_by else ""
     return AccuracyError(
-        f"an accuracy of {target:g} cannot be had; there is {found.priced()}, judged by "
+        f"an accuracy of {target:g} cannot be had; there is {found.timed()}, judged by "
         f"{judged_by}{decided}; to {target:g} it is {until}"
     )
 

@@ -30,7 +30,7 @@ from sandbox.physics.accuracy.refinement import (
     foot,
     held_against,
     judged,
-    step_prices,
+    step_durations,
 )
 from sandbox.physics.accuracy.refinement_search import Refiner, refine
 from sandbox.physics.accuracy.richardson import extrapolated
@@ -79,7 +79,7 @@ class Point:
     scheme: Scheme
     rate: float
     error: float
-    price: float
+    cost: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,7 +230,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
     if not refinements:
         return
     best = min(refinements, key=_doubt)
-    steps = step_prices(
+    steps = step_durations(
         level, values, *(refinement.traces[-1].stepping for refinement in refinements)
     )
     for refinement, step in zip(refinements, steps, strict=True):

@@ -34,7 +34,7 @@ def asked(
 ) -> pygame.Surface:  # fmt: skip
     """Draw what accuracy is asked for, the present setting, and how far that can be trusted."""
     card = Card(pen, width)
-    card.heading(say("Accuracy and its price"))
+    card.heading(say("Accuracy and its cost"))
     wanted = say("Ask for an accuracy:")
     if target is not None:
         wanted = say("Asked for: {error}", error=formatting.error(target))

@@ -94,7 +94,7 @@ class Studying:
             self._forget_run()
             offer, stepping = self._offer, session.world.stepping
             if offer and offer.stepping == stepping:
-                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.price)
+                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.cost)
         self._waited += seconds
         if self._waited < PATIENCE or self.running:
             return

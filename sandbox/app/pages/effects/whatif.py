@@ -165,8 +165,8 @@ def cost(session: Session) -> float | None:
 def told(session: Session, found: Sequence[Difference]) -> str:
     """Say in one sentence what the change makes of the level, and what it costs."""
     said = list(formatting.summary(found, level_words.of(session.original)))
-    price = cost(session)
-    if price is not None:
-        said.append(formatting.step_cost(price))
+    seconds = cost(session)
+    if seconds is not None:
+        said.append(formatting.step_cost(seconds))
     text = f"{session.changes.told}: {', '.join(said) or say(formatting.NO_DIFFERENCE)}"
     return text.replace(" -", f" {formatting.MINUS}")
