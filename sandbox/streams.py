@@ -50,7 +50,7 @@ def install() -> None:
 
 @contextmanager
 def standard() -> Iterator[None]:
-    """Let errors of the system that nothing else has told of end in a sentence."""
+    """Turn unhandled errors of the system into one sentence."""
     try:
         yield
     except OSError as error:

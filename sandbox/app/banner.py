@@ -55,10 +55,12 @@ class Banner:
         if session.failure is not None:
             told = later("{failure} – R restarts")
             if session.doubted:
-                told = later("{failure} – R restarts, Space goes on, though it is no longer right")
+                told = later(
+                    "{failure} – R restarts, Space goes on with a result that is no longer right"
+                )
             return say(told, failure=session.failure), theme.FAILED
         if session.halted:
-            told = say("{reason} – Space goes on all the same", reason=session.halted)
+            told = say("{reason} – Space goes on anyway", reason=session.halted)
             return told, theme.NOTICE
         if session.waiting:
             asked = formatting.error(session.level.stepping.accuracy or 0.0)

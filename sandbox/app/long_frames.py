@@ -18,7 +18,7 @@ from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
 from sandbox.physics.state.cancellation import cancellable
 
-LONG = 0.25  # s, after which something is told of a frame
+LONG = 0.25  # s, after which a message is shown
 AGAIN = 0.1  # s from one look to the next
 
 

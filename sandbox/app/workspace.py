@@ -66,7 +66,7 @@ class Workspace:
     files
         The levels that can be chosen.
     workers, advising
-        What is found out in the background.
+        The background work of the pages.
     load
         What a frame takes.
     comfort

@@ -34,8 +34,8 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values
         The parameters; the level's defaults if left out.
     stepping
-        How time advances; as the level says if left out. If it only says how accurate, the setting
-        is found out, or remembered.
+        How time advances; as the level says if left out. If it only gives an accuracy, the
+        setting is searched for, or taken from the cache.
 
     Raises
     ------

@@ -101,7 +101,7 @@ class Work:
         if text != self.text:
             if self.text != self.draft.text:
                 self.tell(
-                    say("What repeats, and groups, are written out now; Ctrl Z brings them back")
+                    say("Repeated parts and groups are written out now; Ctrl Z brings them back")
                 )
             self.draft.change(text, said, merge)
         self.refresh()
@@ -153,12 +153,12 @@ class Work:
 
     def undo(self) -> None:
         """Take the last step back."""
-        told = later("Undone: {step}"), later("There is nothing more to undo")
+        told = later("Undone: {step}"), later("Nothing to undo")
         self._stepped(*told, self.draft.undo())
 
     def redo(self) -> None:
         """Take the step again that was taken back last."""
-        told = later("Done again: {step}"), later("There is nothing to do again")
+        told = later("Done again: {step}"), later("Nothing to redo")
         self._stepped(*told, self.draft.redo())
 
     def _stepped(self, told: str, otherwise: str, step: str | None) -> None:

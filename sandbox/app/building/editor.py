@@ -236,7 +236,7 @@ class Editor:
             return
         self.drafts.outside = False
         self.work.refresh()
-        self.work.tell(say("Read again; Ctrl+Z brings back what was here before"))
+        self.work.tell(say("Read again; Ctrl+Z brings your version back"))
 
     @property
     def proposed(self) -> Path:
@@ -316,7 +316,7 @@ class Editor:
             except SandboxError as error:
                 self.bench.tell(str(error))
             else:
-                self.bench.tell(say("Done again") if done else say("There is nothing to do again"))
+                self.bench.tell(say("Done again") if done else say("Nothing to redo"))
         elif self.trial.is_undone(self.work.draft.text):
             self.come_back(session)
         else:
@@ -456,5 +456,5 @@ class Editor:
             painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             self.hand.draw(surface, pen)
-        told = say("{hint}; time stands until it is done", hint=say(self.hand.hint))
+        told = say("{hint}; time stands still until then", hint=say(self.hand.hint))
         painting.draw_hint(surface, pen, told)

@@ -28,13 +28,13 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(Offer(say("Drawn before, and not saved:"), ways))
+        found.append(Offer(say("Unsaved drawings:"), ways))
     if editor.drafts.outside:
-        tip = say("take over what it holds; Ctrl+Z brings yours back")
+        tip = say("read the file; Ctrl+Z brings your version back")
         reading = Act(say("Read it"), tip, editor.reload)
-        tip = say("the next time it is saved write over it")
+        tip = say("overwrite it at the next save")
         mine = Act(say("Keep mine"), tip, partial(_keep, editor))
-        found.append(Offer(say("Something else has changed the file."), (reading, mine)))
+        found.append(Offer(say("Another program has changed the file."), (reading, mine)))
     return found
 
 

@@ -14,7 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
-KEPT = later("The present state is a level of its own now; the one that it came of stays as it was")
+KEPT = later("The present state is a level of its own now; the original level is unchanged")
 
 
 class Live(Work):

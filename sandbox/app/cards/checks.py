@@ -16,7 +16,7 @@ from sandbox.model.level import Check
 from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
-TOUCHED = later("A hand has touched this run, or changed it on the way: no formula describes it.")
+TOUCHED = later("This run was moved or changed by hand: no formula describes it.")
 
 
 def checks(
@@ -56,7 +56,7 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
     card.heading(say("Checks"))
     told = say("The effects are changed: the formulas do not describe this run.")
     card.text(told, 14, theme.NOTICE)
-    card.text(say("The tab Effects tells what differs (X)."), 13, theme.DIM)
+    card.text(say("The tab Effects shows the difference (X)."), 13, theme.DIM)
     return card.drawn()
 
 

@@ -41,7 +41,7 @@ class Recent:
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # another window's, too
         why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
-        told = later("that this file was opened is not kept for the next time: {why}")
+        told = later("the list of recent files could not be saved: {why}")
         return say(told, why=why) if why else ""
 
 

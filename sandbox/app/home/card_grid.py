@@ -98,4 +98,4 @@ def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[En
     if not sought.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
         return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]
-    return [(say("Found") if found else say("No level has these words"), found)]
+    return [(say("Found") if found else say("No level matches"), found)]

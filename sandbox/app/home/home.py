@@ -103,7 +103,7 @@ class Home:
         return self._grid.cards[self._focus][0] if self._grid.cards else None
 
     def place(self, index: int) -> pygame.Rect:
-        """Return where a card is in the window, be it in view or not."""
+        """Return where a card is in the window, whether it is in view or not."""
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:

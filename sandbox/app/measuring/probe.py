@@ -40,7 +40,7 @@ class Found(NamedTuple):
 
     @property
     def text(self) -> str:
-        """What is told of it."""
+        """The text that describes it."""
         x, y, speed = (formatting.number(value, DIGITS) for value in (*self.place, self.speed))
         return f"{self.body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 

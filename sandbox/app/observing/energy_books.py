@@ -27,7 +27,7 @@ class Energies:
 
 
 class Books:
-    """Kept of a world from where it stands now; told of every step.
+    """The books of a world from its present state on; `note` is called at every step.
 
     Attributes
     ----------

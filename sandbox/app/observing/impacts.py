@@ -54,7 +54,7 @@ class Flash(NamedTuple):
 
 
 class ImpactLog:
-    """Notes the impacts of a world from where it stands now; told of every step."""
+    """Notes the impacts of a world from its present state on, at every step."""
 
     def __init__(self, world: World) -> None:
         self._world = world

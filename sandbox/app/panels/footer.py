@@ -112,7 +112,7 @@ def told(session: Session) -> str:
     if session.changes:
         return say("Checks: not judged, effects are changed")
     if session.world.disturbed:
-        return say("Checks: not judged, a hand was here")
+        return say("Checks: not judged, the run was changed by hand")
     verdicts = [reading.result.verdict for reading in session.readings()]
     return say("Checks: {verdicts}", verdicts=counted(verdicts))
 

@@ -101,9 +101,7 @@ class LevelList:
             below, manager, container=self.column, allow_scroll_x=False
         )
         self._width = width - self._px(SCROLL_BAR)
-        self._none = self._image(
-            manager, pen, say("No level has these words."), theme.DIM, bold=False
-        )
+        self._none = self._image(manager, pen, say("No level matches."), theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
         self._progress = Progress()

@@ -41,7 +41,7 @@ class Limits:
             self._patience = None  # somebody knows
         elif self._room and self._recorder.full:
             self.told = say(
-                "{count:,} instants are recorded, which is the most: checks see no more",
+                "{count:,} instants are recorded, the most there can be: checks see no more",
                 count=len(self._recorder),
             )
             self._room = False

@@ -162,7 +162,7 @@ class Session(Playback):
     def _require_one_that_goes_on(self, how: str) -> None:
         if self.companions or self.failure is not None:
             why = say("other runs go beside it") if self.companions else say("it had to stop")
-            raise SandboxError(say("this run cannot go on {how}: {why}", how=how, why=why))
+            raise SandboxError(say("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Take a run again from its start, and stand there; a long way takes some frames.

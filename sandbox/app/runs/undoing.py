@@ -73,13 +73,13 @@ class Undoing:
         self._now = now
 
     def undo(self, session: Session) -> str:
-        """Take the last change back, and return what is told of that; see `redo`."""
+        """Undo the last change, and return the message for it; see `redo`."""
         return self._go(
             session, self._past, self._future, later("undone: {what}"), later("nothing to undo")
         )
 
     def redo(self, session: Session) -> str:
-        """Make a change again that was taken back, and return what is told of that.
+        """Redo a change that was undone, and return the message for it.
 
         Raises
         ------
@@ -160,7 +160,7 @@ def _branch(session: Session, branch: Branch) -> None:
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
-        told = say("the run is on its way to where it branched; then do it again")
+        told = say("the run is still returning to where it branched; try again then")
         raise SandboxError(told)
     session.branch(branch.parameters)
 

@@ -217,7 +217,7 @@ def offer(setting: Setting) -> str:
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.chosen)}"
     return say(
-        "{error} cannot be had in real time: it takes {cost:.2g} s of computing for 1 s."
+        "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
         cost=setting.chosen.cost,
@@ -242,7 +242,7 @@ def trusted(found: Trust) -> str:
         told = say("no digit holds")
     if found.until is None:
         return told
-    return say("{digits}; foretold until t = {t}", digits=told, t=seconds(found.until))
+    return say("{digits}; predictable until t = {t}", digits=told, t=seconds(found.until))
 
 
 def certain(value: float, off: float, unit: str) -> str:

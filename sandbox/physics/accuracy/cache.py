@@ -119,7 +119,7 @@ def keep(
 def resolved(
     level: Level, values: Values, stepping: Stepping, also: Sequence[str] = ()
 ) -> Stepping:
-    """Return a setting that is chosen, found out if only an accuracy is asked for.
+    """Return the setting: the chosen one, or the one searched for where an accuracy is asked.
 
     Parameters
     ----------

@@ -118,7 +118,7 @@ def calibrate(
         return _setting(found, judged_by)
     known = foretold(found.offers.refinements, found.wanted, target)
     chaos = chaotic(level, values, found.offers.fine, stop)
-    until = f"foretold until t = {known:.3g} s" if known else "not foretold at all"
+    until = f"predictable until t = {known:.3g} s" if known else "not predictable at all"
     if chaos:
         judged_by = f"its energy, for it is chaotic: {chaos}; where things are is {until}"
         found = seeker.found((_ENERGY,))

@@ -107,7 +107,7 @@ class Seeker:
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
-            raise AccuracyError("the level takes too long to run for its accuracy to be found out")
+            raise AccuracyError("the level takes too long to run to search for its accuracy")
         offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
         chosen = offers.best(self.target)
         if chosen.trace is None:

@@ -122,7 +122,7 @@ def advise(
             return Advice(f"tried: {_dismissed(failed)}{trial.outcome}", trial.rate)
         failed.append(trial)
     if not failed:
-        return Advice(f"what would help is not known: nothing came as far within {seconds:g} s")
+        return Advice(f"no remedy is known: nothing came as far within {seconds:g} s")
     return Advice(f"nothing that was tried helps: {'; '.join(t.outcome for t in failed)}")
 
 

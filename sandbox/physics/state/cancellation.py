@@ -15,7 +15,7 @@ _asked: tuple[Look, ...] = ()
 
 
 def cancellation_point() -> None:
-    """Let whoever waits look; a run that they break off has ended.
+    """Let the waiting caller look; a run that it cancels has ended.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def cancellation_point() -> None:
 
 @contextmanager
 def cancellable(look: Look) -> Iterator[None]:
-    """Ask at every cancellation point within, and whoever asked before as well."""
+    """Ask at every cancellation point inside, together with earlier requests."""
     global _asked
     before, _asked = _asked, (*_asked, look)
     try:

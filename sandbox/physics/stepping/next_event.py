@@ -28,7 +28,7 @@ class Waiting:
     setup
         Of what runs.
     pending
-        What is still to happen, by name: it is taken off by whoever lets it happen.
+        What is still to happen, by name; remove what has happened.
     """
 
     def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:

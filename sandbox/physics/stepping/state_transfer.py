@@ -4,7 +4,7 @@ What is handed on is the state *at* the step: places, angles, and the velocities
 those half a kick before and after. From there the new world is started like any other, with half a
 kick of its own forces (see `start.py`): leapfrog's velocities are half a step ahead, and those of
 the old world have half a kick of the old forces in them, so to hand these on would be wrong by
-Δa h/2. Impulses that solvers remember, and whether a contact sticks, are found out anew.
+Δa h/2. The warm start of solvers, and whether a contact sticks, are computed again.
 """
 
 from collections.abc import Mapping

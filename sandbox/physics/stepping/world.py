@@ -173,7 +173,7 @@ class World:
             raise
 
     def _stop(self, error: Exception) -> NoReturn:
-        """Raise what is told of an error; such a world has ended."""
+        """Raise the error with its explanation; the world has then ended."""
         from sandbox.physics.stepping.failures import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)

@@ -379,4 +379,4 @@ def test_an_effect_that_delays_an_instant_for_ever_is_told(pen: Pen, written: li
 
     card.result(pen, 280, Session(scenes.level()), outcome, [trial], None)
 
-    assert "then it never comes to that" in written
+    assert "then that never happens" in written

@@ -75,7 +75,7 @@ class Studying:
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
         """Find out what is not known of a session, and play with what was looked for.
 
-        Returns what is to be told of that. What the page shows is found out while it is watched.
+        Returns the message for it. The study goes on only while the page is open.
         """
         self._keep_to(session, seconds, watched=watched)
         setting = self._look()
@@ -193,7 +193,7 @@ class Studying:
 
 
 def _play_with(session: Session, setting: Setting) -> str:
-    """Play with a setting that was looked for; return what is to be told of that."""
+    """Play with the setting that was searched for; return the message for it."""
     try:
         if session.waiting:
             session.settle(setting)

@@ -22,7 +22,7 @@ SLIDER = 44  # px
 INDENT = 10  # px, of what belongs to a section
 MOST = 300
 """Letters; what is longer is no line to type."""
-TOO_LONG = later("too long for a line: edit it in the file")
+TOO_LONG = later("too long for one line: edit it in the file")
 SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 
 
@@ -272,7 +272,7 @@ def _tip(entry: Entry) -> str:
         return told
     captions = (caption for caption, means in _options(entry).items() if means == entry.default)
     default = next(captions, entry.default)
-    return say("{help}; {default} if nothing is said", help=told, default=default)
+    return say("{help}; {default} if left empty", help=told, default=default)
 
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:

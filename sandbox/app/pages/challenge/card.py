@@ -15,7 +15,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 
 NONE = later("This level sets no challenge. Those of the chapter Challenges do.")
-TOUCHED = later("A hand has touched this run, or effects are changed: it earns no stars.")
+TOUCHED = later("This run was changed by hand, or its effects were: it earns no stars.")
 _STAR = 11  # px, its radius
 
 

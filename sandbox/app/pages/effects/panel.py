@@ -30,7 +30,7 @@ SCALES: Mapping[str, tuple[float, str]] = {
     formatting.MINUS: (0.5, later("half as strong")),
     "+": (2.0, later("twice as strong")),
 }
-LEFT = later("The level's scheme, fourth order, is not for this: both runs go by leapfrog.")
+LEFT = later("Fourth order does not allow this: both runs use leapfrog.")
 
 
 class EffectsPage:
@@ -99,7 +99,7 @@ class EffectsPage:
         return self._reset
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Switch or scale an effect, or take all back; return what is to be told of that."""
+        """Switch or scale an effect, or reset all; return the message for it."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)

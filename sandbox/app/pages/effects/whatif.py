@@ -74,7 +74,7 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
 
 
 def reset(session: Session) -> str:
-    """Play the level as it is declared; return what is to be told of that."""
+    """Play the level as it is declared; return the message for it."""
     if not session.changes:
         return say("no effect is changed")
     change(session, NONE)

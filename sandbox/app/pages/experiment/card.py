@@ -19,7 +19,7 @@ from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
-NOTHING = later("This level has no parameter that could be varied.")
+NOTHING = later("This level has no parameter to vary.")
 HINT = later("Click on the curve to run with that value.")
 
 

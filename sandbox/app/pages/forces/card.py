@@ -21,12 +21,10 @@ DIAGRAM, POLYGON = 170, 130  # px, how high they are
 NUMBER = 48  # px, how wide a column of numbers is
 MARK = 9  # px, the side of the square that shows a colour
 SIZE = 12  # of letters in the table
-NOBODY = later("Nothing in this level is moved by forces.")
+NOBODY = later("No forces act on anything in this level.")
 NOT_YET = later("Forces are known from the first step on.")
-STRUCK = later(
-    "An impact is in this step: its force is a mean over the step, and tells of that, too."
-)
-CLOSED = later("One force is known from the others and m a alone, so the sum proves nothing here.")
+STRUCK = later("There is an impact in this step: the forces are means over the step.")
+CLOSED = later("One force was computed from the others and m a, so their sum proves nothing here.")
 
 
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:

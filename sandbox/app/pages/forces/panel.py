@@ -26,9 +26,7 @@ class ForcesPage:
         self.level = sheet.button(
             across, say("Along x and y"), say("components along the plane's axes")
         )
-        tip = say(
-            "components along the surface that it touches, else along its way, and across that"
-        )
+        tip = say("components along and across the surface that it touches, or else its path")
         self.inclined = sheet.button(along, say("Along its surface"), tip)
         self._image = sheet.image(self._drawn(), sheet.px(HEIGHT) + sheet.margin // 2)
         self.update()

@@ -16,11 +16,11 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
-NOTHING = later("This level states no closed form that could be predicted.")
+NOTHING = later("This level states no closed form to predict.")
 CHANGED = later(
     "The effects are changed: no formula describes this run. Reset them on the tab Effects."
 )
-NEVER = later("It never came to that in this run.")
+NEVER = later("That did not happen in this run.")
 NOTICED = 1e-4
 """A change by a smaller share is none that anybody would look for."""
 
@@ -72,7 +72,7 @@ def result(
     card = Card(pen, width)
     if session.world.disturbed:
         card.text(say(TOUCHED), 14, theme.NOTICE)
-        told = say("Restart (R) to see what comes of your prediction.")
+        told = say("Restart (R) to test your prediction.")
         card.text(told, 13, theme.DIM)
     elif outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
@@ -148,7 +148,7 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     card.y += GAP
     card.text(trial.told, 14, bold=True)
     if trial.before is None or trial.after is None:
-        card.text(say("then it never comes to that"), 13, indent=card.indent)
+        card.text(say("then that never happens"), 13, indent=card.indent)
         return
     value = outcome.simulated + trial.after - trial.before
     change = _apart(outcome, value)

@@ -134,7 +134,7 @@ def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionErr
     if found is None or not _is_arithmetic(found[1]):
         return refusal
     if not unit:
-        told = say("'{typed}': a number without a unit is asked for", typed=found[2])
+        told = say("'{typed}': type a number without a unit", typed=found[2])
         return ExpressionError(told)
     allowed = say(" or ").join([unit, *FACTORS.get(unit, {})])
     told = later("'{typed}' is not a unit of this quantity: {allowed}")

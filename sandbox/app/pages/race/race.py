@@ -93,7 +93,7 @@ def _cost(clock: Clock, rate: float) -> float | None:
 
 
 def start_or_end(session: Session) -> str:
-    """Start the race or end it; return what is to be told of that."""
+    """Start the race or end it; return the message for it."""
     toggle(session)
     return "" if racing(session) else say("the race has ended")
 

@@ -50,7 +50,7 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
         ),
         Setting(
             say("Language"),
-            say("What people write in levels of their own stays as they wrote it."),
+            say("The texts of your own levels stay as they are."),
             list(_languages(comfort)),
         ),
         Setting(
@@ -88,7 +88,7 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
 def _languages(comfort: Comfort) -> Sequence[Choice]:
     chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
     system = Choice(
-        say("System"), say("that of the system: {language}", language=title),
+        say("System"), say("the system's language: {language}", language=title),
         partial(comfort.choose, language=None), chosen is None,
     )  # fmt: skip
     return [system, *(
@@ -119,7 +119,7 @@ def _heard(comfort: Comfort) -> str:
     """Return what the sound is like, or why there is none though it is wanted."""
     why = sounds.opened() if comfort.chosen.sound else ""
     if why:
-        return say("No sound can be made here ({reason}). On tries again.", reason=why)
+        return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
 
 

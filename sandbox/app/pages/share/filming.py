@@ -30,7 +30,7 @@ class Filming:
         return self._work.running
 
     def begin(self, session: Session, kind: Kind) -> str:
-        """Begin a film of the run so far, and return what is told of that.
+        """Begin a film of the run so far, and return the message for it.
 
         Raises
         ------

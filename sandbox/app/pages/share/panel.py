@@ -26,8 +26,8 @@ GAP = 8  # px, between what is told in two rows
 
 KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
     (later("Picture"), later("the window as a PNG"), saving.screenshot),
-    (later("Table"), later("what the checks measure, step by step, as a CSV"), saving.table),
-    (later("Run"), later("to be replayed, to the last bit: sandbox replay"), saving.run),
+    (later("Table"), later("what the checks measure at each step, as a CSV"), saving.table),
+    (later("Run"), later("to replay the run to the last bit: sandbox replay"), saving.run),
     (later("Level"), later("a copy with the present values of its parameters"), saving.level),
 )
 
@@ -42,7 +42,7 @@ class SharePage:
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:
             y = self._row(y, say(caption), say(text), partial(self._save, save))
-        small = say("the run so far, small, for a page or a message")
+        small = say("the run so far, in small, for a page or a message")
         y = self._row(y, "GIF", small, self._film_gif)
         large = say("the run so far, 1280 x 720")
         y = self._row(y, "MP4", large, self._film_mp4)

@@ -16,7 +16,7 @@ from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button
 GAP = 12  # px, above the stopwatch
-TIP = later("save these quantities at every instant that is kept, with all digits")
+TIP = later("save these quantities at every recorded instant, with all digits")
 
 
 class TablePage:

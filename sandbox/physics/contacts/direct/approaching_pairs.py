@@ -1,7 +1,8 @@
 """Pairs of bodies that do not touch, but might within a drift.
 
-How far two are apart is looked at only once one has gone that far against the other since it was
-looked at last: a body that falls is looked at some ten times, and one that stands by another once.
+The distance of a pair is computed again only when the two may have moved that far against each
+other since the last time. So a falling body is looked at about ten times, and a body that stands
+beside another only once.
 """
 
 from collections.abc import Sequence
@@ -23,7 +24,7 @@ MOST = 6
 
 
 class ApproachingPairs:
-    """Keeps how far bodies may go before they meet; n bodies.
+    """Knows how far bodies may move before they meet; n bodies.
 
     Parameters
     ----------
@@ -32,7 +33,7 @@ class ApproachingPairs:
     shapes
         Theirs.
     surfaces
-        How they touch, and which are to be looked at.
+        How they touch, and which pairs to look at.
     moves
         (n,), which of them anything can move.
     """
@@ -57,7 +58,7 @@ class ApproachingPairs:
         self._touch: Integers | None = None  # who touched then
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
-        """Return the pairs that do not touch and might within the drift.
+        """Return the pairs that do not touch, but might within the drift.
 
         Parameters
         ----------

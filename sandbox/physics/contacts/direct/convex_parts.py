@@ -123,7 +123,7 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
 
 
 class Placed:
-    """The parts of bodies somewhere; each is put there once, for whoever asks first.
+    """The parts of bodies somewhere; each is placed once, when it is first asked for.
 
     Parameters
     ----------

@@ -65,7 +65,7 @@ class SpeculativeContacts:
         self.approaching = ApproachingPairs(bodies, shapes, surfaces, moves)
 
     def look(self, kick: Kick, motion: Array, approaching: Sequence[Pair]) -> Contacts | None:
-        """Return what meets within the drift after a kick, where it starts; None if nothing does.
+        """Return the contacts that close within the drift after a kick, at its start; None if none.
 
         Parameters
         ----------
