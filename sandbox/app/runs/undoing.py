@@ -88,7 +88,7 @@ class Undoing:
         """
         return self._go(
             session, self._future, self._past, later("done again: {what}"),
-            later("nothing to do again"),
+            later("nothing to redo"),
         )  # fmt: skip
 
     def _go(
