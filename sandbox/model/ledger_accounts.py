@@ -56,7 +56,7 @@ def _catches(level: Level) -> bool:
 
 def outside(level: Level) -> tuple[str, ...]:
     """Return what gives momentum from outside; supports are what bodies and joints rest on."""
-    found = [e.name for e in level.effects.told if e.is_force and not e.inside]
+    found = [e.name for e in level.effects.declarations if e.is_force and not e.inside]
     found += [joint.kind.force.name for joint in level.joints.values() if joint.kind.force]
     if level.effects.contact or any(not j.kind.force for j in level.joints.values()):
         found.append("supports")

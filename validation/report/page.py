@@ -218,11 +218,11 @@ def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
     first = parts.SAMPLE[:SHOWN]
     sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda sweep: sweep.level not in first)
     return [
-        (sweep, inline(found.figures[figure_name(sweep.level)], _told(sweep))) for sweep in sweeps
+        (sweep, inline(found.figures[figure_name(sweep.level)], _title(sweep))) for sweep in sweeps
     ]
 
 
-def _told(sweep: Sweep) -> str:
+def _title(sweep: Sweep) -> str:
     """Return in words what a diagram shows."""
     ran = [p for p in sweep.points if isfinite(p.error)]
     least = {

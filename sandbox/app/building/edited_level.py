@@ -56,7 +56,7 @@ class Work:
         self.camera = Camera((1, 1))
         self.ignored: frozenset[str] = frozenset()
         self.snapping = Snapping(self)
-        self._told: str | None = None
+        self._message: str | None = None
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
         self._looked: tuple[object, dict[object, Any]] = (None, {})
@@ -87,12 +87,12 @@ class Work:
 
     def tell(self, text: str) -> None:
         """Tell something in the banner."""
-        self._told = text
+        self._message = text
 
-    def told(self) -> str | None:
-        """Return what there is to be told, once."""
-        told, self._told = self._told, None
-        return told
+    def take_message(self) -> str | None:
+        """Return the latest message, once."""
+        message, self._message = self._message, None
+        return message
 
     # what changes it
 
@@ -153,16 +153,16 @@ class Work:
 
     def undo(self) -> None:
         """Take the last step back."""
-        told = later("Undone: {step}"), later("Nothing to undo")
-        self._stepped(*told, self.draft.undo())
+        messages = later("Undone: {step}"), later("Nothing to undo")
+        self._stepped(*messages, self.draft.undo())
 
     def redo(self) -> None:
         """Take the step again that was taken back last."""
-        told = later("Done again: {step}"), later("Nothing to redo")
-        self._stepped(*told, self.draft.redo())
+        messages = later("Done again: {step}"), later("Nothing to redo")
+        self._stepped(*messages, self.draft.redo())
 
-    def _stepped(self, told: str, otherwise: str, step: str | None) -> None:
-        self.tell(say(told, step=step) if step else say(otherwise))
+    def _stepped(self, done: str, otherwise: str, step: str | None) -> None:
+        self.tell(say(done, step=step) if step else say(otherwise))
         self.refresh()
 
     def delete(self) -> None:

@@ -108,7 +108,7 @@ class Editor:
         if self.drafts.follow(self.work.draft, seconds):
             self.show()
         self._look_at(session)
-        return self.bench.told() or self.work.told()
+        return self.bench.take_message() or self.work.take_message()
 
     def cancel(self) -> None:
         """Keep what is not saved for the next time."""
@@ -456,5 +456,5 @@ class Editor:
             painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             self.hand.draw(surface, pen)
-        told = say("{hint}; time stands still until then", hint=say(self.hand.hint))
-        painting.draw_hint(surface, pen, told)
+        message = say("{hint}; time stands still until then", hint=say(self.hand.hint))
+        painting.draw_hint(surface, pen, message)

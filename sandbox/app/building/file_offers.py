@@ -19,7 +19,7 @@ MOST = 6
 class Offer(NamedTuple):
     """Something to choose, and the ways to choose."""
 
-    told: str
+    text: str
     ways: tuple[Act, ...]
 
 
@@ -58,8 +58,8 @@ def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
     going_on = partial(recover, left, editor, session)
     act = Act(say("Recover"), say("go on with it"), going_on)
     forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
-    told = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
-    return Offer(told, (act, forget))
+    message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
+    return Offer(message, (act, forget))
 
 
 def recover(left: Recoverable, editor: Editor, session: Session) -> None:

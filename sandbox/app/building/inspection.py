@@ -131,8 +131,8 @@ def parametrise(work: Work, entry: Entry) -> None:
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
         name = list(work.document["parameters"])[-1]
-        told = later("'{name}' is a parameter now; its slider is on the level's page (O)")
-        work.tell(say(told, name=name))
+        message = later("'{name}' is a parameter now; its slider is on the level's page (O)")
+        work.tell(say(message, name=name))
 
 
 def declared(work: Work) -> tuple[str, ...]:
@@ -173,7 +173,7 @@ def _take(work: Work, one: Suggestion) -> None:
         work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
 
 
-def told(work: Work) -> list[Act]:
+def stated(work: Work) -> list[Act]:
     """Return what adds a check, and what takes out those that there are, and ghosts."""
     if work.draft.level is None:
         return []

@@ -41,8 +41,8 @@ class Recent:
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # another window's, too
         why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
-        told = later("the list of recent files could not be saved: {why}")
-        return say(told, why=why) if why else ""
+        message = later("the list of recent files could not be saved: {why}")
+        return say(message, why=why) if why else ""
 
 
 def _read() -> list[str]:

@@ -252,7 +252,7 @@ class Home:
         pygame.draw.rect(surface, rim, place, 2 if focused else 1, border_radius=6)
 
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
-        earned = self._progress.stars(level.told.title)
+        earned = self._progress.stars(level.original.title)
         right = below.right - self._pen.px(PADDING)
         if earned or level.chapter == catalog.CHALLENGES:
             for i in reversed(range(STARS)):
@@ -272,8 +272,8 @@ class Home:
         """
         pen, title = self._pen, level.title[:200]
         if pen.shorten(title, room, 14) == title:
-            told = pen.shorten(level.summary[:200], max(whole, 1), 12)
-            return (title, 14, theme.TEXT), (told, 12, theme.DIM)
+            message = pen.shorten(level.summary[:200], max(whole, 1), 12)
+            return (title, 14, theme.TEXT), (message, 12, theme.DIM)
         first, *others = pen.wrap(title, max(room, 1), 13)
         rest = pen.shorten(" ".join(others), max(whole, 1), 13)
         return (first, 13, theme.TEXT), (rest, 13, theme.TEXT)

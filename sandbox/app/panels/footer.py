@@ -68,7 +68,7 @@ class Foot:
         if checks:
             line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
             self.verdicts = UIButton(
-                line, told(session), manager, tool_tip_text=tip("checks"),
+                line, check_summary(session), manager, tool_tip_text=tip("checks"),
                 object_id=ObjectID(class_id="@section"),
             )  # fmt: skip
         caption = say(NEXT[view][1])
@@ -93,7 +93,7 @@ class Foot:
     def update(self) -> None:
         """Bring both up to date."""
         if self.verdicts is not None:
-            self.verdicts.set_text(told(self._session))
+            self.verdicts.set_text(check_summary(self._session))
         Sheet.replace(self._energy, self._drawn())
 
     def _drawn(self) -> pygame.Surface:
@@ -107,7 +107,7 @@ class Foot:
         return energy(self._pen, self._width, books.start, books.energies, drawn)
 
 
-def told(session: Session) -> str:
+def check_summary(session: Session) -> str:
     """Return how the checks of a run stand, in words."""
     if session.changes:
         return say("Checks: not judged, effects are changed")

@@ -51,7 +51,7 @@ def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
     as much, the shorter one says less beside it. A title that is shown translated counts as its
     author put it, too.
     """
-    titles = {entry.title.casefold(), entry.told.title.casefold()}
+    titles = {entry.title.casefold(), entry.original.title.casefold()}
     return min(_rank(title, entry.words, words) for title in titles)
 
 
@@ -149,7 +149,7 @@ class LevelList:
         )
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
-        stars = self._progress.stars(level.told.title)
+        stars = self._progress.stars(level.original.title)
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)

@@ -40,10 +40,10 @@ class Changes:
         return bool(self.effects)
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What is changed, in words."""
-        told = formatting.variations(self.effects)
-        return say("{changes}, both by leapfrog", changes=told) if self.left else told
+        label = formatting.variations(self.effects)
+        return say("{changes}, both by leapfrog", changes=label) if self.left else label
 
 
 NONE = Changes()
@@ -53,7 +53,7 @@ NONE = Changes()
 class Variant:
     """What runs beside the level that is played."""
 
-    told: str
+    label: str
     """what it is, in a few words"""
     level: Level
     """the same bodies, with other effects or another stepping"""

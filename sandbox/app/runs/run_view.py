@@ -142,7 +142,7 @@ class RunView:
     @property
     def halted(self) -> str:
         """Why it has paused although nothing is wrong with it; empty if it has not."""
-        return self.run.limits.told
+        return self.run.limits.message
 
     @property
     def trace(self) -> Trace:

@@ -152,8 +152,8 @@ class Session(Playback):
         """
         self._require_one_that_goes_on(say("with other parts"))
         if self.changes:
-            told = say("effects are switched off or on here; switch them back first (X)")
-            raise SandboxError(told)
+            message = say("effects are switched off or on here; switch them back first (X)")
+            raise SandboxError(message)
         self.release()
         self.run.alter(text)
         if self.looking.body not in self.level.bodies:

@@ -160,8 +160,8 @@ def _branch(session: Session, branch: Branch) -> None:
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
-        told = say("the run is still returning to where it branched; try again then")
-        raise SandboxError(told)
+        message = say("the run is still returning to where it branched; try again then")
+        raise SandboxError(message)
     session.branch(branch.parameters)
 
 

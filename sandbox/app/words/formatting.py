@@ -237,12 +237,12 @@ def _offer(found: Offer) -> str:
 
 def trusted(found: Trust) -> str:
     """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
-    told = plural("{count} digit holds", "{count} digits hold", found.digits)
+    message = plural("{count} digit holds", "{count} digits hold", found.digits)
     if not found.digits:
-        told = say("no digit holds")
+        message = say("no digit holds")
     if found.until is None:
-        return told
-    return say("{digits}; predictable until t = {t}", digits=told, t=seconds(found.until))
+        return message
+    return say("{digits}; predictable until t = {t}", digits=message, t=seconds(found.until))
 
 
 def certain(value: float, off: float, unit: str) -> str:

@@ -54,6 +54,6 @@ def _left(level: Level, names: Collection[str]) -> list[list[str]]:
 def _with(text: str, level: Level, groups: list[list[str]]) -> str:
     """Return a level with these groups and no others."""
     if groups:
-        told: list[Json] = [list[Json](one) for one in groups]
-        return put(text, PLACE, told)
+        kept: list[Json] = [list[Json](one) for one in groups]
+        return put(text, PLACE, kept)
     return remove(text, PLACE) if level.view.together else text

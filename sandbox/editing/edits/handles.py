@@ -175,8 +175,8 @@ def _scaled(body: Placed, factor: float) -> Changes:
                 (*path, "height"): scaled(height, factor),
             }
         case Polygon() | Segment() | Polyline() as drawn:
-            told = zip(_paths(body), points_of(drawn), strict=True)
-            return {place: [scaled(c, factor) for c in point] for place, point in told}
+            corners = zip(_paths(body), points_of(drawn), strict=True)
+            return {place: [scaled(c, factor) for c in point] for place, point in corners}
         case Curve():
             raise SandboxError("a curve has the shape that its formulas say")
 

@@ -68,7 +68,7 @@ class Progress:
     """Which share is done, and what comes next, with `{scheme}` for the scheme that is tried."""
 
     share: float
-    told: Stage
+    stage: Stage
     scheme: str = ""
 
 
@@ -120,7 +120,7 @@ class Split:
 class Failed:
     """Why there is no more to be found."""
 
-    told: str
+    reason: str
 
 
 Finding = Progress | Point | Here | Split | Trust | Setting | Failed

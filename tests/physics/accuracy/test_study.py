@@ -171,4 +171,4 @@ def test_why_there_is_nothing_to_find_is_told() -> None:
     found = list(study.split(level, level.defaults))
 
     assert isinstance(found[-1], Failed)
-    assert "string" in found[-1].told
+    assert "string" in found[-1].reason

@@ -172,8 +172,8 @@ class Studying:
                 self._splits[finding.check] = finding
             case Trust():
                 self._trust[finding.quantity] = finding
-            case Failed(told=told):
-                self.failure = told
+            case Failed(reason=reason):
+                self.failure = reason
 
     def splits(self, session: Session) -> Mapping[int, Split]:
         """Return what is known of the checks of the present run, by their index."""

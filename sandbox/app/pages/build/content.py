@@ -65,7 +65,7 @@ def above(editor: Editor, session: Session) -> list[Block]:
         found.append(Block("", acts=(back,)))
     if editor.refusal:
         found.append(Block(say("It cannot run yet: {reason}", reason=editor.refusal), theme.FAILED))
-    found += [Block(offer.told, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
+    found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
     if editor.naming:
         found.append(Block(say("Save under this name:"), theme.TEXT))
     return found
@@ -85,7 +85,7 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
-            Block("", acts=tuple(inspection.told(work))),
+            Block("", acts=tuple(inspection.stated(work))),
             _switches(editor),
         ]
     if in_run:
@@ -126,6 +126,6 @@ def _switches(editor: Editor) -> Block:
         )
         for name in EFFECTS
     )
-    told = say("Effects: those that are lit are on; click to switch one on or off.")
+    message = say("Effects: those that are lit are on; click to switch one on or off.")
     lit = frozenset(map(say, inspection.declared(work)))
-    return Block(told, acts=tuple(acts), pressed=lit)
+    return Block(message, acts=tuple(acts), pressed=lit)

@@ -267,12 +267,12 @@ def _options(entry: Entry) -> Mapping[str, str]:
 
 def _tip(entry: Entry) -> str:
     """Return what is said of an entry while the mouse rests on it."""
-    told = entry.help or entry.label
+    description = entry.help or entry.label
     if not entry.default:
-        return told
+        return description
     captions = (caption for caption, means in _options(entry).items() if means == entry.default)
     default = next(captions, entry.default)
-    return say("{help}; {default} if left empty", help=told, default=default)
+    return say("{help}; {default} if left empty", help=description, default=default)
 
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:

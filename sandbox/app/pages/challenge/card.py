@@ -70,8 +70,8 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         _goal(card, outcome, words(outcome.goal.label))
     if found.altered:
         names = ", ".join(found.altered)
-        told = say("No star counts: {names} is locked in this challenge.", names=names)
-        card.text(told, 13, theme.NOTICE)
+        message = say("No star counts: {names} is locked in this challenge.", names=names)
+        card.text(message, 13, theme.NOTICE)
     return card.drawn()
 
 

@@ -55,15 +55,15 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if not session.changes:
         return unchanged(pen, width)
     words = level_words.of(session.original)
-    return compared(pen, width, session.changes.told, whatif.compared(session), words)
+    return compared(pen, width, session.changes.label, whatif.compared(session), words)
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw what the switches of the effects are for."""
     card = Card(pen, width)
     card.heading(say("What if …"))
-    told = say("Switch an effect off or on, then play: both runs are drawn.")
-    card.text(told, 13, theme.DIM)
+    message = say("Switch an effect off or on, then play: both runs are drawn.")
+    card.text(message, 13, theme.DIM)
     return card.drawn()
 
 

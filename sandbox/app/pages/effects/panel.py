@@ -82,8 +82,8 @@ class EffectsPage:
         if effect in self._session.original.effects.declared:
             return say("switch {effect} off or on for this run", effect=say(effect))
         said = ", ".join(f"{say(name)} {value}" for name, value in DEFAULTS[effect].items())
-        told = say("add {effect} to this run", effect=say(effect))
-        return f"{told}: {said}" if said else told
+        message = say("add {effect} to this run", effect=say(effect))
+        return f"{message}: {said}" if said else message
 
     def switch(self, effect: str) -> UIButton:
         """Return the switch of an effect."""
@@ -138,4 +138,4 @@ class EffectsPage:
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
         words, disturbed = level_words.of(session.original), session.world.disturbed
-        return compared(pen, width, session.changes.told, found, words, cost, disturbed=disturbed)
+        return compared(pen, width, session.changes.label, found, words, cost, disturbed=disturbed)

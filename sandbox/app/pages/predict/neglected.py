@@ -31,7 +31,7 @@ class Trial:
     after: float | None
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What was tried, in words."""
         return formatting.variations(self.effects)
 

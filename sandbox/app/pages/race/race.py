@@ -100,10 +100,10 @@ def start_or_end(session: Session) -> str:
 
 def rows(session: Session) -> list[tuple[Color | None, str]]:
     """Return the schemes that race, with their colours and errors; none if there is no race."""
-    return [(lane.color, _told(lane)) for lane in lanes(session)] if racing(session) else []
+    return [(lane.color, _legend(lane)) for lane in lanes(session)] if racing(session) else []
 
 
-def _told(lane: Lane) -> str:
+def _legend(lane: Lane) -> str:
     name = formatting.scheme(lane.scheme)
     if lane.error is None:
         return name

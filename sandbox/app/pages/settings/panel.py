@@ -37,7 +37,7 @@ class Setting(NamedTuple):
     """Choices of which one is made."""
 
     title: str
-    told: str
+    help: str
     choices: Sequence[Choice]
 
 
@@ -152,7 +152,7 @@ class SettingsPage:
         """Put the choices of a setting, as many on a line as fit, and return where they end."""
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
-        y = below(sheet.image(label(sheet.pen, sheet.width, setting.told), y)) + px(GAP)
+        y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
         x = 0
         for choice in setting.choices:
             width = sheet.room(choice.caption)

@@ -22,7 +22,7 @@ from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
 ROW = 52  # px, at the least
-GAP = 8  # px, between what is told in two rows
+GAP = 8  # px, between what is image in two rows
 
 KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
     (later("Picture"), later("the window as a PNG"), saving.screenshot),
@@ -59,9 +59,9 @@ class SharePage:
         card = Card(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
         card.text(text, 13, theme.DIM)
         place = pygame.Rect(self._sheet.margin + self._sheet.px(BUTTON[0]) + 12, y + 4, 0, 0)
-        told = card.drawn()
-        sheet.image(told, y + 4).set_relative_position(place.topleft)
-        return y + max(sheet.px(ROW), told.height + 4 + sheet.px(GAP))
+        image = card.drawn()
+        sheet.image(image, y + 4).set_relative_position(place.topleft)
+        return y + max(sheet.px(ROW), image.height + 4 + sheet.px(GAP))
 
     def button(self, caption: str) -> UIButton:
         """Return the button with a caption."""
@@ -92,8 +92,8 @@ class SharePage:
     def _drawn(self) -> pygame.Surface:
         card = Card(self._sheet.pen, self._sheet.width)
         if self._filming.running:
-            told = say("Filming: {share:.0%}", share=self._filming.done)
-            card.text(told, 14, theme.NOTICE)
+            message = say("Filming: {share:.0%}", share=self._filming.done)
+            card.text(message, 14, theme.NOTICE)
         return card.drawn()
 
 

@@ -302,7 +302,7 @@ class Direct:
         at_step, lead = begun + acceleration * self._lead, self._lead
         total: Array | float = 0.0
         stages: tuple[Stage, ...] = ()
-        told = self._calm
+        record = self._calm
         strikes = impacts.struck(
             kick, at_step, acceleration * self._dt, change, looks=self._strikes
         )
@@ -314,14 +314,14 @@ class Direct:
                 Stage.of(kick, 0, begun[self._order], pushes),
             )
             total = before + pushes
-            told = impacts.told(kick, begun, pushes)
+            record = impacts.recorded(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if stages:
             stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
-        return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
+        return Taken(kick, moved, impulse / rest, active, total + impulse, record, stages)
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""

@@ -83,10 +83,10 @@ class Acting:
         if not self._parts:
             return step
         if self._leapfrog:
-            told = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
+            done = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
         else:
-            told = acted_at_a_step(self._begun, self._laws, self._switched)
-        return step._replace(acted=told._replace(jolts=tuple(self._jolts)))
+            done = acted_at_a_step(self._begun, self._laws, self._switched)
+        return step._replace(acted=done._replace(jolts=tuple(self._jolts)))
 
     def look(self) -> None:
         """Let happen what does in the coming drift."""
