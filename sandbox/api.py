@@ -1,4 +1,4 @@
-"""The sandbox for programs and notebooks: a level is loaded or made, run, and graded."""
+"""The sandbox for programs and notebooks: load or make a level, run it, and grade it."""
 
 import json
 from collections.abc import Iterable, Mapping

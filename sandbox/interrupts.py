@@ -1,4 +1,4 @@
-"""Ctrl-C and the request to end, which must end a run even while pymunk calls back into Python."""
+"""Ctrl-C and requests to terminate, which must end a run even inside pymunk's callbacks."""
 
 import signal
 import sys

@@ -1,4 +1,4 @@
-"""Levels and traces that show themselves in a notebook: `%load_ext sandbox.notebook`.
+"""Levels and traces that display themselves in a notebook: `%load_ext sandbox.notebook`.
 
 A level is shown as a picture of its run, a trace as a table. `animation` makes a film of a trace.
 """

@@ -1,4 +1,4 @@
-"""What only some commands need, and not every installation has."""
+"""Optional packages, which only some commands need."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -1,4 +1,4 @@
-"""Work that is spread over processes, of which none outlives the one that has started it."""
+"""Work spread over processes, none of which outlives the one that started it."""
 
 import os
 import signal

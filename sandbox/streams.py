@@ -1,4 +1,4 @@
-"""What is said to whoever has started the process, who may have gone, or have no room for it."""
+"""Standard output and error, whose reader may have gone or whose disk may be full."""
 
 import io
 import os
@@ -50,7 +50,7 @@ def install() -> None:
 
 @contextmanager
 def standard() -> Iterator[None]:
-    """Let errors of the system that nothing else has told of end in a sentence."""
+    """Turn unhandled errors of the system into one sentence."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Threads inside of NumPy, which small matrices do not need."""
+"""Turns off NumPy's threads, which small matrices do not need."""
 
 import os
 

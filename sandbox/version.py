@@ -1,3 +1,3 @@
-"""Which version of the sandbox this is."""
+"""The version of the sandbox."""
 
 __version__ = "0.1.0"

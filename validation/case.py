@@ -1,4 +1,4 @@
-"""What a validation case is, and how one is run."""
+"""A validation case, and how one is run."""
 
 from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""The document, part by part, and the levels in which each can be played.
+"""The textbook's chapter, part by part, with the levels that play each part.
 
 `python -m validation.chapter` writes it to `docs/reference/chapter.md`.
 """

@@ -1,4 +1,4 @@
-"""What a measurement was made with."""
+"""The environment of a measurement: versions, machine, and cores."""
 
 import os
 import platform

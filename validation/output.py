@@ -1,4 +1,4 @@
-"""What the commands do with what they measure: show how far they are, print it, write it down."""
+"""The output of measurements: progress, tables on the terminal, JSON files."""
 
 import json
 from collections.abc import Iterable, Mapping

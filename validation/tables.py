@@ -1,4 +1,4 @@
-"""Cases as literal tables: reads them, and calls their closed forms.
+"""Reads cases from literal tables, and calls their closed forms.
 
 A phenomenon is a file of tables, `validation/cases/<phenomenon>.toml`; docs/how-to/add-a-case.md
 says what may stand in it.

@@ -1,4 +1,4 @@
-"""What is told at the top of the stage: the most pressing of what there is to tell."""
+"""The banner at the top of the stage: the most urgent of the messages."""
 
 from math import inf
 
@@ -50,16 +50,20 @@ class Banner:
     def _of_run(self, session: Session) -> tuple[str, Color] | None:
         """Return what is more pressing than a note, or else what takes the place of none."""
         if session.run.trying and isinstance(session.failure, SimulationError):
-            told = say("{failure} – trying what helps …", failure=session.failure.told(""))
-            return told, theme.FAILED
+            message = say(
+                "{failure} – trying what helps …", failure=session.failure.with_advice("")
+            )
+            return message, theme.FAILED
         if session.failure is not None:
-            told = later("{failure} – R restarts")
+            message = later("{failure} – R restarts")
             if session.doubted:
-                told = later("{failure} – R restarts, Space goes on, though it is no longer right")
-            return say(told, failure=session.failure), theme.FAILED
+                message = later(
+                    "{failure} – R restarts, Space goes on with a result that is no longer right"
+                )
+            return say(message, failure=session.failure), theme.FAILED
         if session.halted:
-            told = say("{reason} – Space goes on all the same", reason=session.halted)
-            return told, theme.NOTICE
+            message = say("{reason} – Space goes on anyway", reason=session.halted)
+            return message, theme.NOTICE
         if session.waiting:
             asked = formatting.error(session.level.stepping.accuracy or 0.0)
             text = say("Looking for the cheapest setting with an error of {asked} …", asked=asked)
@@ -78,6 +82,6 @@ class Banner:
         """Tell once for each run what the changed effects make of it."""
         world, spoken, told = self._ended
         if world is not session.world or spoken != language.used():
-            told = whatif.told(session, whatif.compared(session))
+            told = whatif.summary(session, whatif.compared(session))
             self._ended = session.world, language.used(), told
         return told

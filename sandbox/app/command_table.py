@@ -1,4 +1,4 @@
-"""What each command of the window does: its own, those of its pages, and those of its overlays."""
+"""The action of each command: the window's own, those of its pages, and those of its overlays."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -230,7 +230,7 @@ class CommandTable:
         elif space.panels.home.open and not space.empty:
             space.go_home()
         elif space.session is not None and space.session.stay():
-            self._tell(say("Stopped on the way; a click on the time's bar goes on"))
+            self._tell(say("Stopped on the way; click on the time bar to go on"))
         elif space.hand.tape is not None:
             space.hand.tape = None
         elif stopwatch.shown:

@@ -1,4 +1,4 @@
-"""The words that tables and registers declare, and the window shows: the catalogue has them too.
+"""The words that registers and models declare, collected for the catalogue of translations.
 
 Where something is declared, in the window or below it, stands its name and what is said of it, in
 English. Nobody lists these again: who shows one asks `language.say` for it.

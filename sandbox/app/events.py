@@ -1,4 +1,4 @@
-"""What events are for: a key, a click or a file that is dropped goes where it belongs."""
+"""Dispatch of events: a key, a click or a dropped file goes to whoever handles it."""
 
 import pygame
 

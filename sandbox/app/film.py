@@ -1,4 +1,4 @@
-"""A run as a film: taken again, drawn frame by frame, and encoded as GIF or MP4."""
+"""A run as a film: replayed, drawn frame by frame, and encoded as GIF or MP4."""
 
 import os
 from collections.abc import Iterator
@@ -97,9 +97,9 @@ def _gif(frames: list[bytes]) -> bytes:
     images = [Image.frombytes("RGB", SIZE["gif"], frame) for frame in frames]
     palette = images[len(images) // 2].quantize(128)
     first, *others = [image.quantize(palette=palette, dither=Image.Dither.NONE) for image in images]
-    told = BytesIO()
-    first.save(told, "GIF", save_all=True, append_images=others, duration=1000 // FRAMES, loop=0)
-    return told.getvalue()
+    encoded = BytesIO()
+    first.save(encoded, "GIF", save_all=True, append_images=others, duration=1000 // FRAMES, loop=0)
+    return encoded.getvalue()
 
 
 def _mp4(frames: list[bytes]) -> bytes:
@@ -107,12 +107,12 @@ def _mp4(frames: list[bytes]) -> bytes:
     import numpy as np
 
     width, height = SIZE["mp4"]
-    told = BytesIO()
-    with av.open(told, "w", format="mp4") as container:
+    encoded = BytesIO()
+    with av.open(encoded, "w", format="mp4") as container:
         stream = container.add_stream("libx264", rate=Fraction(FRAMES))
         stream.width, stream.height, stream.pix_fmt = width, height, "yuv420p"
         for frame in frames:
             pixels = np.frombuffer(frame, np.uint8).reshape(height, width, 3)
             container.mux(stream.encode(av.VideoFrame.from_ndarray(pixels, format="rgb24")))
         container.mux(stream.encode())
-    return told.getvalue()
+    return encoded.getvalue()

@@ -1,4 +1,4 @@
-"""What the frames are spent on."""
+"""How a frame's time is spent."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""How long the window's frames take, while a level plays with a graph and forces in sight."""
+"""How long the window's frames take while a level plays with a graph and forces in sight."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

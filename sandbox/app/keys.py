@@ -1,4 +1,4 @@
-"""Which key does what, but for what pages and overlays declare themselves; see `commands`."""
+"""The keys of the window's own commands; pages and overlays declare theirs (see `commands`)."""
 
 from dataclasses import dataclass
 
@@ -56,21 +56,23 @@ WINDOW = (
     Binding("page up", "Page up", "scroll the panel up", (pygame.K_PAGEUP,)),
     Binding("open file", "Ctrl O", "open a level of your own", controls=(pygame.K_o,)),
     Binding("undo", "Ctrl Z", "undo a change of the run", controls=(pygame.K_z,)),
-    Binding("redo", "Ctrl Y", "do it again (also Ctrl Shift Z)", controls=(pygame.K_y,)),
+    Binding("redo", "Ctrl Y", "redo (also Ctrl Shift Z)", controls=(pygame.K_y,)),
     Binding("reload", "F5", "read the level's file again", (pygame.K_F5,)),
     Binding("larger", "Ctrl +", "larger text", controls=LARGER),
     Binding("smaller", "Ctrl −", "smaller text", controls=SMALLER),
-    Binding("usual size", "Ctrl 0", "text as large as suits the screen", controls=USUAL),
+    Binding("usual size", "Ctrl 0", "text size that suits the screen", controls=USUAL),
     Binding("next theme", "Ctrl T", "dark, light, or high contrast", controls=(pygame.K_t,)),
     Binding("help", "H or F1", "this help", (pygame.K_F1,), "hH?"),
-    Binding("leave", "Esc", "close this, leave a field or search; twice: quit", (pygame.K_ESCAPE,)),
+    Binding(
+        "leave", "Esc", "close this, leave a field or a search; twice: quit", (pygame.K_ESCAPE,)
+    ),
 )
 
 MOUSE = (
-    ("drag the tip of a force", "change it; the run starts anew"),
-    ("click on a body", "look at it: its forces are told on the page for that"),
-    ("drag a body", "pull it, or put it elsewhere while paused"),
-    ("Shift and drag a slider", "change it from now on, or from the start: the other way"),
+    ("drag the tip of a force", "change it; the run restarts"),
+    ("click on a body", "select it: the page Forces shows its forces"),
+    ("drag a body", "pull it, or move it while paused"),
+    ("Shift and drag a slider", "change it from now on instead of from the start, or the reverse"),
     ("drag the stage", "move the view; the wheel zooms"),
     ("Shift and drag", "measure a distance; then Ctrl, Shift and drag: an angle at its end"),
     ("rest on a trail", "when it was there, where, and how fast"),

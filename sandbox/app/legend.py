@@ -1,4 +1,4 @@
-"""What runs over each other on the stage, and in which colours."""
+"""The legend of the stage: which runs are drawn over each other, in which colours."""
 
 from collections.abc import Sequence
 
@@ -15,22 +15,22 @@ SWATCH = 26  # px
 PADDING = 8  # px
 
 
-def earlier(told: Sequence[str]) -> Sequence[Row]:
+def earlier(texts: Sequence[str]) -> Sequence[Row]:
     """Return a row for the run that is played and one for each earlier one, if there are any."""
-    rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(told)]
+    rows = [(theme.LANES[i % len(theme.LANES)], text) for i, text in enumerate(texts)]
     return [(None, say("this run")), *rows] if rows else []
 
 
-def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0) -> None:
+def draw(surface: pygame.Surface, pen: Pen, rows: Sequence[Row], banner: int = 0) -> None:
     """Draw a row for each run in the upper left corner, below where a banner ends [px].
 
     What is too long for the surface is shortened; the side panel tells it in full.
     """
-    if not told:
+    if not rows:
         return
     beside = SWATCH + 10 + 2 * PADDING
     room = surface.width - CORNER[0] - beside - GAP
-    texts = [pen.write(pen.shorten(text, room), 14) for _, text in told]
+    texts = [pen.write(pen.shorten(text, room), 14) for _, text in rows]
     height = texts[0].height + 2
     corner = CORNER[0], max(CORNER[1], banner + GAP)
     box = pygame.Rect(corner, (0, len(texts) * height + 2 * PADDING))
@@ -38,7 +38,7 @@ def draw(surface: pygame.Surface, pen: Pen, told: Sequence[Row], banner: int = 0
     pygame.draw.rect(surface, theme.PANEL, box, border_radius=6)
     pygame.draw.rect(surface, theme.EDGE, box, 1, border_radius=6)
     x, y = box.x + PADDING, box.y + PADDING
-    for place, ((color, _), text) in enumerate(zip(told, texts, strict=True)):
+    for place, ((color, _), text) in enumerate(zip(rows, texts, strict=True)):
         ends = (x, y + height // 2), (x + SWATCH, y + height // 2)
         if color is None:
             lines.stroke(surface, theme.ACCENT, *ends, 3)

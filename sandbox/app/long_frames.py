@@ -1,4 +1,4 @@
-"""What a person sees, and can do, while a frame takes long: a step, or a level that is built.
+"""What the window shows and accepts while a frame takes long: a step, or the building of a level.
 
 A step is not cut into frames. Whatever makes one long comes to cancellation points
 (`physics/state/cancellation.py`), and there the window shows that it is alive, stops what takes
@@ -18,7 +18,7 @@ from sandbox.app.workspace import Workspace
 from sandbox.model.errors import SandboxError
 from sandbox.physics.state.cancellation import cancellable
 
-LONG = 0.25  # s, after which something is told of a frame
+LONG = 0.25  # s, after which a message is shown
 AGAIN = 0.1  # s from one look to the next
 
 

@@ -1,4 +1,4 @@
-"""What a frame of the window looks like: the stage or the cards, the columns, and the help."""
+"""Painting a frame of the window: the stage or the cards, the columns, and the help."""
 
 import pygame
 
@@ -46,7 +46,7 @@ def _paint_stage(space: Workspace, view: pygame.Surface, session: Session) -> No
         space.hand.tape.draw(view, space.stage.camera, space.pen)
     space.workers.of(Stopwatch).draw(view, space.pen, session)
     below = space.banner.draw(space.surface, space.pen, space.panels.layout.stage, session)
-    runs = runs_beside(session)[1] or legend.earlier([run.told for run in session.earlier])
+    runs = runs_beside(session)[1] or legend.earlier([run.label for run in session.earlier])
     legend.draw(view, space.pen, runs, below)
 
 

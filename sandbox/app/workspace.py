@@ -1,4 +1,4 @@
-"""What a window holds: the level that is open, or why none is, and all that stands around it."""
+"""The contents of a window: the open level, or why none is open, and the panels around it."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -66,7 +66,7 @@ class Workspace:
     files
         The levels that can be chosen.
     workers, advising
-        What is found out in the background.
+        The background work of the pages.
     load
         What a frame takes.
     comfort
@@ -174,8 +174,8 @@ class Workspace:
             level = self._read(path)
             parts = len(level.bodies) + len(level.joints)
             if parts > MANY:
-                told = later("Building {title}: {count:,} bodies and joints …")
-                self._say_first(say(told, title=_title(level), count=parts))
+                message = later("Building {title}: {count:,} bodies and joints …")
+                self._say_first(say(message, title=_title(level), count=parts))
             session = Session(level, choose(level, self._settings), rate, patient=False)
         except SandboxError as error:
             self._refuse(path, error)
@@ -213,14 +213,14 @@ class Workspace:
         try:
             same = self._read(path) == self.session.original
         except SandboxError:
-            told = say("{file} has mistakes now; F5 shows them", file=path.name)
-            self.banner.tell(told, lasting=True)
+            message = say("{file} has mistakes now; F5 shows them", file=path.name)
+            self.banner.tell(message, lasting=True)
             return
         if same:
             self.banner.tell("")
         elif self.session.touched:
-            told = say("{file} has changed; F5 reads it again", file=path.name)
-            self.banner.tell(told, lasting=True)
+            message = say("{file} has changed; F5 reads it again", file=path.name)
+            self.banner.tell(message, lasting=True)
         else:
             self.reload()
             self.banner.tell(say("{file} has changed and was read again", file=path.name))
@@ -233,8 +233,8 @@ class Workspace:
         elif rate is not None:
             self.session.rerun(rate)
         if self.session is not None and rate is not None:
-            told = later("now at {rate:,.0f} steps a second; F5 goes back to the level's own")
-            self.banner.tell(say(told, rate=rate))
+            message = later("now at {rate:,.0f} steps a second; F5 goes back to the level's own")
+            self.banner.tell(say(message, rate=rate))
 
     def follow(self, session: Session) -> None:
         """Show the session's world, if it has been built anew, maybe from another file."""

@@ -1,4 +1,4 @@
-"""`--accuracy`: a setting that is asked for, found out and told; or one that is chosen."""
+"""`--accuracy`: finds the setting that reaches an accuracy, and reports it."""
 
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What is typed on the command line, read and refused."""
+"""Arguments of the command line: how they are read, and why they are refused."""
 
 from collections.abc import Sequence
 from math import isfinite

@@ -1,4 +1,4 @@
-"""`check`: whether levels are well formed, and can start and run at their rate."""
+"""`check`: whether levels are well formed, and can run at their rate."""
 
 import time
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""What a level's checks found, as lines of text."""
+"""The results of a level's checks as lines of text."""
 
 from collections.abc import Iterable, Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""`describe`: what is on the stage, in words."""
+"""`describe`: the scene in words."""
 
 from collections.abc import Sequence
 from math import isfinite

@@ -1,4 +1,4 @@
-"""`--without` and `--with`: a level with effects less or more, and how that is told."""
+"""`--without` and `--with`: a level with fewer or more effects."""
 
 import json
 from collections.abc import Iterator, Sequence

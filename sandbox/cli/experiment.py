@@ -1,4 +1,4 @@
-"""`experiment`: many runs of a level, measured, kept and drawn."""
+"""`experiment`: many runs of a level, measured, stored and drawn."""
 
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -141,7 +141,7 @@ def _plan(asked: Asked) -> "Plan":
         plan, faults = make(found, source, level)
         if not faults:
             return plan
-    raise UsageError("\n".join(_told(fault, given) for fault in faults))
+    raise UsageError("\n".join(_message(fault, given) for fault in faults))
 
 
 def _pairs(texts: Sequence[str]) -> dict[str, str]:
@@ -156,7 +156,7 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
     return found
 
 
-def _told(fault: Fault, given: Mapping[str, object]) -> str:
+def _message(fault: Fault, given: Mapping[str, object]) -> str:
     """Say a fault at the option that it is in."""
     name, *inside = fault.path or ("vary",)
     where = f"--{name}"

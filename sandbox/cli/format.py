@@ -1,4 +1,4 @@
-"""`format`: the text of levels, laid out as people write them by hand."""
+"""`format`: the text of levels, laid out as people write it by hand."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""`generate`: a level of many bodies as a file."""
+"""`generate`: writes a level of many bodies."""
 
 from pathlib import Path
 

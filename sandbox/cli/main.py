@@ -1,4 +1,4 @@
-"""From the shell and back: every error becomes a message and an exit status."""
+"""The way in from the shell and out again: every error becomes a message and an exit status."""
 
 import io
 import sys

@@ -1,4 +1,4 @@
-"""`migrate`: levels in the newest version of the format, of which there is one so far."""
+"""`migrate`: levels in the newest version of the format; so far there is only one."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""`new`: the file of a level to go on from."""
+"""`new`: writes a level to go on from."""
 
 import os
 from pathlib import Path

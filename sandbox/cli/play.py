@@ -1,4 +1,4 @@
-"""The window: on a level, or on all of them."""
+"""`play`: the window, on one level or on all of them."""
 
 import os
 from collections.abc import Sequence

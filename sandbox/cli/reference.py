@@ -1,4 +1,4 @@
-"""The reference among the documents, written from what the code declares.
+"""Writes the reference pages of the documents from what the code declares.
 
 `python -m sandbox.cli.reference` writes it to `docs/reference`.
 """

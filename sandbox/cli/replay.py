@@ -1,4 +1,4 @@
-"""`replay`: a run that was saved, taken again."""
+"""`replay`: a saved run, repeated."""
 
 from pathlib import Path
 

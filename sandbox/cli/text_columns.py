@@ -1,4 +1,4 @@
-"""Rows of words and numbers, as lines of text."""
+"""Rows of words and numbers as aligned lines of text."""
 
 from collections.abc import Iterator, Sequence
 

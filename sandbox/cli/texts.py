@@ -1,4 +1,4 @@
-"""The catalogues of the window's languages, brought up to date with what code and levels say.
+"""Updates the catalogues of translations with the texts of code and levels.
 
 `python -m sandbox.cli.texts` does so. It needs Babel, which the extra `test` brings.
 """
@@ -68,7 +68,7 @@ def of_the_window() -> "Catalog":
         with path.open("rb") as file:
             for line, message, _, context in extract("python", file, KEYWORDS):
                 found.add(message, locations=[(place, line)], context=context)
-    declared = [((FOLDER / "declared.py").as_posix(), 1)]
+    declared = [((FOLDER / "declared_words.py").as_posix(), 1)]
     for word in words():
         if word not in found:
             found.add(word, locations=declared)

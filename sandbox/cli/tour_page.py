@@ -1,4 +1,4 @@
-"""The page that shows what a tour has found."""
+"""The page that shows the results of a tour."""
 
 from collections.abc import Iterable
 from html import escape

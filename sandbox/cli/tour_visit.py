@@ -1,4 +1,4 @@
-"""A level run, checked and drawn."""
+"""One level of a tour: run, checked and drawn."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What hangs on a body that is moved: bodies pinned to it, and the points that pins hold."""
+"""What moves along with a body: bodies pinned to it, and the points that pins hold."""
 
 from collections.abc import Collection, Mapping
 

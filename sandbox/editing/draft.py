@@ -1,4 +1,4 @@
-"""A level under edit: its text, what it loads as, its undo, and its file."""
+"""A draft: the text of a level under edit, what it loads as, its undo, and its file."""
 
 import codecs
 import os

@@ -1,4 +1,4 @@
-"""Numbers and formulas, changed so that what was typed can still be read in them."""
+"""Changes of numbers and formulas that keep what was typed readable."""
 
 import ast
 import re

@@ -1,4 +1,4 @@
-"""From where to where each value of a JSON text reaches, looked up only where it is asked for."""
+"""The span of each value in a JSON text, looked up on demand."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""How what is put into a level's text is laid out: as people write it, and `format` leaves it."""
+"""The layout of what is inserted into a level's text: the one that `format` leaves alone."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""What an edit leaves without meaning goes with it, and what it may declare is tried."""
+"""Cleaning up after an edit: what has lost its meaning goes, and what is missing is declared."""
 
 import json
 from collections.abc import Iterable, Iterator

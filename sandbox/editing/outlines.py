@@ -1,4 +1,4 @@
-"""Outlines that are drawn: their area, their centre, and strokes with fewer corners."""
+"""Outlines that are drawn: their area, their centre, and the simplification of strokes."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Where the bodies of a level are at the start, and what their outlines are there."""
+"""The positions and outlines of a level's bodies at the start."""
 
 from cmath import rect
 from collections.abc import Iterable

@@ -1,4 +1,4 @@
-"""What was drawn and not saved, kept for the next time should the window end by itself.
+"""Recovery files: unsaved drawings survive if the window dies.
 
 Each draft has a file of its own in the user's data folder, whole or not there at all. It goes when
 the draft is saved or closed. What a process has left that is no more can be recovered.

@@ -1,4 +1,4 @@
-"""A body, a joint or a parameter gets another name, everywhere in its level."""
+"""Renaming a body, a joint or a parameter everywhere in its level."""
 
 import json
 import re
@@ -51,8 +51,8 @@ def rename(text: str, path: Path, name: str) -> str:
     if name == old:
         return text
     _refuse_taken(level, str(part), name)
-    told = dict(_told(level, str(part), str(old), name))
-    return accepted(_replaced(text, {path: name, **told}, name))
+    renamed = dict(_renamed(level, str(part), str(old), name))
+    return accepted(_replaced(text, {path: name, **renamed}, name))
 
 
 def _refuse_taken(level: Level, part: str, name: str) -> None:
@@ -64,7 +64,7 @@ def _refuse_taken(level: Level, part: str, name: str) -> None:
         raise SandboxError(f"the name '{name}' is taken; choose another one")
 
 
-def _told(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:
+def _renamed(level: Level, part: str, old: str, name: str) -> Iterator[tuple[Path, str]]:
     """Yield where a name is mentioned, and what stands there afterwards."""
     for path, value, mention in mentions(level):
         texts = [(path, value)]
@@ -98,13 +98,13 @@ def _in_formulas(level: Level, old: str, name: str) -> Iterator[tuple[Path, str]
             yield path, renamed(str(expression.source), old, name)
 
 
-def _replaced(text: str, told: Mapping[Path, str], name: str) -> str:
+def _replaced(text: str, renamed: Mapping[Path, str], name: str) -> str:
     """Return a text with other words at some paths; where no word stands, it is the key."""
     found, pieces = Spans(text), []
-    for path in filter(found.__contains__, told):
+    for path in filter(found.__contains__, renamed):
         span = found[path]
         is_word = text.startswith('"', span.begin)
         start = span.begin if is_word else span.start
         end = json.JSONDecoder().raw_decode(text, start)[1]
-        pieces.append((start, end, json.dumps(told[path] if is_word else name)))
+        pieces.append((start, end, json.dumps(renamed[path] if is_word else name)))
     return spliced(text, pieces)

@@ -1,4 +1,4 @@
-"""A run as a level: its start is what the run has come to.
+"""A run as a level that starts from the present state.
 
 What places, lengths and formulas meant at the start they mean now: a rod without a length has the
 one that it had, and a force that changes with time is as far as time has come. The closed forms

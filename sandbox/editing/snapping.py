@@ -1,4 +1,4 @@
-"""Points and bodies drawn to where they were probably meant: a grid, an end, a surface.
+"""Snapping points and bodies to where they were probably meant: a grid, an end, a surface.
 
 A body that is moved near another is set exactly touching, with no gap and no overlap but rounding;
 near a second one, touching that as well, as in the corner of a room.

@@ -1,4 +1,4 @@
-"""The text of a level, changed in one place and left to the character everywhere else.
+"""Patches of a level's text: one place changes, every other character stays.
 
 Pure functions from text to text. A path is made of keys and indices, from the outside in, such as
 `("bodies", "box", "mass")`. What is put stands as people lay it out, so that `format` leaves it;

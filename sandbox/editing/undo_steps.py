@@ -1,4 +1,4 @@
-"""The steps of undo: each keeps what it changed, and not the whole text."""
+"""The steps of undo: each keeps only what it changed."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""A level written out: what can be drawn and moved has a place of its own in the text."""
+"""A level with its shorthand written out, so that every drawable part has its own text."""
 
 import json
 

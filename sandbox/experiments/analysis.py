@@ -1,4 +1,4 @@
-"""What the rows of an experiment say: distributions, errors, and what an outcome depends on."""
+"""Statistics over an experiment's rows: distributions, errors, and sensitivities."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

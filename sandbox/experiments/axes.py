@@ -1,4 +1,4 @@
-"""What is varied: the values of a grid, or a distribution from which values are drawn.
+"""The axes of an experiment: the values of a grid, or a distribution to draw from.
 
 0:90:91          a grid: from, to, and how many values
 1:1000:31:log    the same with equal ratios
@@ -59,7 +59,7 @@ class Grid:
         """The first and the last value."""
         return self.low, self.high
 
-    def told(self, unit: str) -> str:
+    def described(self, unit: str) -> str:
         """Return in words which values these are."""
         values = "one value" if self.count == 1 else f"{self.count:,} values"
         ratios = ", with equal ratios" if self.scale == "log" else ""
@@ -81,7 +81,7 @@ class Listed:
         """Return one of the values, from 0."""
         return self.values[index]
 
-    def told(self, unit: str) -> str:
+    def described(self, unit: str) -> str:
         """Return in words which values these are; of many only the ends."""
         named = [v if isinstance(v, str) else f"{v:g}" for v in self.values]
         if len(named) > SPELT:
@@ -110,7 +110,7 @@ class Uniform:
         """The smallest and the largest value."""
         return self.low, self.high
 
-    def told(self, unit: str) -> str:
+    def described(self, unit: str) -> str:
         """Return in words how values are drawn."""
         likely = "logarithm" if self.scale == "log" else "value"
         return (
@@ -137,7 +137,7 @@ class Normal:
         """Values that are not rare."""
         return self.mean - self.deviation, self.mean + self.deviation
 
-    def told(self, unit: str) -> str:
+    def described(self, unit: str) -> str:
         """Return in words how values are drawn."""
         spread = f"{self.mean:g} ± {self.deviation:g}"
         return f"drawn from a normal distribution, {f'({spread}) {unit}' if unit else spread}"

@@ -1,4 +1,4 @@
-"""An experiment from its first row to its last: batches by what they cost, kept as they come."""
+"""Conducting an experiment: batches sized by their cost, results stored as they come."""
 
 from collections.abc import Callable, Iterable, Iterator
 from time import perf_counter

@@ -1,4 +1,4 @@
-"""What was measured outside: a CSV file of quantities over the time."""
+"""Measured data from outside: a CSV file of quantities over time."""
 
 import csv
 from collections.abc import Iterator, Mapping

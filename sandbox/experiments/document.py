@@ -1,4 +1,4 @@
-"""The format of an experiment: what its JSON file may say, and how a file is read.
+"""The format of an experiment's JSON file, and how a file is read.
 
 The texts of `vary` and `measure` are those of the command line, which makes the same experiment.
 """

@@ -1,4 +1,4 @@
-"""Points of the unit cube, which draws are made of: the same for the same row, wherever it is run.
+"""Random points of the unit cube: a row always gets the same ones, wherever it runs.
 
 Each comes in blocks of its own seed, so that no row needs those before it. Those of a Latin
 hypercube alone hang together: there are at most a million of them.

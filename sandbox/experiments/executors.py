@@ -1,4 +1,4 @@
-"""Where an experiment runs: the cores of this machine, or a cluster of several; the same bits.
+"""Where an experiment runs: on the cores of this machine or on a cluster, with the same bits.
 
 Dask's part is imported where a cluster is asked for.
 """

@@ -1,4 +1,4 @@
-"""The pictures of an experiment: curves, families of curves, heat maps, histograms and shares."""
+"""The figures of an experiment: curves, families of curves, heat maps, histograms and shares."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

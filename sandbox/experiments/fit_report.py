@@ -1,4 +1,4 @@
-"""The page of a fit: the parameters that were found, and how the run lies to the data."""
+"""The page of a fit: the parameters found, and how the run compares with the data."""
 
 import json
 from dataclasses import asdict

@@ -103,9 +103,9 @@ def fit(level: Level, values: Values, names: Sequence[str], data: Data, stepping
     deviation = np.sqrt(covariance.diagonal())
     best = low + width * found.x
     chosen = {**values, **dict(zip(names, best.tolist(), strict=True))}
+    fitted = zip(names, best, deviation * width, found.active_mask, strict=True)
     parameters = tuple(
-        Fitted(n, level.parameters[n].unit, float(v), float(d * w), bool(b))
-        for n, v, d, w, b in zip(names, best, deviation, width, found.active_mask, strict=True)
+        Fitted(n, level.parameters[n].unit, float(v), float(d), bool(b)) for n, v, d, b in fitted
     )
     scatter = float(np.sqrt(mean_square)) if known else 1.0
     correlation = covariance / np.outer(deviation, deviation)

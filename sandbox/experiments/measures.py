@@ -1,4 +1,4 @@
-"""What is measured of a run: one number, or that there is none.
+"""Measures of a run: each gives one number, or says that there is none.
 
     ball.position.x@end           at the end of the run, or where `until` has ended it
     ball.position.x@1.5           at a time [s], which may be a formula over the parameters

@@ -1,4 +1,4 @@
-"""What is looked at in a run: a quantity of its level, or arithmetic over several."""
+"""Observables of a run: a quantity of its level, or arithmetic over several."""
 
 import re
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What an experiment runs: the level, and the settings of each of its rows."""
+"""The plan of an experiment: the level, and the settings of each row."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

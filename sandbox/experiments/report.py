@@ -1,4 +1,4 @@
-"""The page of an experiment: what it found, in pictures and tables, in one file."""
+"""The page of an experiment: its results in pictures and tables, in one file."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -66,7 +66,7 @@ def write(plan: Plan, path: Path, folder: Path) -> Page:
         sensitivities=sensitivities,
         remarks=remarks,
         pictures=[(inline(p.figure, p.caption), p) for p in drawn],
-        axes=[(name, axis.told(axis_unit(plan, name))) for name, axis in plan.axes.items()],
+        axes=[(name, axis.described(axis_unit(plan, name))) for name, axis in plan.axes.items()],
         method=METHODS[plan.experiment.method],
         compared=any(summary.error is not None for summary in summaries),
         description=json.dumps(description(plan)["experiment"], indent=2, ensure_ascii=False),

@@ -1,4 +1,4 @@
-"""The finished table of an experiment, read again: as much of it as a picture needs."""
+"""The finished table of an experiment, read back as far as a picture needs it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Some rows of an experiment, run and measured: the same bits wherever, and in whatever company."""
+"""Running and measuring some rows of an experiment, with the same bits wherever it is done."""
 
 import pickle
 from collections.abc import Iterator, Mapping, Sequence
@@ -218,7 +218,7 @@ def _alone(plan: Plan, setting: "_Setting | _Run") -> _Run:
             until=stop.now if stop else None,
         )
     except SandboxError as error:
-        message = error.told("") if isinstance(error, SimulationError) else str(error)
+        message = error.with_advice("") if isinstance(error, SimulationError) else str(error)
         return _Run(setting.row, None, stopped=False, failure=message)
     return _Run(setting.row, trace, bool(stop and stop.held), None)
 

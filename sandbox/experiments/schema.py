@@ -1,4 +1,4 @@
-"""The JSON Schema of the experiment format: `python -m sandbox.experiments.schema` writes it."""
+"""The JSON Schema of the experiment format; `python -m sandbox.experiments.schema` writes it."""
 
 import json
 import sys

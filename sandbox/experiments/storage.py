@@ -1,4 +1,4 @@
-"""The folder of an experiment: what came of each row, kept as it comes, whole or not at all.
+"""The folder of an experiment: results are stored as they come, whole or not at all.
 
 experiment.json    the experiment, its level, and what it was made with
 parts/             rows that are done, a file for each batch, while it runs

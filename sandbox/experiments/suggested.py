@@ -1,4 +1,4 @@
-"""Measures that a level suggests by itself, as they are written in an experiment."""
+"""The measures that a level suggests, in the form of an experiment's file."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""The table of an experiment: a row for each run, in Arrow's form."""
+"""The table of an experiment, a row for each run, in Arrow's format."""
 
 from typing import TYPE_CHECKING, NamedTuple
 

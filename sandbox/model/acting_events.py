@@ -1,4 +1,4 @@
-"""What happens once in a run and changes what acts: a string is cut, a hook catches, a force acts.
+"""Events that act: once in a run a string is cut, a hook catches, or a force is switched.
 
 A joint is there until it is cut, or until it breaks. One that some event ties is open until then. A
 force that some event switches on is off until then; any other is on from the start.

@@ -1,4 +1,4 @@
-"""What every part of a level has in common."""
+"""The base class of every part of a level."""
 
 from pydantic import BaseModel, ConfigDict
 

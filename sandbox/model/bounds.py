@@ -1,4 +1,4 @@
-"""How small and how large the numbers of a level may be, by what they measure.
+"""Bounds for the numbers of a level, by what they measure.
 
 Said once, here: the model refuses what lies beyond, with the value, the bound and why, and the
 schema tells it to editors. They are wider than mechanics needs, from the mass of an electron to a

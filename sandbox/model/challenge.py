@@ -1,4 +1,4 @@
-"""What a level asks of the person who plays it: which numbers to find, and for what."""
+"""Challenges: what a level asks of a person, and which parameters are free."""
 
 from collections.abc import Mapping
 from typing import Annotated

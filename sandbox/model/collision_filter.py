@@ -1,4 +1,4 @@
-"""Which bodies never meet each other although the level has contacts."""
+"""The pairs of bodies that never collide although the level has contacts."""
 
 from collections.abc import Iterator
 from itertools import combinations

@@ -1,4 +1,4 @@
-"""Levels of many bodies, made to measure how a step's cost grows with their number."""
+"""Generated levels of many bodies, to measure how a step's cost grows with their number."""
 
 from collections.abc import Callable, Mapping, Sequence
 from math import ceil, cos, pi, sin, sqrt

@@ -1,4 +1,4 @@
-"""Guessing what a person probably meant."""
+"""Suggestions for misspelt names."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches

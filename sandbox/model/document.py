@@ -1,4 +1,4 @@
-"""A level's JSON text: what it holds, where everything stands, and how it is refused."""
+"""A level's JSON text: its values, where each stands, and how mistakes are reported."""
 
 import json
 import re

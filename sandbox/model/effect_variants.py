@@ -1,4 +1,4 @@
-"""The same level with an effect more or less: what a scene would do if something did not act.
+"""Variants of a level, with one effect more or less.
 
 Both ways a level becomes another level; nothing is changed in place. What an effect that is
 switched off leaves without meaning goes with it: friction needs contact.
@@ -84,7 +84,7 @@ def without(level: Level, effect: str) -> tuple[Level, tuple[str, ...]]:
 
 
 def _scene_faults(level: Level) -> Iterator[Fault]:
-    """Yield what contradicts itself in the scene; what is told of it may have lost its meaning."""
+    """Yield the contradictions in the scene itself; its checks and texts may be meaningless."""
     return (fault for fault in inconsistencies(level) if fault.path[0] not in TOLD)
 
 

@@ -1,4 +1,4 @@
-"""What can be wrong, and how it is said.
+"""The errors of a level, and how each mistake is worded.
 
     SandboxError
     ├── LevelError       a level that cannot be used; it holds every Mistake

@@ -1,4 +1,4 @@
-"""Finding what the types of a model's fields mark: `Annotated[str, Mark()]`.
+"""Finding the fields of a model whose types are marked: `Annotated[str, Mark()]`.
 
 A mark is said where a field is declared, and nowhere else: whoever looks for marked values finds
 those of a new field, effect or joint, too.

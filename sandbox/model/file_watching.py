@@ -1,4 +1,4 @@
-"""Files of which it is asked now and then whether they have changed."""
+"""A watch on files, which says when asked whether they have changed."""
 
 from collections.abc import Iterable
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Reading and writing files whole or not at all."""
+"""Files read and written whole or not at all."""
 
 import os
 import platform
@@ -99,7 +99,7 @@ def _owner(path: Path) -> tuple[int, int]:
 
 
 def _link(made: Path, place: Path) -> None:
-    """Move a file to a place at which nothing is; whoever comes first has it.
+    """Move a file to an empty place; the first to come wins.
 
     A file system without links is asked beforehand, which is all that it offers.
     """

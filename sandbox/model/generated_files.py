@@ -1,4 +1,4 @@
-"""Files that a checkout holds and a program writes."""
+"""Files of the checkout that a program writes."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -10,7 +10,7 @@ FAILED = 2
 
 
 def generate(write: Callable[[], Iterable[Path]]) -> int:
-    """Write files, tell those that are to be told of, and return the exit status."""
+    """Write files, print their paths, and return the exit status."""
     try:
         for path in write():
             sys.stdout.write(f"{path}\n")

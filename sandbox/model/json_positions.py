@@ -1,4 +1,4 @@
-"""Where in a JSON text a value stands."""
+"""The position of each value in a JSON text."""
 
 import json
 import re

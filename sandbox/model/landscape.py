@@ -1,4 +1,4 @@
-"""A potential drawn as a landscape, in which a body's point rides."""
+"""Landscapes: a potential drawn as a curve on which the body's point rides."""
 
 import numpy as np
 

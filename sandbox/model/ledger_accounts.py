@@ -1,4 +1,4 @@
-"""The accounts of a level's ledger: where its energy and its momentum come from, and where they go.
+"""The accounts of a level's ledger: where its energy and momentum come from and go.
 
 What a force takes from the kinetic energy is stored as potential energy, or lost for good, or was
 put in from outside. Each effect says which (see `sandbox.model.effects.contract`).
@@ -56,7 +56,7 @@ def _catches(level: Level) -> bool:
 
 def outside(level: Level) -> tuple[str, ...]:
     """Return what gives momentum from outside; supports are what bodies and joints rest on."""
-    found = [e.name for e in level.effects.told if e.is_force and not e.inside]
+    found = [e.name for e in level.effects.declarations if e.is_force and not e.inside]
     found += [joint.kind.force.name for joint in level.joints.values() if joint.kind.force]
     if level.effects.contact or any(not j.kind.force for j in level.joints.values()):
         found.append("supports")

@@ -1,4 +1,4 @@
-"""The level format: what a level's JSON file may say.
+"""The level format: everything that a level's JSON file may say.
 
 A `Level` is frozen: it describes a scene and never changes. What moves lives in the world that
 `sandbox.physics` builds from it.
@@ -218,7 +218,7 @@ class Stepping(Model):
 
     accuracy: Annotated[float, Field(gt=0, lt=1)] | None = None
     """the largest error that the level's checks may have, or without checks its places and
-    velocities; the cheapest setting that reaches it is found out, in place of all others here"""
+    velocities; the cheapest setting that reaches it is searched for, instead of all others here"""
     rate: Annotated[float, Field(ge=1, le=HIGHEST_RATE)] = 60.0
     """Hz, steps a second"""
     iterations: Annotated[int, Field(ge=1, le=1000)] = 10

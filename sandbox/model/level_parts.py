@@ -1,4 +1,4 @@
-"""Walking through the parts of a level."""
+"""Walks through the parts of a level."""
 
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple

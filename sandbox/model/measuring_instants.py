@@ -1,4 +1,4 @@
-"""When something is measured: at a time, or when something happens."""
+"""Instants at which something is measured: a time, or an event."""
 
 from collections.abc import Mapping
 from typing import Annotated, Literal

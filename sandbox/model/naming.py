@@ -1,4 +1,4 @@
-"""What bodies, joints, parameters and events may be called."""
+"""The names that bodies, joints, parameters and events may have."""
 
 from typing import Annotated
 

@@ -1,4 +1,4 @@
-"""The text that a level was read from, so that it can be told where a part of it stands."""
+"""The text that a level was read from, so that messages can say where a part stands."""
 
 from collections.abc import Callable
 from functools import cached_property

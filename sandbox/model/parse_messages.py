@@ -1,4 +1,4 @@
-"""What a reader of JSON or of types complains of, in the words of the level format."""
+"""The messages of the JSON reader and of pydantic, in the words of the level format."""
 
 import re
 from collections.abc import Callable, Mapping

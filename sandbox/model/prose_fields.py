@@ -1,4 +1,4 @@
-"""Which fields of a level are prose: words for a person, said where the field is declared.
+"""The mark of fields that hold prose, for translation.
 
 Whoever translates a level, or reads it aloud, finds from here what there is to say.
 """

@@ -1,4 +1,4 @@
-"""The names of everything that can be measured, and their units.
+"""The names and units of everything that can be measured.
 
 A quantity has one name everywhere: in a level's checks, on the command line, in a CSV header, in a
 graph and on the screen. It reads `subject.attribute`, with `.x` or `.y` for a component; a vector

@@ -1,4 +1,4 @@
-"""Which fields of a level name another part of it, said where the field is declared.
+"""The mark of fields that name another part of the level.
 
 `sandbox.model.consistency.mentions` finds them from here, so that a new effect or joint need say
 no more than the type of its field.

@@ -1,4 +1,4 @@
-"""What a well-formed level declares for nothing: effects without strength, checks that never apply.
+"""Remarks on a well-formed level: effects without strength, checks that never apply.
 
 Effects are simulated as they stand, at their cost, and change nothing. A strength that is a
 parameter may be zero for a while; this is about those that are zero whatever the parameters are.

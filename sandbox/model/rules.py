@@ -1,4 +1,4 @@
-"""What must hold in a level beyond the type of each part, and over the ranges of its parameters.
+"""The rules of a level that go beyond the type of each part, over the ranges of its parameters.
 
 Every rule is a generator of `Fault`: a path into the level and what is wrong there. They are all
 run, so that an author sees all mistakes at once. What depends on the values of the parameters is a

@@ -1,4 +1,4 @@
-"""The JSON Schema of the level format, for editors: `python -m sandbox.model.schema` writes it."""
+"""The JSON Schema of the level format, for editors; `python -m sandbox.model.schema` writes it."""
 
 import json
 import sys
@@ -56,15 +56,15 @@ def _grammar(model: type[Model]) -> dict[str, Any]:
 
 def schema() -> dict[str, Any]:
     """Return the JSON Schema of a level as its author types it, with all shorthand."""
-    return _told(with_repeats(_grammar(Typed), _grammar(Each)))
+    return _described(with_repeats(_grammar(Typed), _grammar(Each)))
 
 
 def of(model: type[Model]) -> dict[str, Any]:
     """Return the JSON Schema of a format."""
-    return _told(_grammar(model))
+    return _described(_grammar(model))
 
 
-def _told(made: dict[str, Any]) -> dict[str, Any]:
+def _described(made: dict[str, Any]) -> dict[str, Any]:
     explained: dict[str, Any] = _explain({"$schema": DIALECT, **made})
     return explained
 

@@ -1,4 +1,4 @@
-"""What a scheme and a rate ask of a level.
+"""What each scheme and rate requires of a level.
 
 Fourth order needs smooth forces that do not depend on velocities. What holds exactly is as good,
 rods, pins, rails and wires: it holds back in time as well.
@@ -16,7 +16,7 @@ from sandbox.model.level_parts import names_in
 def bounds_the_rate(level: Level) -> bool:
     """Whether a level has springs, or effects that see velocities: a step may be too long."""
     springs = any(joint.kind.force for joint in level.joints.values())
-    return springs or any(effect.sees_velocity for effect in level.effects.told)
+    return springs or any(effect.sees_velocity for effect in level.effects.declarations)
 
 
 def unsmooth(level: Level) -> str | None:
@@ -31,7 +31,7 @@ def unsmooth(level: Level) -> str | None:
 def _obstacles(level: Level) -> Iterator[str]:
     yield from (f"the event '{brief(name)}', at which forces jump" for name in level.events)
     yield from (f"that '{brief(name)}' may break" for name, _ in breakable(level.joints))
-    for effect in level.effects.told:
+    for effect in level.effects.declarations:
         if "fourth-order" in effect.excludes:
             yield f"the effect '{effect.name}'"
     for potential in level.effects.potential or ():

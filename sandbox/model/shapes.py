@@ -1,4 +1,4 @@
-"""The shapes a body can have.
+"""The shapes that a body can have.
 
 A dynamic body's position is its centre of mass: the points of a polygon, segment, polyline or arc
 are moved so that their centre of mass lies at the origin of the body. Static and kinematic bodies

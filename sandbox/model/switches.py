@@ -1,4 +1,4 @@
-"""Which forces of a level events switch, and which could be."""
+"""The forces of a level that events switch, and those that they could switch."""
 
 from collections.abc import Iterator, Mapping
 

@@ -1,4 +1,4 @@
-"""Walking through whatever is made of frozen parts and expressions."""
+"""A walk through anything made of frozen parts and expressions."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""Where wires and curves run. The plane is complex here: a point is x + iy."""
+"""The courses of wires and curves. The plane is complex here: a point is x + iy."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""A level that is run: built at the setting that it asks for, taken to its end, and timed.
+"""Building and running a level at the setting that it asks for, and timing its steps.
 
 A level may ask for an accuracy instead of a rate. The search for a setting runs worlds itself, so
 what takes such a level stands above it.
@@ -34,8 +34,8 @@ def build(level: Level, values: Values | None = None, stepping: Stepping | None 
     values
         The parameters; the level's defaults if left out.
     stepping
-        How time advances; as the level says if left out. If it only says how accurate, the setting
-        is found out, or remembered.
+        How time advances; as the level says if left out. If it only gives an accuracy, the
+        setting is searched for, or taken from the cache.
 
     Raises
     ------
@@ -95,24 +95,35 @@ def simulate(
         with np.errstate(all="ignore"):  # what is not finite is told by name
             recorder = Recorder(world, needed(level) if record is None else record)
             closer = Closer(world) if books else None
-            steps, patience = count_steps(world, duration), Patience()
-            if until is None:
-                recorder.require(steps + 1)
-            with patience.within_steps():
-                for taken in range(steps):
-                    patience.advance(world)
-                    recorder.require(taken + 2)
-                    recorder.note()
-                    if closer:
-                        closer.note()
-                    if until and until(world):
-                        break
+            _record(world, count_steps(world, duration), recorder, closer, until)
             trace = recorder.trace
             return replace(trace, closing=closer.closing) if closer else trace
     except SandboxError:
         raise
     except Exception as error:
         raise BreakdownError(error, world.t) from error
+
+
+def _record(
+    world: World,
+    steps: int,
+    recorder: Recorder,
+    closer: Closer | None,
+    until: Callable[[World], bool] | None,
+) -> None:
+    """Take steps and note each, until there are as many as wanted or `until` says so."""
+    patience = Patience()
+    if until is None:
+        recorder.require(steps + 1)
+    with patience.within_steps():
+        for taken in range(steps):
+            patience.advance(world)
+            recorder.require(taken + 2)
+            recorder.note()
+            if closer:
+                closer.note()
+            if until and until(world):
+                break
 
 
 def costs(

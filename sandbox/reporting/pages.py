@@ -1,4 +1,4 @@
-"""Pages of HTML that need nothing but themselves."""
+"""Self-contained HTML pages."""
 
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 

@@ -1,4 +1,4 @@
-"""How the figures of the reports look: readable in print, and by those who are colour-blind."""
+"""The style of figures in reports: readable in print and by colour-blind people."""
 
 from contextlib import AbstractContextManager
 from io import BytesIO

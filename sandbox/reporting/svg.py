@@ -1,4 +1,4 @@
-"""Figures as part of a page: their text stays text, their ink is that of the page."""
+"""Figures as SVG inside a page: text stays text, and the ink follows the page."""
 
 import re
 from html import escape

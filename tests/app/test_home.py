@@ -396,7 +396,7 @@ def test_what_was_not_saved_is_offered_above_the_cards_and_gone_on_with(
     person.press(pygame.K_F2)
     person.wait()
     (left,) = recoverable()
-    assert draft_strip.told(left).startswith("Not saved: Lost and found, drawn ")
+    assert draft_strip.summary(left).startswith("Not saved: Lost and found, drawn ")
     assert card(person, "Free fall").top > home(person).strip.place(0).bottom
 
     person.click(home(person).strip.place(0))
@@ -424,4 +424,4 @@ def test_a_draft_that_says_no_title_is_offered_all_the_same() -> None:
 
     (left,) = recoverable()
 
-    assert "a level without a name" in draft_strip.told(left)
+    assert "a level without a name" in draft_strip.summary(left)

@@ -6,7 +6,7 @@ import pygame
 import pytest
 
 from sandbox.app.home.home import Home
-from sandbox.app.home.preview import AFTER, LASTING, Preview, is_dear
+from sandbox.app.home.preview import AFTER, LASTING, Preview, is_expensive
 from sandbox.model import catalog
 from sandbox.model.loading import load
 from tests.app import scenes
@@ -81,11 +81,11 @@ def test_a_click_opens_the_level_that_plays_from_its_start(visitor: Person) -> N
 
 
 @pytest.mark.parametrize(
-    ("name", "dear"),
+    ("name", "expensive"),
     [("kinematics/free-fall", False), ("momentum/cradle", False), ("hard/gas-of-60", True)],
 )
-def test_a_level_of_many_parts_is_not_played(name: str, dear: bool) -> None:
-    assert is_dear(load(catalog.find(name))) is dear
+def test_a_level_of_many_parts_is_not_played(name: str, expensive: bool) -> None:
+    assert is_expensive(load(catalog.find(name))) is expensive
 
 
 @pytest.mark.parametrize("text", ["{", scenes.falling(bodies={})])

@@ -116,7 +116,7 @@ def test_without_a_device_the_page_of_settings_says_so_and_all_else_goes_on(
 
     person.click(settings(person).button("On").rect)
 
-    told = {setting.title: setting.told for setting in panel.settings(person.window.comfort)}
+    told = {setting.title: setting.help for setting in panel.settings(person.window.comfort)}
     assert "nothing-of-this-name" in told["Sound"]
     assert not plays(person)
 

@@ -127,7 +127,7 @@ def test_an_earlier_run_with_other_parameters_stays_as_a_trail() -> None:
     take(session, 20)
     session.restart({"angle": 30, "speed": 20})
 
-    assert [run.told for run in session.earlier] == ["angle = 45", "speed = 25, angle = 60"]
+    assert [run.label for run in session.earlier] == ["angle = 45", "speed = 25, angle = 60"]
     assert all(len(run.trail) == 21 for run in session.earlier)
     session.restart()
     assert len(session.earlier) == 2

@@ -52,4 +52,4 @@ def test_a_histogram_has_the_closed_form_s_outline(tmp_path: Path) -> None:
     ],
 )
 def test_a_page_tells_in_words_what_is_varied(text: str, told: str) -> None:
-    assert parse(text).told("kg") == told
+    assert parse(text).described("kg") == told

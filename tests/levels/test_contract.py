@@ -184,7 +184,7 @@ def test_pays_only_for_what_it_declares(any_level: Level) -> None:
     """
     world = build(any_level)
     effects = any_level.effects
-    laws = any(effect.is_law for effect in effects.told)
+    laws = any(effect.is_law for effect in effects.declarations)
     pairs = (effects.friction.pairs if effects.friction else ()) or effects.sticking
     sticky = any(body.static_friction for body in any_level.bodies.values())
     sequence = effects.in_sequence

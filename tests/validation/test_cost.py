@@ -106,7 +106,7 @@ def test_the_place_that_is_known_least_and_what_is_checked_can_be_trusted_so_far
 
 
 def test_the_headline_compares_at_the_same_time_and_at_the_same_error() -> None:
-    """Second order beside first order of the same price: 1 / 240 as large an error at 240 Hz."""
+    """Second order beside first order of the same cost: 1 / 240 as large an error at 240 Hz."""
     found = headline(sweep([*power(2.0, 1.0, "leapfrog"), *power(1.0, 1.0, "symplectic-euler")]))
 
     assert found is not None
@@ -189,7 +189,7 @@ def test_a_sweep_finds_the_order_of_each_scheme() -> None:
     assert naive < 1.3
 
 
-def test_runs_that_fail_stay_as_rows_without_a_price() -> None:
+def test_runs_that_fail_stay_as_rows_without_a_cost() -> None:
     """The spring of 200 N/m on 0.1 kg needs more than 22 Hz, and says so."""
     found = errors("energy/damped-spring", Budget(run=0.5, rates=(2.0, 240.0), targets=()))
 
@@ -277,7 +277,7 @@ def test_without_the_library_that_draws_it_is_told_before_anything_is_measured(
     assert "mechanics-sandbox[report]" in done.output
 
 
-def test_prices_and_ratios_are_told_in_two_digits() -> None:
+def test_costs_and_ratios_are_told_in_two_digits() -> None:
     assert milliseconds(0.1371) == "140 ms/s"
     assert milliseconds(0.00001) == "0.01 ms/s"
     assert times(170.3) == "170×"

@@ -10,7 +10,7 @@ from tests.sample import thinned
 from validation import cli
 from validation.pace import measuring
 from validation.pace.measuring import Pace
-from validation.requests.command import complaints, told
+from validation.requests.command import complaints, summary
 from validation.requests.trial import Trial, trial
 
 
@@ -67,7 +67,7 @@ def test_what_is_delivered_told_as_it_is_and_cheap_is_no_complaint() -> None:
     trials = [drawn(9e-4, 5e-4), Trial(2, "b", {}, 1e-9, "cannot be had", refused=True)]
 
     assert complaints(trials) == []
-    assert "1 refused, 1 looked at; of these 1 delivered, 1 told as they are" in told(trials)
+    assert "1 refused, 1 looked at; of these 1 delivered, 1 told as they are" in summary(trials)
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_what_is_not_is_one(bad: Trial) -> None:
 
 @pytest.mark.parametrize("seed", thinned([1, 1000], 2))
 def test_a_trial_is_the_same_twice(seed: int) -> None:
-    """What it says but for the price, which is measured."""
+    """What it says but for the cost, which is measured."""
     first, second = trial(seed), trial(seed)
 
     assert (first.values, first.target) == (second.values, second.target)

@@ -21,13 +21,13 @@ def test_what_is_asked_for_is_delivered(name: str) -> None:
     for request in sweep.requests:
         assert request.delivered <= request.target
         assert request.estimated <= request.target
-        assert request.price > 0
+        assert request.cost > 0
     written = json.loads(json.dumps(asked([sweep]), allow_nan=False))
     assert [row["delivered"] for row in written] == [r.delivered for r in sweep.requests]
 
 
-def request(delivered: float, price: float, cheapest: float) -> Request:
-    return Request("a", 1e-3, Stepping(), 1e-4, delivered, price, cheapest)
+def request(delivered: float, cost: float, cheapest: float) -> Request:
+    return Request("a", 1e-3, Stepping(), 1e-4, delivered, cost, cheapest)
 
 
 def test_a_request_is_honoured_if_it_is_delivered_and_not_dear() -> None:
@@ -39,7 +39,7 @@ def test_a_request_is_honoured_if_it_is_delivered_and_not_dear() -> None:
 
 
 def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
-    """It has all of a break at once, for a twentieth of the price."""
+    """It has all of a break at once, for a twentieth of the cost."""
     name = "momentum/billiard-break"
     schemes: tuple[Scheme, ...] = ("symplectic-euler", "leapfrog")
     points = tuple(Point(scheme, 60, 10, 0.0, nan, 1, 0) for scheme in schemes)
@@ -47,7 +47,7 @@ def test_stock_pymunk_counts_where_impacts_come_in_sequence_too() -> None:
 
     [found] = timed(Sweep(name, "closed form", (), 60.0, points, (asked_for,))).requests
 
-    assert found.cheapest < found.price / 3
+    assert found.cheapest < found.cost / 3
     assert not found.honoured
 
 

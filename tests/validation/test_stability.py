@@ -230,7 +230,7 @@ def test_pymunk_misses_compositions_that_are_solved_together(
 
 
 def test_pymunk_may_spend_what_the_sandbox_spends() -> None:
-    """Its rate follows from the price of a step: a second costs both the same."""
+    """Its rate follows from the cost of a step: a second costs both the same."""
     frontier = FRONTIERS["a load on 20 links"]
 
     here = trial(replace(frontier, duration=0.01), 10)
@@ -267,7 +267,7 @@ def test_pymunks_own_rail_is_a_groove() -> None:
     assert last.position[2] == pytest.approx([0, 1.1], abs=1e-3)
 
 
-def test_a_step_that_cannot_be_taken_has_no_price() -> None:
+def test_a_step_that_cannot_be_taken_has_no_cost() -> None:
     assert np.isnan(step_cost(lambda: build(make(chains.chain(20, 1e7, rate=100)))))
 
 

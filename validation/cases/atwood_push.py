@@ -1,4 +1,4 @@
-"""What the tables of `atwood_push.toml` call `own`."""
+"""The functions that the tables of `atwood_push.toml` name under `own`."""
 
 from sandbox.model.expressions import Values
 from validation.formulas import newton

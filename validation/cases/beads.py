@@ -1,4 +1,4 @@
-"""What the tables of `beads.toml` call `own`."""
+"""The functions that the tables of `beads.toml` name under `own`."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the tables of `belts.toml` call `own`."""
+"""The functions that the tables of `belts.toml` name under `own`."""
 
 from validation.case import Expected
 from validation.formulas import newton

@@ -1,4 +1,4 @@
-"""What the tables of `breaking.toml` call `own`: a swing that ends where the vine breaks."""
+"""The functions that `breaking.toml` names under `own`: a swing that ends where the vine breaks."""
 
 from math import acos, cos, radians, sin, sqrt
 

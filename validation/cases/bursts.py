@@ -1,4 +1,4 @@
-"""What the tables of `bursts.toml` call `own`."""
+"""The functions that the tables of `bursts.toml` name under `own`."""
 
 from sandbox.model.expressions import Array, Values
 from validation.case import Expected

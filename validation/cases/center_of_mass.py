@@ -1,4 +1,4 @@
-"""What the tables of `center_of_mass.toml` call `own`."""
+"""The functions that the tables of `center_of_mass.toml` name under `own`."""
 
 from sandbox.model.expressions import Values
 

@@ -1,4 +1,4 @@
-"""What the tables of `changing_mass.toml` call `own`."""
+"""The functions that the tables of `changing_mass.toml` name under `own`."""
 
 from sandbox.model.expressions import Array, Values
 from validation.formulas import newton

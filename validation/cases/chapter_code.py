@@ -1,4 +1,4 @@
-"""What the tables of `chapter_code.toml` call `own`."""
+"""The functions that the tables of `chapter_code.toml` name under `own`."""
 
 import numpy as np
 

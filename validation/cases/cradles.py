@@ -1,4 +1,4 @@
-"""What the tables of `cradles.toml` call `own`."""
+"""The functions that the tables of `cradles.toml` name under `own`."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""What the tables of `driven.toml` call `own`."""
+"""The functions that the tables of `driven.toml` name under `own`."""
 
 from collections.abc import Callable
 from math import sqrt

@@ -1,4 +1,4 @@
-"""What the tables of `given_forces.toml` call `own`."""
+"""The functions that the tables of `given_forces.toml` name under `own`."""
 
 import numpy as np
 

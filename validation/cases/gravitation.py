@@ -1,4 +1,4 @@
-"""What the tables of `gravitation.toml` call `own`."""
+"""The functions that the tables of `gravitation.toml` name under `own`."""
 
 import numpy as np
 

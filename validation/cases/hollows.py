@@ -1,4 +1,4 @@
-"""What the tables of `hollows.toml` call `own`."""
+"""The functions that the tables of `hollows.toml` name under `own`."""
 
 from math import radians
 

@@ -1,4 +1,4 @@
-"""What the tables of `incline.toml` call `own`."""
+"""The functions that the tables of `incline.toml` name under `own`."""
 
 from math import radians
 

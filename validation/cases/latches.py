@@ -1,4 +1,4 @@
-"""What the tables of `latches.toml` call `own`: a train that is coupled, a hammer that rings."""
+"""The functions of `latches.toml` under `own`: a train that is coupled, a hammer that rings."""
 
 from math import asin, radians, sqrt
 

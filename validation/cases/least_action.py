@@ -1,4 +1,4 @@
-"""What the tables of `least_action.toml` call `own`."""
+"""The functions that the tables of `least_action.toml` name under `own`."""
 
 from sandbox.model.expressions import Expression
 from validation.case import Expected

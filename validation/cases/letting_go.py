@@ -1,4 +1,4 @@
-"""What the tables of `letting_go.toml` call `own`: a swing, a parabola."""
+"""The functions that the tables of `letting_go.toml` name under `own`: a swing, a parabola."""
 
 from math import cos, radians, sin, sqrt
 

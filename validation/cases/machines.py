@@ -1,4 +1,4 @@
-"""What the tables of `machines.toml` call `own`."""
+"""The functions that the tables of `machines.toml` name under `own`."""
 
 from math import cos, pi, radians, sqrt
 

@@ -1,4 +1,4 @@
-"""What the tables of `mechanisms.toml` call `own`."""
+"""The functions that the tables of `mechanisms.toml` name under `own`."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""What the tables of `pendulums.toml` call `own`."""
+"""The functions that the tables of `pendulums.toml` name under `own`."""
 
 import numpy as np
 

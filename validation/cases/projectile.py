@@ -1,4 +1,4 @@
-"""What the tables of `projectile.toml` call `own`."""
+"""The functions that the tables of `projectile.toml` name under `own`."""
 
 from math import radians
 

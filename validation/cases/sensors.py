@@ -1,4 +1,4 @@
-"""What the tables of `sensors.toml` call `own`: a slug that coils throw."""
+"""The functions that the tables of `sensors.toml` name under `own`: a slug that coils throw."""
 
 from math import cos, radians, sin, sqrt
 

@@ -1,4 +1,4 @@
-"""What the tables of `springs.toml` call `own`."""
+"""The functions that the tables of `springs.toml` name under `own`."""
 
 import numpy as np
 

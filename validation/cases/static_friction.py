@@ -1,4 +1,4 @@
-"""What the tables of `static_friction.toml` call `own`."""
+"""The functions that the tables of `static_friction.toml` name under `own`."""
 
 from math import radians
 

@@ -1,4 +1,4 @@
-"""What the tables of `torques.toml` call `own`."""
+"""The functions that the tables of `torques.toml` name under `own`."""
 
 from sandbox.model.expressions import Array, Values
 from validation.formulas import rotation

@@ -1,4 +1,4 @@
-"""What the tables of `wheels.toml` call `own`."""
+"""The functions that the tables of `wheels.toml` name under `own`."""
 
 from sandbox.model.expressions import Values
 from validation.formulas import rotation

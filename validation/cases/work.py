@@ -1,4 +1,4 @@
-"""What the tables of `work.toml` call `own`."""
+"""The functions that the tables of `work.toml` name under `own`."""
 
 from cmath import rect
 from math import pi, radians

@@ -15,21 +15,27 @@ def command(
         int, typer.Option("--count", min=1, metavar="N", help="How many scenes.")
     ] = 200,
     seed: Annotated[
-        int, typer.Option("--seed", min=0, metavar="S", help="What they are drawn from.")
+        int, typer.Option("--seed", min=0, metavar="S", help="The seed from which they are drawn.")
     ] = 0,
     scenes: Annotated[
         list[int] | None,
-        typer.Option("--scene", min=0, metavar="SEED", help="Only the scene with this own seed."),
+        typer.Option(
+            "--scene", min=0, metavar="SEED", help="Only the scene with this seed of its own."
+        ),
     ] = None,
     json_file: JsonFile = None,
     output: Annotated[
-        Path | None, typer.Option(metavar="DIR", help="Write levels that fail there, to be played.")
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Write levels that fail into this folder, so that they can be played.",
+        ),
     ] = None,
     jobs: Jobs = None,
 ) -> None:
     """Judge random compositions of bodies, joints and effects by what must hold in any run.
 
-    Exit status 1 if a judgement fails. A scene that is refused with a reason is none.
+    Exit status 1 if a judgement fails. A scene that is refused with a reason is no failure.
     """
     with reported_errors():
         measure = _composer()

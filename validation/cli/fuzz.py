@@ -15,7 +15,9 @@ def command(
     seed: Annotated[int, typer.Option(metavar="S", help="Which levels.")] = 0,
     minutes: Annotated[
         float | None,
-        typer.Option(min=0, metavar="M", help="For how long; as many as that allows without N."),
+        typer.Option(
+            min=0, metavar="M", help="For how long; without N as many levels as that allows."
+        ),
     ] = None,
     json_file: JsonFile = None,
     samples: Annotated[
@@ -23,10 +25,10 @@ def command(
         typer.Option(metavar="DIR", help="Where what goes wrong is kept. [default: out/fuzz]"),
     ] = None,
 ) -> None:
-    """Try levels that nobody would write: from the schema, and the project's own, changed.
+    """Try levels that nobody would write, drawn from the schema or made from the project's own.
 
-    Each must be answered within two seconds of computing and 500 MB. What goes wrong is made as
-    small as can be, and kept. Exit status 1 if anything did.
+    Each must be answered within two seconds of computing and 500 MB. A level that goes wrong is
+    shrunk as far as possible, and kept. Exit status 1 if there was one.
     """
     from validation.fuzz import command  # what one command needs need not slow all
 

@@ -1,4 +1,4 @@
-"""What several commands have in common: options, exit statuses, and how errors are told."""
+"""What several commands share: options, exit statuses, and error messages."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -13,10 +13,10 @@ def command(
     ] = None,
     json_file: JsonFile = None,
 ) -> None:
-    """Show which share of a core each level needs to run in real time, at its own rate.
+    """Show what share of a core each level needs to run in real time at its own rate.
 
-    Of this core here and now, and of a reference core: a slow one that is idle. Exit status 1 if a
-    level needs more than half of that.
+    The share is given for this core at this moment, and for a reference core: a slow one that is
+    idle. Exit status 1 if a level needs more than half of the reference core.
     """
     from validation.pace.command import measure  # what one command needs need not slow all
 

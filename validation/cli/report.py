@@ -23,7 +23,7 @@ def command(
         bool, typer.Option("--quick", help="A few cases and levels, and short runs.")
     ] = False,
 ) -> None:
-    """Write all of the validation as one HTML page that needs nothing but itself.
+    """Write the whole validation as one self-contained HTML page.
 
     Exit status 1 if a part could not be measured or a case does not hold.
     """

@@ -17,9 +17,9 @@ def command(
     json_file: JsonFile = None,
     jobs: Jobs = None,
 ) -> None:
-    """Ask levels at random parameters for an accuracy, and hold what is delivered against it.
+    """Ask for accuracies of levels at random parameters, and check what is delivered.
 
-    Exit status 1 if one is not delivered, or told better than it is by more than 2 times.
+    Exit status 1 if one is missed, or if an error is more than twice what was estimated.
     """
     from validation.requests.command import measure  # what one command needs need not slow all
 

@@ -14,7 +14,7 @@ def command(
 ) -> None:
     """Run every case against its closed form, beside stock pymunk.
 
-    Exit status 1 if a case misses its bound, or if naive pymunk meets one that it should miss.
+    Exit status 1 if a case misses its bound, or if stock pymunk meets one that it should miss.
     """
     with reported_errors():
         if json_file:

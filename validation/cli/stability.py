@@ -13,7 +13,7 @@ def command(
         bool, typer.Option("--quick", help="Shorter runs; see only whether frontiers still hold.")
     ] = False,
     update: Annotated[
-        bool, typer.Option("--update", help="Write down where the frontiers lie now.")
+        bool, typer.Option("--update", help="Record where the frontiers lie now.")
     ] = False,
 ) -> None:
     """Run the hard cases, and make them harder until they break, beside pymunk at the same cost.

@@ -1,4 +1,4 @@
-"""The energy of a run, worked out from where its bodies are, and what may be wrong with it."""
+"""The energy of a run, worked out from the bodies' positions, and how far it may be off."""
 
 import numpy as np
 

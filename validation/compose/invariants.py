@@ -1,4 +1,4 @@
-"""What must hold in any run, without a formula for it.
+"""Invariants: what must hold in any run, without a formula for it.
 
 A judge returns judgements: a name, a figure, a bound, and whether the one is within the other. Not
 every scene has something to be judged by each; then there is none.

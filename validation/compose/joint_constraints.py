@@ -1,4 +1,4 @@
-"""What each joint keeps, written down anew from the level's file, and how that changes.
+"""The constraints of joints, derived anew from the level's file, and their violation.
 
 Each function takes complex coordinates, too: a step of 1e-30 i along one of them gives the slope to
 the last digit. So the Jacobian that judges the forces is a derivative of the very lengths that

@@ -1,4 +1,4 @@
-"""How a scene came out."""
+"""The outcome of a scene."""
 
 from dataclasses import asdict, dataclass
 from time import perf_counter

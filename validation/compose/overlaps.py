@@ -1,4 +1,4 @@
-"""How deep bodies come into each other over a run, and how deep they may."""
+"""How deep bodies overlap in a run, and how deep they may."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""A run of a scene, recorded at every step."""
+"""A run of a random scene, recorded at every step."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What is told of scenes on a terminal."""
+"""The report of scenes on a terminal."""
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence

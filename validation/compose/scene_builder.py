@@ -1,4 +1,4 @@
-"""A level in the making: what families of scenes are put together with."""
+"""The builder with which families put their scenes together."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field

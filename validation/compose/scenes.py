@@ -1,4 +1,4 @@
-"""Which scene a seed gives: always the same."""
+"""The scene that belongs to a seed, always the same."""
 
 from dataclasses import dataclass
 

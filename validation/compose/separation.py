@@ -1,4 +1,4 @@
-"""How far bodies are apart, or within each other, over a whole run at once.
+"""The distances between bodies over a whole run at once, negative where they overlap.
 
 Two convex polygons are apart by the largest gap that any direction shows, of those across their
 sides and of that between their nearest corners; within each other they are by the least way that

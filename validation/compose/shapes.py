@@ -1,4 +1,4 @@
-"""Shapes as a level's file has them: masses, moments and outlines, worked out anew.
+"""The shapes in a level's file: masses, moments and outlines, derived anew.
 
 Nothing here is the engine's: what judges it must not share its mistakes. All numbers of a scene are
 plain numbers, for no person plays with its parameters.

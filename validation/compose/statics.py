@@ -1,4 +1,4 @@
-"""Whether forces can hold a scene where it is, and whether they are those that were measured.
+"""Whether forces can hold a scene in place, and whether they match those measured.
 
 At rest the forces on each body add up to nothing. Contacts press, n >= 0, and rub no more than
 Coulomb lets them, |f| <= mu n; ropes pull; rods, pins, rails and welds do whatever is needed. Where
@@ -191,7 +191,7 @@ class Statics:
 
         Infinite where none do.
         """
-        rows, values, unique = self._told(measured)
+        rows, values, unique = self._unknowns(measured)
         found = self._solve(rows, values / self.scale)
         if found is None:
             return float("inf")
@@ -218,7 +218,7 @@ class Statics:
         )
         return float(found.x[-1]) if found.status == 0 else None
 
-    def _told(self, measured: Measured) -> tuple[Array, Array, float]:
+    def _unknowns(self, measured: Measured) -> tuple[Array, Array, float]:
         """Return what is measured as rows over the unknowns, and the error of what is unique."""
         contacts, unknowns = len(self.contacts), self._matrix.shape[1]
         rows, values = [], []

@@ -1,4 +1,4 @@
-"""The same scene in a mirror, or turned together with its gravity."""
+"""The mirror image of a scene, and the scene turned together with its gravity."""
 
 from collections.abc import Callable
 from copy import deepcopy

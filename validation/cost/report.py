@@ -1,4 +1,4 @@
-"""A sweep as JSON, and as a table."""
+"""The report of a sweep, as JSON and as a table."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict
@@ -82,7 +82,7 @@ def _cells(sweep: Sweep) -> list[str]:
         f"{here.error:.1e}",
         milliseconds(here.seconds_per_second),
         *(beside or ("never", "", "")),
-        *("–" if price is None else milliseconds(price) for price in reached),
+        *("–" if cost is None else milliseconds(cost) for cost in reached),
     ]
 
 
@@ -96,11 +96,18 @@ def order_in_words(error: float, power: float | None) -> str:
     return "–" if power is None else f"{power:.2f}"
 
 
+PUBLISHED = {"cost": "price"}
+"""Fields of a request that have another name in the JSON."""
+
+
 def asked(sweeps: Sequence[Sweep]) -> list[dict[str, object]]:
-    """Return all accuracies that were asked for as JSON takes them."""
+    """Return all accuracies that were asked for as JSON takes them.
+
+    What a second of simulated time costs is called `price` there: scripts depend on it.
+    """
     return [
         {
-            **finite(asdict(request)),
+            **{PUBLISHED.get(key, key): value for key, value in finite(asdict(request)).items()},
             "stepping": request.stepping and request.stepping.model_dump(),
             "honoured": request.honoured,
         }
@@ -123,7 +130,7 @@ def asked_table(sweeps: Sequence[Sweep]) -> Table:
             f"{request.delivered:.1e}",
             f"{request.estimated:.1e}",
             f"{s.scheme} {s.rate:g} Hz" if s else "none",
-            milliseconds(request.price),
+            milliseconds(request.cost),
             milliseconds(request.cheapest),
             "[green]✓[/]" if request.honoured else "–" if request.beyond else "[red]✗[/]",
         )
@@ -142,7 +149,7 @@ def summed(sweeps: Sequence[Sweep]) -> str:
 
 
 def milliseconds(seconds: float) -> str:
-    """Return a price as milliseconds of computing for a second of the scene."""
+    """Return a cost as milliseconds of computing for a second of the scene."""
     return f"{two_digits(seconds * 1e3)} ms/s"
 
 

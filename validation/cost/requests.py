@@ -1,4 +1,4 @@
-"""Accuracies that are asked for: what is delivered, and at what price beside the whole sweep's."""
+"""Requests for an accuracy: what is delivered, and at what cost beside the whole sweep's."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ class Request:
         The setting that was found; None if it was said that there is none.
     estimated, delivered
         The error that was promised, and the one against the closed form.
-    price, cheapest
+    cost, cheapest
         What a second of simulated time costs [s], and what it costs with the cheapest setting of
         the sweep; infinite if no setting there comes so close.
     said
@@ -44,14 +44,14 @@ class Request:
     stepping: Stepping | None
     estimated: float
     delivered: float
-    price: float = nan
+    cost: float = nan
     cheapest: float = inf
     said: str = ""
 
     @property
     def honoured(self) -> bool:
-        """Whether it was delivered, at a price that is not much higher than it need be."""
-        return self.delivered <= self.target and not self.price > EXPENSIVE * self.cheapest
+        """Whether it was delivered, at a cost that is not much higher than it need be."""
+        return self.delivered <= self.target and not self.cost > EXPENSIVE * self.cheapest
 
     @property
     def beyond(self) -> bool:
@@ -72,7 +72,7 @@ def ask(
         except SandboxError as error:
             yield Request(name, target, None, nan, nan, said=str(error))
             continue
-        if chosen.price * level.duration(level.defaults) > LONGEST:
+        if chosen.cost * level.duration(level.defaults) > LONGEST:
             yield Request(name, target, chosen.stepping, chosen.error, nan, said="too slow to run")
             continue
         trace = simulate(level, record=needed(level), stepping=chosen.stepping)
@@ -80,7 +80,7 @@ def ask(
         yield Request(name, target, chosen.stepping, chosen.error, delivered)
 
 
-def prices(level: Level, *steppings: Stepping) -> list[float]:
+def costs(level: Level, *steppings: Stepping) -> list[float]:
     """Return what a second of simulated time costs [s] with some settings, timed in turn."""
     steps = brief_costs(*(partial(build, level, stepping=stepping) for stepping in steppings))
     return [step * stepping.rate for step, stepping in zip(steps, steppings, strict=True)]

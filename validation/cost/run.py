@@ -1,4 +1,4 @@
-"""The whole sweep: errors in as many processes as there are cores, prices one after the other."""
+"""Running the whole sweep: errors on all cores, costs one after the other."""
 
 import os
 from collections.abc import Iterator, Sequence

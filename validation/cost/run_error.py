@@ -1,4 +1,4 @@
-"""What the error of a run is: the largest of its checks.
+"""The error of a run: the largest of its checks.
 
 A check's formula may be an approximation itself, such as that of small swings. No step, however
 small, comes closer to it than that; such a check is held against a much finer run instead.

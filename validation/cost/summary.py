@@ -1,4 +1,4 @@
-"""What a sweep says: orders, the points that nothing beats, and the headline beside pymunk."""
+"""The summary of a sweep: orders, the best points, and the comparison with stock pymunk."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ LARGE = 0.1
 """An error above this is no small one, whose order would show."""
 
 SAME = 1.2
-"""Two prices are the same if neither is larger by more than this."""
+"""Two costs are the same if neither is larger by more than this."""
 
 LEAST = 1e-16
 """An error of nothing counts as that of a float."""
@@ -60,22 +60,22 @@ def pareto(points: Sequence[Point]) -> list[int]:
     """Return the indices of the points of which none is both cheaper and closer, cheapest first."""
     found: list[int] = []
     least = inf
-    for i in sorted(range(len(points)), key=lambda i: _price(points[i])):
+    for i in sorted(range(len(points)), key=lambda i: _by_cost(points[i])):
         if isfinite(points[i].seconds_per_second) and points[i].error < least:
             least = points[i].error
             found.append(i)
     return found
 
 
-def _price(point: Point) -> tuple[float, float]:
-    price = point.seconds_per_second
-    return (price if isfinite(price) else inf), point.error
+def _by_cost(point: Point) -> tuple[float, float]:
+    cost = point.seconds_per_second
+    return (cost if isfinite(cost) else inf), point.error
 
 
 def cost_to_reach(points: Iterable[Point], target: float) -> float | None:
     """Return the least seconds a second with an error of at most so much; None if there is none."""
-    prices = [p.seconds_per_second for p in points if p.error <= target]
-    return min(prices, default=None)
+    costs = [p.seconds_per_second for p in points if p.error <= target]
+    return min(costs, default=None)
 
 
 def own(sweep: Sweep) -> Point | None:
@@ -87,7 +87,7 @@ def own(sweep: Sweep) -> Point | None:
 
 
 def next_digit(sweep: Sweep) -> float | None:
-    """Return how many times the price of a level one more digit costs.
+    """Return how many times the cost of a level one more digit costs.
 
     That is the cheapest setting with a tenth of its error. None if its error is rounding, or no run
     of the sweep comes so close.
@@ -95,8 +95,8 @@ def next_digit(sweep: Sweep) -> float | None:
     here = own(sweep)
     if here is None or here.error <= ROUNDING:
         return None
-    price = cost_to_reach((p for p in sweep.points if p.scheme != NAIVE), here.error / 10)
-    return None if price is None else price / here.seconds_per_second
+    cost = cost_to_reach((p for p in sweep.points if p.scheme != NAIVE), here.error / 10)
+    return None if cost is None else cost / here.seconds_per_second
 
 
 def failed(sweeps: Iterable[Sweep]) -> list[str]:
@@ -110,16 +110,16 @@ def headline(sweep: Sweep) -> Headline | None:
     naive = [p for p in sweep.points if p.scheme == NAIVE and isfinite(p.error)]
     if ours is None or not naive:
         return None
-    price, error = ours.seconds_per_second, max(ours.error, LEAST)
-    affordable = [p.error for p in naive if p.seconds_per_second <= SAME * price]
-    theirs = min(affordable or [min(naive, key=_price).error])
+    cost, error = ours.seconds_per_second, max(ours.error, LEAST)
+    affordable = [p.error for p in naive if p.seconds_per_second <= SAME * cost]
+    theirs = min(affordable or [min(naive, key=_by_cost).error])
     return Headline(
-        ours.error, price, theirs, max(theirs, LEAST) / error, _price_of(naive, error) / price
+        ours.error, cost, theirs, max(theirs, LEAST) / error, _cost_of(naive, error) / cost
     )
 
 
-def _price_of(points: Sequence[Point], error: float) -> float:
-    """Return what an error costs, by the finest run's price and the order if no run reaches it."""
+def _cost_of(points: Sequence[Point], error: float) -> float:
+    """Return what an error costs, by the finest run's cost and the order if no run reaches it."""
     reached = cost_to_reach(points, error)
     if reached is not None:
         return reached

@@ -1,4 +1,4 @@
-"""Running a level with every scheme, at every rate."""
+"""The sweep: a level with every scheme, at every rate."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -15,7 +15,7 @@ from sandbox.physics.measuring.recording import Trace, count_steps
 from sandbox.physics.run import build
 from sandbox.physics.scene.schemes import usable
 from sandbox.physics.state.errors import SimulationError
-from validation.cost.requests import Request, ask, prices
+from validation.cost.requests import Request, ask, costs
 from validation.cost.run_error import Yardstick, run, yardstick
 from validation.cost.trusted_digits import digits
 
@@ -56,7 +56,7 @@ QUICK = Budget(run=0.08, rates=RATES[1::3], targets=(1e-4,), calibration=0.1)
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One setting, its error, and its price.
+    """One setting, its error, and its cost.
 
     Attributes
     ----------
@@ -91,7 +91,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Sweep:
-    """A level's points, without their prices as long as these are NaN.
+    """A level's points, without their costs as long as these are NaN.
 
     Attributes
     ----------
@@ -169,7 +169,7 @@ def _point(level: Level, stick: Yardstick, stepping: Stepping) -> Point:
 
 
 def _seen(stick: Yardstick, trace: Trace) -> Point:
-    """Return what a run shows, without its price."""
+    """Return what a run shows, without its cost."""
     s, world = trace.stepping, build(trace.level, stepping=trace.stepping)
     steps = count_steps(world)
     calls = world.hooks * steps
@@ -177,27 +177,27 @@ def _seen(stick: Yardstick, trace: Trace) -> Point:
 
 
 def timed(sweep: Sweep) -> Sweep:
-    """Return a sweep with its prices, each measured in fresh worlds apart from the errors."""
+    """Return a sweep with its costs, each measured in fresh worlds apart from the errors."""
     level = load(find(sweep.level))
     points = tuple(_timed(point, level) for point in sweep.points)
-    requests = tuple(_priced(request, points, level) for request in sweep.requests)
+    requests = tuple(_with_costs(request, points, level) for request in sweep.requests)
     return replace(sweep, points=points, requests=requests)
 
 
-def _priced(request: Request, points: Sequence[Point], level: Level) -> Request:
-    """Return a request with its price, and that of the cheapest point that comes as close."""
+def _with_costs(request: Request, points: Sequence[Point], level: Level) -> Request:
+    """Return a request with its cost, and that of the cheapest point that comes as close."""
     good = (p for p in points if p.error <= request.target)
     best = min(good, key=lambda point: point.seconds_per_second, default=None)
     if request.stepping is None:
         return replace(request, cheapest=best.seconds_per_second if best else inf)
     if best is None:
-        return replace(request, price=prices(level, request.stepping)[0])
-    paid, cheapest = prices(level, request.stepping, best.stepping)
-    return replace(request, price=paid, cheapest=cheapest)
+        return replace(request, cost=costs(level, request.stepping)[0])
+    paid, cheapest = costs(level, request.stepping, best.stepping)
+    return replace(request, cost=paid, cheapest=cheapest)
 
 
 def _timed(point: Point, level: Level) -> Point:
     if point.failure:
         return point
-    [price] = prices(level, point.stepping)
-    return replace(point, seconds_per_second=price)
+    [cost] = costs(level, point.stepping)
+    return replace(point, seconds_per_second=cost)

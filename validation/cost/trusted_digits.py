@@ -1,4 +1,4 @@
-"""Which digits of a level can be trusted, and until when it is foretold."""
+"""Which digits of a level can be trusted, and until when it can be predicted."""
 
 from collections.abc import Iterable
 

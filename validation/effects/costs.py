@@ -1,4 +1,4 @@
-"""What effects cost: every level beside the bare engine, and every effect over many bodies."""
+"""The cost of effects: every level beside the bare engine, and every effect over many bodies."""
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass

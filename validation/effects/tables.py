@@ -1,4 +1,4 @@
-"""What the measurements of `effects` found, as tables."""
+"""The measurements of `effects` as tables."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What formulas over time return."""
+"""The type of what formulas over time return."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -1,4 +1,4 @@
-"""Motion without its causes: the chapter, sections 3 and 6."""
+"""Kinematics: the chapter, sections 3 and 6."""
 
 import numpy as np
 from numpy.typing import ArrayLike

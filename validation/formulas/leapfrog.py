@@ -1,4 +1,4 @@
-"""By how much leapfrog is off, where it is not exact: derived, so that bounds need no measuring.
+"""The error of leapfrog where it is not exact, derived so that bounds need no measuring.
 
 Leapfrog keeps not H but, up to dt⁴, H + dt² (v·V″·v / 12 − |∇V|² / 24) for a unit mass
 (E. Hairer, C. Lubich, G. Wanner: Geometric Numerical Integration, IX.3), and about a centre it

@@ -1,4 +1,4 @@
-"""Linkages and cranes: what follows from their geometry, and from sections 5 and 8 of the chapter.
+"""Linkages and cranes: geometry, and sections 5 and 8 of the chapter.
 
 Where a linkage has one degree of freedom, its places follow from one angle or width; forces then
 follow from virtual work, F dw = dV + dT.

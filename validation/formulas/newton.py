@@ -1,4 +1,4 @@
-"""Forces and what they do: the chapter, section 4."""
+"""Forces and their effects: the chapter, section 4."""
 
 import numpy as np
 from numpy.typing import ArrayLike

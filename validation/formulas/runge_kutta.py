@@ -1,4 +1,4 @@
-"""Equations of motion that have no closed form, solved apart from any engine."""
+"""Equations of motion without a closed form, integrated apart from any engine."""
 
 from collections.abc import Callable
 

@@ -81,7 +81,12 @@ def fuzz(
             _try(trial, seed, tried, found, samples)
     finally:
         trial.close()
-    seconds = monotonic() - start
+    _report(found, seed, monotonic() - start, json_file)
+    return not found.failures
+
+
+def _report(found: Findings, seed: int, seconds: float, json_file: Path | None) -> None:
+    """Print what was found, and write it to the file if one is wanted."""
     answers = ", ".join(f"{times:,} {kind}" for kind, times in sorted(found.answers.items()))
     typer.echo(f"{found.answers.total():,} levels in {seconds:.0f} s: {answers or 'none'}.")
     output.complain(f"{one['number']}: {one['what']} ({one['sample']})" for one in found.failures)
@@ -92,7 +97,6 @@ def fuzz(
             "passed": not found.failures,
         }  # fmt: skip
         output.write(content, json_file)
-    return not found.failures
 
 
 def _try(trial: Trial, seed: int, number: int, found: Findings, samples: Path) -> None:

@@ -1,4 +1,4 @@
-"""Levels from the schema itself, so that what is declared today is tried today."""
+"""Random levels from the schema itself, so that everything declared today is tried today."""
 
 import re
 from collections.abc import Mapping, Sequence

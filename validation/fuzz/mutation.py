@@ -1,4 +1,4 @@
-"""Levels that come with the project, with a few changes that nobody asked for."""
+"""The project's levels with a few random changes."""
 
 import json
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""A level that was refused, less what was wrong with it: so that more than the rules are tried."""
+"""Repairs a level that was refused, so that more than the rules are tried."""
 
 from collections.abc import Sequence
 from copy import deepcopy

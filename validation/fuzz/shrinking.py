@@ -1,4 +1,4 @@
-"""The least part of a level that goes wrong as the whole does."""
+"""The smallest part of a level that still goes wrong."""
 
 from collections.abc import Callable
 from copy import deepcopy

@@ -1,4 +1,4 @@
-"""A level tried in a process of its own, which may end, hang, or take all there is."""
+"""A level tried in a process of its own, which may end, hang, or use up its resources."""
 
 import os
 import signal

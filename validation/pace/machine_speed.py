@@ -1,4 +1,4 @@
-"""How fast the machine is at this moment: what a fixed piece of work takes.
+"""The present speed of the machine: the time of a fixed piece of work.
 
 A core is half as fast while its twin is busy, and machines differ by more. What a level needs is
 therefore told in the time of one machine as well: the measured time, by what the yardstick took

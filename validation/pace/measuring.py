@@ -1,4 +1,4 @@
-"""What a step of a level takes, in the time of the processor."""
+"""The processor time of a level's step."""
 
 from dataclasses import dataclass
 from functools import partial

@@ -1,4 +1,4 @@
-"""The page: what was measured, put into templates."""
+"""The page of the report: measurements put into templates."""
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
@@ -129,7 +129,7 @@ def html(found: Report) -> str:
         percent=percent,
         rows=rows,
         foldable=foldable,
-        price=price,
+        cost=cost,
         figure=stability_report.number,
         further=stability_report.further,
         ratio=cost_report.times,
@@ -201,8 +201,8 @@ def times(ratio: float) -> str:
     return f"{ratio / 10**exponent:.1f} × 10{plots.superscript(exponent)} times"
 
 
-def price(seconds: float | None) -> str:
-    """Return the price of a second of the scene in ms."""
+def cost(seconds: float | None) -> str:
+    """Return the cost of a second of the scene in ms."""
     return (
         "–" if seconds is None or not isfinite(seconds) else cost_report.two_digits(seconds * 1e3)
     )
@@ -218,11 +218,11 @@ def _diagrams(found: Report) -> list[tuple[Sweep, Markup]]:
     first = parts.SAMPLE[:SHOWN]
     sweeps = sorted((sweep for sweep, _, _ in rows), key=lambda sweep: sweep.level not in first)
     return [
-        (sweep, inline(found.figures[figure_name(sweep.level)], _told(sweep))) for sweep in sweeps
+        (sweep, inline(found.figures[figure_name(sweep.level)], _title(sweep))) for sweep in sweeps
     ]
 
 
-def _told(sweep: Sweep) -> str:
+def _title(sweep: Sweep) -> str:
     """Return in words what a diagram shows."""
     ran = [p for p in sweep.points if isfinite(p.error)]
     least = {

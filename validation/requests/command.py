@@ -38,7 +38,7 @@ def measure(count: int, seed: int, json_file: Path | None, jobs: int | None) -> 
         output.progress(spread(trial, seeds, jobs or os.cpu_count() or 1), "Asking", count)
     )
     trials = [found[number] for number in range(count)]
-    typer.echo(told(trials))
+    typer.echo(summary(trials))
     output.complain(complaints(trials))
     if json_file:
         output.write(content(trials), json_file)
@@ -51,7 +51,7 @@ def content(trials: Sequence[Trial]) -> dict[str, object]:
     return {"environment": environment(), "requests": requests}
 
 
-def told(trials: Sequence[Trial]) -> str:
+def summary(trials: Sequence[Trial]) -> str:
     """Return in a line how many accuracies were delivered."""
     seen = [each for each in trials if each.looked_at]
     refused = sum(each.refused for each in trials)
@@ -70,7 +70,7 @@ def complaints(trials: Sequence[Trial]) -> list[str]:
             at = ", ".join(f"{name}={value:.6g}" for name, value in each.values.items())
             instead = f"; cheaper: {each.cheaper}" if each.cheaper else ""
             found.append(
-                f"seed {each.seed}: {each.level} ({at}): {each.told}; delivered "
+                f"seed {each.seed}: {each.level} ({at}): {each.answer}; delivered "
                 f"{each.delivered:.1e}{instead}"
             )
     return found

@@ -1,4 +1,4 @@
-"""One accuracy that is asked for, and what comes of it.
+"""One request for an accuracy, and its outcome.
 
 A setting is held against a run with a much smaller step, and against settings that cost less.
 """
@@ -51,7 +51,7 @@ class Trial:
     ----------
     seed, level, values, target
         What was asked for.
-    told
+    answer
         The setting in words, or why there is none.
     refused
         Whether it was said that it cannot be had.
@@ -65,7 +65,7 @@ class Trial:
     level: str
     values: Values
     target: float
-    told: str
+    answer: str
     refused: bool = False
     estimated: float = nan
     delivered: float = nan

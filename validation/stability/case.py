@@ -1,4 +1,4 @@
-"""What a hard case and a frontier are, and how their scenes are run."""
+"""Hard cases and frontiers, and how their scenes are run."""
 
 import json
 from collections.abc import Callable, Mapping

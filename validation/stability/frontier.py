@@ -1,4 +1,4 @@
-"""How hard a scene can be made until its bound breaks: for the sandbox, and for pymunk alone.
+"""Frontiers: how hard a scene can be made until its bound breaks, here and in stock pymunk.
 
 pymunk gets what the sandbox's step costs at the same difficulty, and takes as many steps for it as
 it can. Both are timed on the same machine, one after the other.
@@ -120,13 +120,13 @@ def _entrant(
 ) -> tuple[Callable[[], World], float, float]:
     """Return what makes the world, its rate [Hz], and what a simulated second costs [s]."""
     rate = level.stepping.rate
-    price = step_cost(lambda: build(level))
-    if isnan(price):  # refused at once: the easiest scene sets the budget
-        price = step_cost(lambda: build(make(frontier.scene(frontier.start))))
+    cost = step_cost(lambda: build(level))
+    if isnan(cost):  # refused at once: the easiest scene sets the budget
+        cost = step_cost(lambda: build(make(frontier.scene(frontier.start))))
     if not alone:
-        return lambda: build(level), rate, price * rate
+        return lambda: build(level), rate, cost * rate
     at_same_rate = step_cost(lambda: naive(level, rate))
-    more = price / at_same_rate if price and at_same_rate else 1.0  # some clocks tick too seldom
+    more = cost / at_same_rate if cost and at_same_rate else 1.0  # some clocks tick too seldom
     steps = min(rate * more, HIGHEST_RATE)
     return lambda: naive(level, steps), steps, at_same_rate * steps
 

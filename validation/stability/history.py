@@ -1,4 +1,4 @@
-"""Where the frontiers lay: a file that the project keeps."""
+"""The history of the frontiers, in a file that the project keeps."""
 
 import json
 from collections.abc import Mapping

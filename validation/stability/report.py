@@ -1,4 +1,4 @@
-"""Outcomes as tables and as JSON."""
+"""The outcomes as tables and as JSON."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence

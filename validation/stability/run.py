@@ -1,4 +1,4 @@
-"""Cases and frontiers, run in as many processes as there are cores."""
+"""Running cases and frontiers on all cores."""
 
 import os
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""What is read off a run: one number, which physics bounds."""
+"""Measures of a run: one number each, which physics bounds."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Parts of which the hard cases' levels are made, as they stand in a file."""
+"""The parts from which the scenes of hard cases are made."""
 
 from collections.abc import Sequence
 from typing import Any

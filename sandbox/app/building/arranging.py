@@ -1,4 +1,4 @@
-"""What can be done with several bodies at once: aligned, spread, mirrored, laid flat."""
+"""Actions on several bodies at once: align, spread, mirror, lay flat."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -88,8 +88,8 @@ def _lay_flat(name: str, reach: float, text: str, level: Level) -> str:
     lying = parse(turned)
     found = snap_body(lying, [name], (0.0, 0.0), reach)
     if found.kind != "contact":
-        told = say("nothing that '{name}' could lie on is near; move it closer", name=name)
-        raise SandboxError(told)
+        message = say("nothing that '{name}' could lie on is near; move it closer", name=name)
+        raise SandboxError(message)
     return transforms.move(turned, lying, [name], found.point)
 
 

@@ -1,4 +1,4 @@
-"""Something that can be done by a button."""
+"""An action that a button can offer."""
 
 from collections.abc import Callable
 from typing import NamedTuple

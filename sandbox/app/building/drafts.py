@@ -1,4 +1,4 @@
-"""The drafts of a window: none is lost when another level is shown, or when the window ends."""
+"""The drafts of a window: none is lost when another level is shown or the window closes."""
 
 import os
 from contextlib import suppress
@@ -81,8 +81,8 @@ class Drafts:
 
     def keep(self) -> str:
         """Keep what is not saved, should the window end; return why that cannot be, if so."""
-        told = [recovery.keep(draft) for draft, recovery in self._kept.items()]
-        return next(filter(None, told), "")
+        errors = [recovery.keep(draft) for draft, recovery in self._kept.items()]
+        return next(filter(None, errors), "")
 
     def save(self, draft: Draft, path: Path | None, *, overwrite: bool) -> None:
         """Write a draft to its file, or to another.

@@ -1,4 +1,4 @@
-"""A level under edit as tools see it: its text, its drawing, what is selected, and every change."""
+"""The level under edit as the tools see it: text, drawing, selection, and every change."""
 
 import json
 from collections.abc import Callable, Collection, Mapping, Sequence
@@ -56,7 +56,7 @@ class Work:
         self.camera = Camera((1, 1))
         self.ignored: frozenset[str] = frozenset()
         self.snapping = Snapping(self)
-        self._told: str | None = None
+        self._message: str | None = None
         self.selected: tuple[Part, ...] = ()
         self._copied = ""
         self._looked: tuple[object, dict[object, Any]] = (None, {})
@@ -87,12 +87,12 @@ class Work:
 
     def tell(self, text: str) -> None:
         """Tell something in the banner."""
-        self._told = text
+        self._message = text
 
-    def told(self) -> str | None:
-        """Return what there is to be told, once."""
-        told, self._told = self._told, None
-        return told
+    def take_message(self) -> str | None:
+        """Return the latest message, once."""
+        message, self._message = self._message, None
+        return message
 
     # what changes it
 
@@ -101,7 +101,7 @@ class Work:
         if text != self.text:
             if self.text != self.draft.text:
                 self.tell(
-                    say("What repeats, and groups, are written out now; Ctrl Z brings them back")
+                    say("Repeated parts and groups are written out now; Ctrl Z brings them back")
                 )
             self.draft.change(text, said, merge)
         self.refresh()
@@ -153,16 +153,16 @@ class Work:
 
     def undo(self) -> None:
         """Take the last step back."""
-        told = later("Undone: {step}"), later("There is nothing more to undo")
-        self._stepped(*told, self.draft.undo())
+        messages = later("Undone: {step}"), later("Nothing to undo")
+        self._stepped(*messages, self.draft.undo())
 
     def redo(self) -> None:
         """Take the step again that was taken back last."""
-        told = later("Done again: {step}"), later("There is nothing to do again")
-        self._stepped(*told, self.draft.redo())
+        messages = later("Done again: {step}"), later("Nothing to redo")
+        self._stepped(*messages, self.draft.redo())
 
-    def _stepped(self, told: str, otherwise: str, step: str | None) -> None:
-        self.tell(say(told, step=step) if step else say(otherwise))
+    def _stepped(self, done: str, otherwise: str, step: str | None) -> None:
+        self.tell(say(done, step=step) if step else say(otherwise))
         self.refresh()
 
     def delete(self) -> None:

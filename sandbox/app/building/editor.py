@@ -1,4 +1,4 @@
-"""The editor: it takes the place of the hand while its page is open, and leads to the run and back.
+"""The editor: it takes the mouse while its page is open, and switches to the run and back.
 
 What is built is drawn at its start, as its text says it. Once time runs the run is shown, the hand
 is back, and tools throw things into the run; to go back to the start is to go back to building.
@@ -109,7 +109,7 @@ class Editor:
             self.show()
         if watched:
             self._look_at(session)
-        return self.bench.told() or self.work.told()
+        return self.bench.take_message() or self.work.take_message()
 
     def cancel(self) -> None:
         """Keep what is not saved for the next time."""
@@ -237,7 +237,7 @@ class Editor:
             return
         self.drafts.outside = False
         self.work.refresh()
-        self.work.tell(say("Read again; Ctrl+Z brings back what was here before"))
+        self.work.tell(say("Read again; Ctrl+Z brings your version back"))
 
     @property
     def proposed(self) -> Path:
@@ -317,7 +317,7 @@ class Editor:
             except SandboxError as error:
                 self.bench.tell(str(error))
             else:
-                self.bench.tell(say("Done again") if done else say("There is nothing to do again"))
+                self.bench.tell(say("Done again") if done else say("Nothing to redo"))
         elif self.trial.is_undone(self.work.draft.text):
             self.come_back(session)
         else:
@@ -457,5 +457,5 @@ class Editor:
             painting.caught(surface, stage.camera, pen, self._spot.snapped)
         if live.fresh:
             self.hand.draw(surface, pen)
-        told = say("{hint}; time stands until it is done", hint=say(self.hand.hint))
-        painting.draw_hint(surface, pen, told)
+        message = say("{hint}; time stands still until then", hint=say(self.hand.hint))
+        painting.draw_hint(surface, pen, message)

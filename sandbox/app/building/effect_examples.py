@@ -1,4 +1,4 @@
-"""An effect that must be told what it is, told something: by the types of its fields alone."""
+"""A working example of an effect that has required fields, made from the types of the fields."""
 
 from collections.abc import Sequence
 from typing import Any, get_args, get_origin

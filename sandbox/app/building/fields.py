@@ -1,4 +1,4 @@
-"""What of a part of a level can be typed, chosen or switched, by its model: nothing is listed here.
+"""The fields of any part of a level that can be edited, derived from its model.
 
 A new field of a level, a body, a joint or an effect is in the inspector at once, with its unit and
 with what its docstring says.
@@ -125,24 +125,26 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
         said = {}
     if get_origin(kind) is Literal and len(get_args(kind)) == 1:
         return  # the type of a shape or a joint
-    told = say(help_of(field))
+    message = say(help_of(field))
     if isinstance(said, Mapping) and (model := model_of(kind, said)):
         yield Section(
-            path, _label(key), told or say(first_of(model)), tuple(rows(model, said, path))
+            path, _label(key), message or say(first_of(model)), tuple(rows(model, said, path))
         )
     elif _members(kind) and isinstance(said, Sequence) and _are_parts(said):
-        yield Section(path, _label(key), told, tuple(_items(kind, said, path)))
+        yield Section(path, _label(key), message, tuple(_items(kind, said, path)))
     elif (
         get_origin(kind) is Mapping
         and isinstance(said, Mapping)
         and model_of(get_args(kind)[1], {})
     ):
-        yield Section(path, _label(key), told, tuple(_named(kind, said, path)))
+        yield Section(path, _label(key), message, tuple(_named(kind, said, path)))
     elif _is_point(kind):
         values = said if isinstance(said, Sequence) and len(said) == 2 else (None, None)
         defaults = field.default if isinstance(field.default, tuple) else (None, None)
         yield tuple(
-            _entry(f"{_label(key)} {axis}", types, value, (*path, i), told, default, required=True)
+            _entry(
+                f"{_label(key)} {axis}", types, value, (*path, i), message, default, required=True
+            )
             for i, (axis, types, value, default) in enumerate(
                 zip("xy", get_args(kind), values, defaults, strict=True)
             )
@@ -150,7 +152,9 @@ def _rows(key: str, field: FieldInfo, said: Json, path: Path) -> Iterator[Row]:
     else:
         default = None if field.is_required() else field.default
         mentions = (extra.of for extra in field.metadata if isinstance(extra, Mention))
-        entry = _entry(_label(key), kind, said, path, told, default, required=field.is_required())
+        entry = _entry(
+            _label(key), kind, said, path, message, default, required=field.is_required()
+        )
         yield (replace(entry, names=next(mentions, "")),)
 
 
@@ -166,8 +170,8 @@ def _items(kind: Any, said: Sequence[Json], path: Path) -> Iterator[Section]:  #
         if model is not None and isinstance(item, Mapping):
             place = (*path, index)
             label = str(item.get("quantity") or item.get("body") or index + 1)
-            told = say(first_of(model))
-            yield Section(place, label, told, tuple(rows(model, item, place)))
+            message = say(first_of(model))
+            yield Section(place, label, message, tuple(rows(model, item, place)))
 
 
 def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]:  # noqa: ANN401
@@ -175,8 +179,8 @@ def _named(kind: Any, said: Mapping[str, Json], path: Path) -> Iterator[Section]
         model = model_of(get_args(kind)[1], item) if isinstance(item, Mapping) else None
         if model is not None and isinstance(item, Mapping):
             place = (*path, name)
-            told = say(first_of(model))
-            yield Section(place, name, told, tuple(rows(model, item, place)))
+            message = say(first_of(model))
+            yield Section(place, name, message, tuple(rows(model, item, place)))
 
 
 def _entry(

@@ -1,4 +1,4 @@
-"""What there is to choose about files: to recover what was not saved, or whose changes stay."""
+"""Choices about files: recover unsaved work, or keep one of two versions."""
 
 from functools import partial
 from time import localtime, strftime
@@ -19,7 +19,7 @@ MOST = 6
 class Offer(NamedTuple):
     """Something to choose, and the ways to choose."""
 
-    told: str
+    text: str
     ways: tuple[Act, ...]
 
 
@@ -28,13 +28,13 @@ def offers(editor: Editor, session: Session) -> list[Offer]:
     found = [_recovering(left, editor, session) for left in (editor.drafts.left or ())[:1]]
     if others := editor.drafts.unsaved(editor.work.draft)[:MOST]:
         ways = tuple(_going_on(draft, editor, session) for draft in others)
-        found.append(Offer(say("Drawn before, and not saved:"), ways))
+        found.append(Offer(say("Unsaved drawings:"), ways))
     if editor.drafts.outside:
-        tip = say("take over what it holds; Ctrl+Z brings yours back")
+        tip = say("read the file; Ctrl+Z brings your version back")
         reading = Act(say("Read it"), tip, editor.reload)
-        tip = say("the next time it is saved write over it")
+        tip = say("overwrite it at the next save")
         mine = Act(say("Keep mine"), tip, partial(_keep, editor))
-        found.append(Offer(say("Something else has changed the file."), (reading, mine)))
+        found.append(Offer(say("Another program has changed the file."), (reading, mine)))
     return found
 
 
@@ -58,8 +58,8 @@ def _recovering(left: Recoverable, editor: Editor, session: Session) -> Offer:
     going_on = partial(recover, left, editor, session)
     act = Act(say("Recover"), say("go on with it"), going_on)
     forget = Act(say("Forget it"), say("throw it away"), partial(_forget, left, editor))
-    told = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
-    return Offer(told, (act, forget))
+    message = say("What was drawn in {name} ({when}) was not saved.", name=name, when=when)
+    return Offer(message, (act, forget))
 
 
 def recover(left: Recoverable, editor: Editor, session: Session) -> None:

@@ -1,4 +1,4 @@
-"""The handles of a body that is selected: one turns it, the others change its shape."""
+"""The handles of the selected body: one turns it, the others change its shape."""
 
 from cmath import rect
 from dataclasses import dataclass

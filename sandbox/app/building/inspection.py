@@ -1,4 +1,4 @@
-"""What the inspector shows of the work, and how it is set."""
+"""What the inspector shows of the selection, and how it sets fields."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -131,8 +131,8 @@ def parametrise(work: Work, entry: Entry) -> None:
 
     if work.change(say("make {field} a parameter", field=entry.label), edit):
         name = list(work.document["parameters"])[-1]
-        told = later("'{name}' is a parameter now; its slider is on the level's page (O)")
-        work.tell(say(told, name=name))
+        message = later("'{name}' is a parameter now; its slider is on the level's page (O)")
+        work.tell(say(message, name=name))
 
 
 def declared(work: Work) -> tuple[str, ...]:
@@ -170,10 +170,10 @@ def suggestions(work: Work) -> list[Act]:
 
 def _take(work: Work, one: Suggestion) -> None:
     if work.change(say(one.setup), lambda text, level: suggest.take(text, level, one)):
-        work.tell(say("Its checks are on the level's page (O), and hold while it runs"))
+        work.tell(say("Its checks are on the level's page (O), and are tested while it runs"))
 
 
-def told(work: Work) -> list[Act]:
+def stated(work: Work) -> list[Act]:
     """Return what adds a check, and what takes out those that there are, and ghosts."""
     if work.draft.level is None:
         return []
@@ -207,7 +207,7 @@ def told(work: Work) -> list[Act]:
 def _check(work: Work, body: str) -> None:
     new = {"quantity": f"{body}.position.x", "formula": "0", "tolerance": 1e-3}
     if work.change(say("add a check"), lambda text, level: add_checks(text, level, [new])):
-        work.tell(say("Its quantity and its formula are below, under checks"))
+        work.tell(say("Type its quantity and its formula below, under checks"))
 
 
 def _drop(work: Work, part: Literal["checks", "ghosts"], which: int | str) -> None:
@@ -222,7 +222,8 @@ def ghost(work: Work) -> list[Act]:
         case (("bodies", name),) if level is not None and name not in level.ghosts:
             if level.bodies[name].type == "dynamic":
                 tip = say(
-                    "where a formula says that it is; it flies freely until you type another one"
+                    "draws where a formula says that the body is;"
+                    " it flies freely until you type another"
                 )
                 return [Act(say("Add a ghost"), tip, partial(_haunt, work, name))]
     return []

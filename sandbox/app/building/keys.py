@@ -1,4 +1,4 @@
-"""What keys mean while something is built, and what the help tells of them."""
+"""The keys of the editor, and their lines in the help."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -26,18 +26,18 @@ HELP: tuple[tuple[str, str], ...] = (
     *((kind.key, kind.text) for kind in TOOLS),
     ("", ""),
     ("Space", "try it; Esc comes back to building"),
-    ("in the run", "tools throw things in, Delete takes out, Ctrl Z takes back"),
-    ("Esc", "give up what was begun, select nothing"),
-    ("Enter, Backspace", "end what is clicked point by point; take a point back"),
-    ("drag, Shift and click", "select with a frame; one more, or one less"),
+    ("in the run", "tools add, Delete removes, Ctrl Z undoes"),
+    ("Esc", "cancel, select nothing"),
+    ("Enter, Backspace", "finish a shape of several points; remove the last point"),
+    ("drag, Shift and click", "select with a frame; add or remove one"),
     ("arrows", "nudge by a step of the grid; with Alt by a tenth of it"),
-    ("Alt", "let go of grid, ends and contact while it is held"),
-    ("Delete", "take out what is selected, and its joints"),
+    ("Alt", "no snapping while held"),
+    ("Delete", "delete the selection and its joints"),
     ("Ctrl C, V, D", "copy, paste, duplicate"),
     ("Ctrl A", "select all"),
-    ("Ctrl G, Ctrl Shift G", "group what is selected; take the group apart"),
-    ("Ctrl Z, Ctrl Y", "undo; do again (also Ctrl Shift Z), the run too"),
-    ("Tab", "take the first name that is offered"),
+    ("Ctrl G, Ctrl Shift G", "group the selection; ungroup it"),
+    ("Ctrl Z, Ctrl Y", "undo; redo (also Ctrl Shift Z), the run too"),
+    ("Tab", "accept the first suggested name"),
     ("Ctrl S, Ctrl Shift S", "save; save under another name"),
     ("Ctrl N", "an empty scene"),
     ("right or middle drag", "move the view; the wheel zooms, F fits it"),

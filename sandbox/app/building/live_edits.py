@@ -1,4 +1,4 @@
-"""The run as tools see it: what is thrown in, taken out or set goes on from where it stands.
+"""Edits of a running level: bodies are thrown in, taken out or changed as the run goes on.
 
 A change is one of the present state, as a level. The run goes on as that level from this step on,
 and keeps it among its actions, so that it can be taken again, shared, and taken back.
@@ -14,7 +14,7 @@ from sandbox.model.errors import SandboxError
 from sandbox.model.shapes import XY
 from sandbox.physics.stepping.world import World
 
-KEPT = later("The present state is a level of its own now; the one that it came of stays as it was")
+KEPT = later("The present state is a level of its own now; the original level is unchanged")
 
 
 class Live(Work):

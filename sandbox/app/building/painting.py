@@ -1,4 +1,4 @@
-"""What is seen of the editor: the level as it is built, what is selected, and what is wrong."""
+"""Drawing the editor: the level under edit, the selection, and the mistakes."""
 
 from collections.abc import Collection, Sequence
 from math import sqrt

@@ -1,4 +1,4 @@
-"""What the parts of a level's text were read as, kept for as long as they stand in it."""
+"""A cache of parsed parts: a part whose text has not changed is not read again."""
 
 from collections.abc import Callable
 from typing import Generic, TypeVar

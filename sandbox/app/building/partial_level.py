@@ -1,4 +1,4 @@
-"""A level as it is drawn while it is built: all that can be read, whatever is wrong elsewhere.
+"""A drawable level from a text with mistakes: every part that can be read is drawn.
 
 Nothing has to run. A part that is as it was is not read again, so that a change to one of five
 hundred bodies takes little longer than a change to one of two.

@@ -1,4 +1,4 @@
-"""Where the mouse is on the stage, as tools are told."""
+"""The mouse position on the stage, as the tools receive it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What is drawn of something that is not there yet: dashed outlines, points, and measures."""
+"""Previews of what is being drawn: dashed outlines, points, and measures."""
 
 from collections.abc import Sequence
 

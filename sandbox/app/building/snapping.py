@@ -1,4 +1,4 @@
-"""What catches points and bodies while they are drawn or moved, at the scale that is seen."""
+"""Snapping while something is drawn or moved, at the scale of the view."""
 
 from collections.abc import Mapping, Sequence
 from typing import Protocol

@@ -1,4 +1,4 @@
-"""The run of what is built: left and come back to, altered on the way, and taken back."""
+"""The trial run of a level under edit: started, paused, altered on the way, and undone."""
 
 import json
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""A column of text and pictures, and the words that every page has."""
+"""A card: a column of text and pictures, drawn the same way on every page."""
 
 from collections.abc import Sequence
 

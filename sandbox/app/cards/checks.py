@@ -1,4 +1,4 @@
-"""How the checks of a level stand."""
+"""The card with the results of a level's checks."""
 
 from collections.abc import Mapping, Sequence
 
@@ -16,7 +16,7 @@ from sandbox.model.level import Check
 from sandbox.physics.accuracy.study import Split
 
 NOTHING: Mapping[int, Split] = {}
-TOUCHED = later("A hand has touched this run, or changed it on the way: no formula describes it.")
+TOUCHED = later("This run was moved or changed by hand: no formula describes it.")
 
 
 def checks(
@@ -54,9 +54,9 @@ def unjudged(pen: Pen, width: int) -> pygame.Surface:
     """Draw that the formulas say nothing of a run with other effects."""
     card = Card(pen, width)
     card.heading(say("Checks"))
-    told = say("The effects are changed: the formulas do not describe this run.")
-    card.text(told, 14, theme.NOTICE)
-    card.text(say("The tab Effects tells what differs (X)."), 13, theme.DIM)
+    message = say("The effects are changed: the formulas do not describe this run.")
+    card.text(message, 14, theme.NOTICE)
+    card.text(say("The tab Effects shows the difference (X)."), 13, theme.DIM)
     return card.drawn()
 
 
@@ -68,11 +68,11 @@ def _check(card: Card, reading: Reading, words: Say, split: Split | None) -> Non
     _check_title(card, check, words)
     if result.verdict == "not applicable":
         source = check.valid_if.source if check.valid_if else ""
-        told = say("does not apply: it needs {condition}", condition=source)
-        card.text(told, 12, theme.DIM, indent=card.indent)
+        message = say("does not apply: it needs {condition}", condition=source)
+        card.text(message, 12, theme.DIM, indent=card.indent)
     elif reading.measured is None:
-        told = say("waiting for {moment}", moment=formatting.moment(check))
-        card.text(told, 12, color, indent=card.indent)
+        message = say("waiting for {moment}", moment=formatting.moment(check))
+        card.text(message, 12, color, indent=card.indent)
     elif reading.expected is None or result.error is None:
         ahead = reading.expected
         expected = "–" if ahead is None else formatting.quantity(ahead, result.unit)
@@ -90,8 +90,8 @@ def _check(card: Card, reading: Reading, words: Say, split: Split | None) -> Non
         card.columns(((measured, theme.TEXT), (expected, theme.TEXT), (error, color)), 13)
         if split is not None:
             off = formatting.quantity(split.off, result.unit, 1)
-            told = say("± {off} by halving the step", off=off)
-            card.text(told, 12, theme.DIM, indent=card.indent)
+            message = say("± {off} by halving the step", off=off)
+            card.text(message, 12, theme.DIM, indent=card.indent)
     if result.verdict == "failed" and result.t is not None:
         worst = say(
             "worst at {t}; {error} is allowed",

@@ -1,4 +1,4 @@
-"""Where the energy of a run is, and where it went."""
+"""The card with the energy of a run: where it is, and where it went."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Mistakes in a level's file, each below its place in the text."""
+"""The card with the mistakes in a level's file, each below its place in the text."""
 
 from collections.abc import Sequence
 from itertools import pairwise
@@ -61,7 +61,7 @@ def excerpt(
         sheet.put(number, text, [mistake for mistake in mistakes if mistake.line == number])
     for mistake in mistakes:
         if mistake.line is None:
-            card.text(_told(mistake), SIZE + 1, theme.TEXT, indent=PADDING)
+            card.text(_message(mistake), SIZE + 1, theme.TEXT, indent=PADDING)
     card.y += PADDING
     drawn = card.drawn()
     pygame.draw.rect(drawn, theme.EDGE, drawn.get_rect(), 1, border_radius=5)
@@ -94,8 +94,8 @@ class _Sheet:
         wrong = column >= 0
         hidden = wrong and column > self._wide - AHEAD
         self._begin = max(column - self._wide // 2, 0) if hidden else 0
-        told = self._font.render(str(number), True, theme.FAILED if wrong else theme.AXIS)
-        self._card.put(told, self._left - GUTTER - told.width)
+        number_image = self._font.render(str(number), True, theme.FAILED if wrong else theme.AXIS)
+        self._card.put(number_image, self._left - GUTTER - number_image.width)
         cut = legible(text[self._begin : self._begin + LONGEST])
         drawn = pygame.Surface((self._room, self._font.get_linesize()), pygame.SRCALPHA)
         if self._font.size(cut)[0]:
@@ -114,16 +114,16 @@ class _Sheet:
         caret.fill(theme.FAILED, (0, 2, caret.width, 2))
         pygame.draw.polygon(caret, theme.FAILED, [(0, 7), (3, 0), (6, 7)])
         self._card.put(caret, x)
-        told, room = _told(mistake), self._card.width - PADDING
+        message, room = _message(mistake), self._card.width - PADDING
         beside = caret.width + x + PADDING
-        fits = self._pen.write(told, SIZE, theme.FAILED).width <= room - beside
+        fits = self._pen.write(message, SIZE, theme.FAILED).width <= room - beside
         if not fits:
             self._card.y += caret.height + 1
-        self._card.text(told, SIZE, theme.FAILED, indent=beside if fits else self._left)
+        self._card.text(message, SIZE, theme.FAILED, indent=beside if fits else self._left)
         self._card.y += 2
 
 
-def _told(mistake: Mistake) -> str:
+def _message(mistake: Mistake) -> str:
     """Return what is wrong, and within what."""
     found = say(" (found {value})", value=mistake.value) if mistake.value else ""
     return f"{mistake.path}: {mistake.rule}{found}" if mistake.path else f"{mistake.rule}{found}"

@@ -1,4 +1,4 @@
-"""Between metres, y up, and pixels, y down: the only place where y flips."""
+"""The map between metres, y up, and pixels, y down: the only place where y flips."""
 
 from collections.abc import Iterable
 

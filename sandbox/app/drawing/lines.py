@@ -1,4 +1,4 @@
-"""Lines that pygame has not: thick and smooth, dashed, with an arrow's head."""
+"""Lines that pygame does not have: thick and smooth, dashed, with an arrowhead."""
 
 from collections.abc import Sequence
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""Signs and dashes beside colours: what tells lines apart for whoever cannot tell the colours."""
+"""Signs and dashes beside colours, for people who cannot tell the colours apart."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""Text on surfaces: Noto Sans, as it comes with pygame_gui, with what was drawn kept for reuse."""
+"""Text on surfaces, in the Noto Sans that pygame_gui brings; rendered text is kept for reuse."""
 
 from functools import cache, lru_cache
 from importlib.resources import files

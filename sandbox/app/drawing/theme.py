@@ -1,4 +1,4 @@
-"""Colours of the theme that is in use; each theme declares all of them in a file of `themes`.
+"""The colours of the current theme; each theme declares all of them in a file of `themes`.
 
 The dark ones are after Okabe and Ito's palette, which no common colour blindness confuses.
 """

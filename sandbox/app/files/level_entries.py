@@ -1,4 +1,4 @@
-"""What is known of a level before it is opened."""
+"""The entry of a level in the list, read without loading the whole level."""
 
 import json
 from pathlib import Path
@@ -9,7 +9,7 @@ from sandbox.app.words import level_words
 from sandbox.app.words.language import say
 
 
-class Told(NamedTuple):
+class Texts(NamedTuple):
     """What a level's file says of it."""
 
     title: str
@@ -24,7 +24,7 @@ class Entry(NamedTuple):
     ----------
     path, chapter
         Its file, and what it is listed under.
-    told
+    original
         What the file says, in the language of its author.
     title, summary
         What is shown of that.
@@ -34,14 +34,14 @@ class Entry(NamedTuple):
 
     path: Path
     chapter: str
-    told: Told
+    original: Texts
     title: str
     summary: str
     words: str
 
     def said_anew(self) -> "Entry":
         """Return the same in the language that is in use now."""
-        return _entry(self.path, self.chapter, self.told)
+        return _entry(self.path, self.chapter, self.original)
 
 
 def entry(path: Path, chapter: str) -> Entry:
@@ -49,14 +49,14 @@ def entry(path: Path, chapter: str) -> Entry:
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         title = legible(str(data["title"])).strip() or path.stem
-        told = Told(title, *(str(data.get(k, "")) for k in ("summary", "reference")))
+        texts = Texts(title, *(str(data.get(k, "")) for k in ("summary", "reference")))
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        told = Told(path.stem)  # why it cannot be read is told when it is opened
-    return _entry(path, chapter, told)
+        texts = Texts(path.stem)  # why it cannot be read is told when it is opened
+    return _entry(path, chapter, texts)
 
 
-def _entry(path: Path, chapter: str, told: Told) -> Entry:
-    shown = Told(*map(level_words.shown(told, str(path)), told))
+def _entry(path: Path, chapter: str, texts: Texts) -> Entry:
+    shown = Texts(*map(level_words.shown(texts, str(path)), texts))
     called = chapter, say(chapter.capitalize()), path.stem.replace("-", " ")
-    words = " ".join(dict.fromkeys((*called, *shown, *told))).casefold()
-    return Entry(path, chapter, told, shown.title, shown.summary, words)
+    words = " ".join(dict.fromkeys((*called, *shown, *texts))).casefold()
+    return Entry(path, chapter, texts, shown.title, shown.summary, words)

@@ -1,4 +1,4 @@
-"""The file of the level that is shown, looked at while it is."""
+"""A watch on the file of the open level, which may change on disk."""
 
 from pathlib import Path
 
@@ -6,7 +6,7 @@ from sandbox.model.file_watching import PAUSE, Watch
 
 
 class FileWatch:
-    """Tells when a file has changed, once whoever writes it has come to an end.
+    """Reports when a file has changed, once its writer has finished.
 
     A file that was changed at the last look is left for the next one: an editor may be half way.
     """

@@ -1,4 +1,4 @@
-"""Files of a person's own: where they go by themselves, and what they are called."""
+"""Where a person's own files are saved, and what they are called."""
 
 import re
 from pathlib import Path

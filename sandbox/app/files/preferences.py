@@ -1,4 +1,4 @@
-"""What a person has chosen for the window, kept in the user's data folder."""
+"""The user's settings of the window, kept in the data folder."""
 
 from pathlib import Path
 from typing import Annotated
@@ -90,7 +90,7 @@ class Comfort:
         """Choose, and keep that; return why it cannot be kept, if so."""
         self.chosen = _KIND.validate_python({**self.chosen.model_dump(), **changes})
         why = user_data.keep(file(), _KIND, self.chosen)
-        return say("the settings are not kept for the next time: {why}", why=why) if why else ""
+        return say("the settings could not be saved: {why}", why=why) if why else ""
 
     def resize(self, direction: int) -> str:
         """Choose the next larger size of text, or the next smaller one; see `choose`."""

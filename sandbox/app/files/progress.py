@@ -1,4 +1,4 @@
-"""Which challenges were solved, kept in the user's data folder from one day to the next."""
+"""The challenges that were solved, kept in the user's data folder."""
 
 from pathlib import Path
 from typing import Annotated
@@ -36,7 +36,7 @@ class Progress:
             return ""
         self._stars = {**_read(), **self._stars, title: stars}  # another window may have some, too
         why = user_data.keep(file(), _STARS, self._stars)
-        return say("the stars are not kept for the next time: {why}", why=why) if why else ""
+        return say("the stars could not be saved: {why}", why=why) if why else ""
 
 
 def _read() -> dict[str, int]:

@@ -1,4 +1,4 @@
-"""Which files were opened, kept in the user's data folder from one day to the next."""
+"""The files that were opened recently, kept in the user's data folder."""
 
 import os
 from pathlib import Path
@@ -41,8 +41,8 @@ class Recent:
         self.paths = (path, *(each for each in self.paths if each != path))[:MOST]
         others = [each for each in _read() if each != str(path)]  # another window's, too
         why = user_data.keep(file(), _PATHS, [str(path), *others][:MOST])
-        told = later("that this file was opened is not kept for the next time: {why}")
-        return say(told, why=why) if why else ""
+        message = later("the list of recent files could not be saved: {why}")
+        return say(message, why=why) if why else ""
 
 
 def _read() -> list[str]:

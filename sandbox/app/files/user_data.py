@@ -1,4 +1,4 @@
-"""Small files in the user's data folder, kept from one day to the next."""
+"""Small files in the user's data folder."""
 
 from pathlib import Path
 from typing import TypeVar

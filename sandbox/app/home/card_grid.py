@@ -1,4 +1,4 @@
-"""Where cards stand: in rows as wide as the area, below the headings of their chapters."""
+"""The layout of the cards: in rows as wide as the area, below the headings of their chapters."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -98,4 +98,4 @@ def sections(found: Sequence[Entry], sought: str) -> list[tuple[str, Sequence[En
     if not sought.strip():
         chapters = groupby(found, key=lambda level: level.chapter)
         return [(say(chapter.capitalize()), list(levels)) for chapter, levels in chapters]
-    return [(say("Found") if found else say("No level has these words"), found)]
+    return [(say("Found") if found else say("No level matches"), found)]

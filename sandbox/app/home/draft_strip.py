@@ -1,4 +1,4 @@
-"""Above the cards: what was drawn and not saved, to go on with."""
+"""The strip above the cards: drafts that were not saved, to go on with."""
 
 from collections.abc import Sequence
 from time import localtime, strftime
@@ -64,12 +64,12 @@ class Strip:
             lit = left is self.hovered
             pygame.draw.rect(surface, theme.RAISED if lit else theme.PANEL, place, border_radius=6)
             pygame.draw.rect(surface, theme.NOTICE, place, 1, border_radius=6)
-            text = self._pen.shorten(told(left), place.width - 2 * pad, 14)
+            text = self._pen.shorten(summary(left), place.width - 2 * pad, 14)
             image = self._pen.write(text, 14, theme.TEXT)
             surface.blit(image, image.get_rect(midleft=(place.x + pad, place.centery)))
 
 
-def told(left: Recoverable) -> str:
+def summary(left: Recoverable) -> str:
     """Return what is said of a draft."""
     name = left.path.name if left.path else left.title or say("a level without a name")
     when = strftime("%Y-%m-%d %H:%M", localtime(left.when))

@@ -1,4 +1,4 @@
-"""The home page: levels as cards on the stage's area."""
+"""The home page: all levels as cards in place of the stage."""
 
 from collections.abc import Sequence
 from functools import cache, lru_cache
@@ -103,7 +103,7 @@ class Home:
         return self._grid.cards[self._focus][0] if self._grid.cards else None
 
     def place(self, index: int) -> pygame.Rect:
-        """Return where a card is in the window, be it in view or not."""
+        """Return where a card is in the window, whether it is in view or not."""
         return self._grid.cards[index][1].move(self._area.x, self._area.y - round(self._top))
 
     def update(self, area: pygame.Rect, found: Sequence[Entry], sought: str) -> None:
@@ -252,7 +252,7 @@ class Home:
         pygame.draw.rect(surface, rim, place, 2 if focused else 1, border_radius=6)
 
     def _draw_words(self, surface: pygame.Surface, level: Entry, below: pygame.Rect) -> None:
-        earned = self._progress.stars(level.told.title)
+        earned = self._progress.stars(level.original.title)
         right = below.right - self._pen.px(PADDING)
         if earned or level.chapter == catalog.CHALLENGES:
             for i in reversed(range(STARS)):
@@ -272,8 +272,8 @@ class Home:
         """
         pen, title = self._pen, level.title[:200]
         if pen.shorten(title, room, 14) == title:
-            told = pen.shorten(level.summary[:200], max(whole, 1), 12)
-            return (title, 14, theme.TEXT), (told, 12, theme.DIM)
+            message = pen.shorten(level.summary[:200], max(whole, 1), 12)
+            return (title, 14, theme.TEXT), (message, 12, theme.DIM)
         first, *others = pen.wrap(title, max(room, 1), 13)
         rest = pen.shorten(" ".join(others), max(whole, 1), 13)
         return (first, 13, theme.TEXT), (rest, 13, theme.TEXT)

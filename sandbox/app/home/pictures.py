@@ -1,4 +1,4 @@
-"""Small pictures of levels, drawn by the stage and kept on disk by what a level's file holds."""
+"""Small pictures of levels, drawn by the stage and cached on disk by a hash of the level's file."""
 
 import hashlib
 import os

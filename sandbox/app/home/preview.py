@@ -1,8 +1,8 @@
-"""A level that plays on its card while the mouse rests on it: the first seconds, and no dear one.
+"""The preview that plays on a card while the mouse rests on it, unless the level is expensive.
 
-All of it happens in the window's own frames, within a few milliseconds of each. A level is dear
-where it has many parts, waits for a search, or where its steps or its pictures do not fit. Then its
-card shows the picture that it showed before.
+It is computed within the window's own frames, in a few milliseconds of each. A level is expensive
+if it has many parts, needs a search, or if its steps or pictures take too long. Its card then keeps
+its still picture.
 """
 
 from pathlib import Path
@@ -69,11 +69,11 @@ class Preview:
             self._begin(path)
 
     def _begin(self, path: Path) -> None:
-        """Open a level, unless it is dear."""
+        """Open a level, unless it is expensive."""
         self._cost = 0.0
         try:
             level = load(path) if path.stat().st_size <= LARGEST else None
-            if level is None or is_dear(level):
+            if level is None or is_expensive(level):
                 self._dear.add(path)
                 return
             session = Session(level, patient=False)
@@ -112,6 +112,6 @@ class Preview:
         return pygame.transform.smoothscale(self._drawn, size)
 
 
-def is_dear(level: Level) -> bool:
+def is_expensive(level: Level) -> bool:
     """Whether a level has too many parts to be built and drawn beside the cards."""
     return len(level.bodies) + len(level.joints) > PARTS or level.stepping.accuracy is not None

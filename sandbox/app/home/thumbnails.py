@@ -1,4 +1,4 @@
-"""The pictures that the cards show: read from disk or drawn in the background, never waited for."""
+"""The pictures on the cards: read from disk or drawn in the background, never waited for."""
 
 from collections.abc import Sequence
 from io import BytesIO

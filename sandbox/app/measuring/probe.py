@@ -1,4 +1,4 @@
-"""A probe on the trails: when a body was under the mouse, where, and how fast."""
+"""A probe on the trails: when the body under the mouse was there, and how fast."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -40,7 +40,7 @@ class Found(NamedTuple):
 
     @property
     def text(self) -> str:
-        """What is told of it."""
+        """The text that describes it."""
         x, y, speed = (formatting.number(value, DIGITS) for value in (*self.place, self.speed))
         return f"{self.body}   t = {self.t:.3f} s   ({x}, {y}) m   {speed} m/s"
 

@@ -1,4 +1,4 @@
-"""What the mouse does on the stage: drag bodies and forces, move the view, zoom, measure."""
+"""The mouse on the stage: it drags bodies and forces, moves the view, zooms, and measures."""
 
 from enum import Enum, auto
 

@@ -1,4 +1,4 @@
-"""Runs that were there before: what stays of them when a parameter is changed."""
+"""Earlier runs, kept for comparison when a parameter is changed."""
 
 from typing import NamedTuple
 
@@ -54,7 +54,7 @@ class Earlier(NamedTuple):
     world: World
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What it is, in words."""
         if self.left is None:
             return self.values
@@ -80,7 +80,7 @@ def kept(
     before = run.world.values
     changed = ", ".join(f"{n} = {v:.6g}" for n, v in before.items() if v != values.get(n, v))
     made = Earlier(changed, left, *run)
-    if any(one.told == made.told for one in earlier) or _is_brief(run):
+    if any(one.label == made.label for one in earlier) or _is_brief(run):
         return earlier
     return (*earlier, made)[-len(theme.LANES) :]
 

@@ -1,4 +1,4 @@
-"""The energies of a run over time, and the books of where they come from and go."""
+"""The energies of a run over time, and the accounts of where they come from and go."""
 
 from dataclasses import dataclass
 
@@ -30,10 +30,10 @@ class Energies:
 
 
 class Books:
-    """The energies of a world from where it stands now; told of every step.
+    """The energies of a world from its present state on; `note` is called at every step.
 
-    Where they come from and go is booked only while somebody wants to know: that takes as long as
-    the steps themselves, or longer.
+    Where they come from and go is booked only while somebody looks: that takes as long as the steps
+    themselves, or longer.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""The energies of a run over time, as lines."""
+"""The energies of a run over time, as lines of a graph."""
 
 from collections.abc import Sequence
 

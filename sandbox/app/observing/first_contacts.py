@@ -14,7 +14,7 @@ class Met(NamedTuple):
 
 
 class FirstContacts:
-    """Watches a world from where it stands now; told of every step.
+    """Watches a world from its present state on, at every step.
 
     Attributes
     ----------

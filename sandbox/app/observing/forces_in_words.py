@@ -1,4 +1,4 @@
-"""The forces on the bodies of a scene in words, and what comes of them."""
+"""The forces on the bodies of a scene, and their sums, in words."""
 
 from collections.abc import Iterator
 from math import hypot, sqrt
@@ -22,19 +22,19 @@ def forces(world: World) -> Iterator[str]:
     Parameters
     ----------
     world
-        As it is at the moment that is told.
+        As it is at the moment that is described.
     """
     bodies = FreeBodies(world)
     for name, body in world.level.bodies.items():
         if body.type != "dynamic":
             continue
         found = bodies.of(name)
-        told = ["not known before the first step"] if found is None else [*_told(found)]
-        if len(told) <= MANY + 1:
-            yield f"{name}: {'; '.join(told)}"
+        lines = ["not known before the first step"] if found is None else [*_forces_on(found)]
+        if len(lines) <= MANY + 1:
+            yield f"{name}: {'; '.join(lines)}"
         else:
             yield f"{name}:"
-            yield from (f"  {line}" for line in told)
+            yield from (f"  {line}" for line in lines)
 
 
 def way(x: float, y: float) -> str:
@@ -45,7 +45,7 @@ def way(x: float, y: float) -> str:
     return " and ".join(part for part in (sideways, upright) if part)
 
 
-def _told(found: FreeBody) -> Iterator[str]:
+def _forces_on(found: FreeBody) -> Iterator[str]:
     """Yield each force, and what they come to together."""
     arm = sqrt(found.moment / found.mass)  # m, at which a force turns the body as it moves it
     least = FAINT * found.largest
@@ -74,7 +74,9 @@ def _acting(acting: Acting) -> str:
     if not acting.size:
         return f"{name} as a torque of {torque}"
     size = formatting.quantity(acting.size, "N", DIGITS)
-    told = f"{name} {size} {way(*acting.force)}"
+    message = f"{name} {size} {way(*acting.force)}"
     return (
-        f"{told}, with a torque of {torque}" if abs(acting.couple) > TURNS * acting.size else told
+        f"{message}, with a torque of {torque}"
+        if abs(acting.couple) > TURNS * acting.size
+        else message
     )

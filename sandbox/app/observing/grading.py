@@ -1,4 +1,4 @@
-"""The checks of a run that is still going on."""
+"""The checks of a run that is still in progress."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

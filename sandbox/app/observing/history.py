@@ -1,4 +1,4 @@
-"""Everything that was observed of a run, in bounded memory: what graphs are drawn from."""
+"""All that was observed of a run, in bounded memory: the source of the graphs."""
 
 from dataclasses import fields
 

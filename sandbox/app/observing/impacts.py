@@ -1,4 +1,4 @@
-"""The impacts of a run as they are seen and heard: how hard each was for its scene, and when.
+"""The impacts of a run, with their strength relative to the scene, for flashes and tones.
 
 They are noted step by step, so a run that is taken again has the same ones at the same steps. How
 hard an impact was is its impulse beside the largest momentum that a body has had so far. Where all
@@ -53,8 +53,8 @@ class Flash(NamedTuple):
     left: float
 
 
-class Blows:
-    """Notes the impacts of a world from where it stands now; told of every step."""
+class ImpactLog:
+    """Notes the impacts of a world from its present state on, at every step."""
 
     def __init__(self, world: World) -> None:
         self._world = world

@@ -1,4 +1,4 @@
-"""What has happened in a run: where the events of its checks were, and what was measured there."""
+"""The events of a run so far at which its checks measure, and what was measured there."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ class Milestone:
         To which.
     place
         Where its centre was [m].
-    told
+    measured
         What was measured then: the check, and the value.
     passed
         Whether all of it was as expected.
@@ -42,12 +42,12 @@ class Milestone:
 
     body: str
     place: XY
-    told: list[tuple[Check, str]]
+    measured: list[tuple[Check, str]]
     passed: bool
 
     def texts(self, words: Say) -> list[str]:
         """Return that, a line each, as the level's words are put now."""
-        return [f"{title(check, words)} {value}" for check, value in self.told]
+        return [f"{title(check, words)} {value}" for check, value in self.measured]
 
 
 def needed(level: Level) -> Iterator[str]:
@@ -70,9 +70,9 @@ def milestones(results: Iterable[Result], trace: Trace) -> tuple[Milestone, ...]
             found[key] = Milestone(body, (x, y), [], passed=True)
         here = found[key]
         here.passed = here.passed and result.verdict == "passed"
-        if len(here.told) < MOST:
+        if len(here.measured) < MOST:
             value = formatting.quantity(result.measured, result.unit, 3)
-            here.told.append((result.check, value))
+            here.measured.append((result.check, value))
     return tuple(found[key] for key in sorted(found, key=lambda key: key[1]))
 
 

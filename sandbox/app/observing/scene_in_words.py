@@ -1,4 +1,4 @@
-"""A scene in words: what is on the stage, for a terminal or a screen reader."""
+"""A scene in words, for a terminal or a screen reader."""
 
 from collections.abc import Iterator
 from math import hypot
@@ -26,29 +26,29 @@ def describe(
     Parameters
     ----------
     world
-        As it is at the moment that is told.
+        As it is at the moment that is described.
     results
         How its level's checks stand.
     with_forces
-        Whether the forces on each body are told, too.
+        Whether the forces on each body are listed, too.
     """
     level = world.level
     yield f"{level.title}. {level.summary}".strip()
     yield f"Time: {formatting.number(world.t, 4)} s of {level.duration(world.values):.4g} s."
     declared = [name for name, effect in level.effects if effect is not None]
     yield f"Effects: {', '.join(declared) or 'none'}."
-    yield from _told("Parameters", _parameters(world))
-    yield from _told("Bodies", _bodies(world))
-    yield from _told("Joints", _joints(world))
-    yield from _told("Contacts", _contacts(world))
+    yield from _section("Parameters", _parameters(world))
+    yield from _section("Bodies", _bodies(world))
+    yield from _section("Joints", _joints(world))
+    yield from _section("Contacts", _contacts(world))
     if with_forces:
-        yield from _told("Forces", forces(world))
-    yield from _told("Checks", map(_check, results))
+        yield from _section("Forces", forces(world))
+    yield from _section("Checks", map(_check, results))
     if level.challenge:
         yield f"Challenge: {level.challenge.task}"
 
 
-def _told(heading: str, lines: Iterator[str]) -> Iterator[str]:
+def _section(heading: str, lines: Iterator[str]) -> Iterator[str]:
     """Yield a heading and what stands below it, if there is anything."""
     found = list(lines)
     if found:
@@ -104,8 +104,8 @@ def _motion(world: World, row: int) -> str:
     moves = f"moves {way(vx, vy)} at {formatting.quantity(hypot(vx, vy), 'm/s', 4)}"
     sense = "counter-clockwise" if spin > 0 else "clockwise"
     turns = f"turns {sense} at {formatting.quantity(abs(spin), 'rad/s', 3)}"
-    told = [*([moves] if hypot(vx, vy) > STILL else []), *([turns] if abs(spin) > STILL else [])]
-    return f"; {' and '.join(told) or 'at rest'}"
+    motions = [*([moves] if hypot(vx, vy) > STILL else []), *([turns] if abs(spin) > STILL else [])]
+    return f"; {' and '.join(motions) or 'at rest'}"
 
 
 def _joints(world: World) -> Iterator[str]:

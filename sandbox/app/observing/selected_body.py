@@ -1,4 +1,4 @@
-"""The body that a person looks at, and the forces on it at the step that is shown."""
+"""The body that was clicked on, and the forces on it at the step that is shown."""
 
 from collections.abc import Mapping, Sequence
 from itertools import cycle

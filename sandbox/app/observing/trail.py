@@ -1,4 +1,4 @@
-"""What has been, in bounded memory: where bodies were, what energies there were."""
+"""The past of a run in bounded memory: where bodies were, and what energies they had."""
 
 import numpy as np
 

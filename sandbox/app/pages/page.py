@@ -1,4 +1,4 @@
-"""What a page of the side panel says of itself; everything else about it is derived from that."""
+"""The declaration of a page of the side panel, from which everything else about it is derived."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

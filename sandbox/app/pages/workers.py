@@ -1,4 +1,4 @@
-"""What the pages find out in the background: one worker for each that declares one."""
+"""The background workers of the pages: one for each page that declares one."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The bar below: playing, speed, time, and what is shown."""
+"""The bar at the bottom: play, speed, time, and overlays."""
 
 from collections.abc import Iterator, Mapping
 
@@ -157,12 +157,12 @@ def _notes(session: Session) -> Iterator[tuple[str, theme.Color]]:
     if reduced is None:
         yield say("of {time}", time=formatting.seconds(session.duration)), theme.DIM
         return
-    told = say("running at {speed:.2g}×", speed=reduced)
+    message = say("running at {speed:.2g}×", speed=reduced)
     if session.remaining:
         more = formatting.span(session.remaining)
         wanted = say(
-            "{told}, not {speed:g}×: {time} more", told=told, speed=session.speed, time=more
+            "{told}, not {speed:g}×: {time} more", told=message, speed=session.speed, time=more
         )
         yield wanted, theme.NOTICE
-        yield say("{told}: {time} more", told=told, time=more), theme.NOTICE
-    yield told, theme.NOTICE
+        yield say("{told}: {time} more", told=message, time=more), theme.NOTICE
+    yield message, theme.NOTICE

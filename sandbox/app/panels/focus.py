@@ -1,4 +1,4 @@
-"""The keyboard's way through the widgets: one of them has the focus, and a ring shows which."""
+"""Keyboard focus: Tab moves it from widget to widget, and a ring shows where it is."""
 
 from collections.abc import Mapping, Sequence
 

@@ -1,4 +1,4 @@
-"""The foot of the side panel: how many checks hold, and where the energy is."""
+"""The footer of the side panel: how many checks hold, and where the energy is."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -71,7 +71,7 @@ class Foot:
         if checks:
             line = pygame.Rect(rect.x + px(MARGIN - 8), self.top, self._width + px(8), px(VERDICTS))
             self.verdicts = UIButton(
-                line, told(session), manager, tool_tip_text=tip("checks"),
+                line, check_summary(session), manager, tool_tip_text=tip("checks"),
                 object_id=ObjectID(class_id="@section"),
             )  # fmt: skip
         caption = say(NEXT[view][1])
@@ -96,7 +96,7 @@ class Foot:
     def update(self) -> None:
         """Bring both up to date."""
         if self.verdicts is not None:
-            self.verdicts.set_text(told(self._session))
+            self.verdicts.set_text(check_summary(self._session))
         Sheet.replace(self._energy, self._drawn())
 
     def _drawn(self) -> pygame.Surface:
@@ -109,12 +109,12 @@ class Foot:
         return energy(self._pen, self._width, books.start, books.energies, drawn)
 
 
-def told(session: Session) -> str:
+def check_summary(session: Session) -> str:
     """Return how the checks of a run stand, in words."""
     if session.changes:
         return say("Checks: not judged, effects are changed")
     if session.world.disturbed:
-        return say("Checks: not judged, a hand was here")
+        return say("Checks: not judged, the run was changed by hand")
     verdicts = [reading.result.verdict for reading in session.readings()]
     return say("Checks: {verdicts}", verdicts=counted(verdicts))
 

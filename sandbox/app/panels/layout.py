@@ -1,4 +1,4 @@
-"""How the window is divided."""
+"""The division of the window into stage, columns and bars."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The list of levels, by chapter, and a field that finds some of them."""
+"""The list of levels, by chapter, with a search field."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -52,7 +52,7 @@ def rank(entry: Entry, words: Sequence[str]) -> tuple[int, int]:
     as much, the shorter one says less beside it. A title that is shown translated counts as its
     author put it, too.
     """
-    titles = {entry.title.casefold(), entry.told.title.casefold()}
+    titles = {entry.title.casefold(), entry.original.title.casefold()}
     return min(_rank(title, entry.words, words) for title in titles)
 
 
@@ -102,9 +102,7 @@ class LevelList:
             below, manager, container=self.column, allow_scroll_x=False
         )
         self._width = width - self._px(SCROLL_BAR)
-        self._none = self._image(
-            manager, pen, say("No level has these words."), theme.DIM, bold=False
-        )
+        self._none = self._image(manager, pen, say("No level matches."), theme.DIM, bold=False)
         self._headings: dict[str, UIImage] = {}
         self._buttons: dict[UIButton, Entry] = {}
         self._progress = Progress()
@@ -152,7 +150,7 @@ class LevelList:
         )
 
     def _button(self, manager: UIManager, pen: Pen, level: Entry) -> UIButton:
-        stars = self._progress.stars(level.told.title)
+        stars = self._progress.stars(level.original.title)
         mark = f"   {stars * STAR}" if stars else ""
         room = self._width - self._px(18) - pen.write(mark, 13).width
         shown = pen.shorten(level.title, room, 13)

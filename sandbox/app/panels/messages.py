@@ -1,4 +1,4 @@
-"""What is said over the stage: banners, the help, and offers."""
+"""The messages over the stage: banners, the help, and offers."""
 
 from collections.abc import Sequence
 from math import ceil

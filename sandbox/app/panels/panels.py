@@ -1,4 +1,4 @@
-"""All that stands around the stage, built for a window of some size."""
+"""All panels around the stage, built for a window of a given size."""
 
 from collections.abc import Sequence
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The column on the right: the pages of the level behind tabs, and the foot below them."""
+"""The column on the right: the pages of the level behind tabs, and the footer below them."""
 
 from collections.abc import Iterator
 from typing import Literal
@@ -83,11 +83,11 @@ class SidePanel:
         return at_foot or self._tabs.pressed(event.ui_element)
 
     def act(self, event: pygame.event.Event) -> str | None:
-        """Let the page do what was clicked on; return what is to be told, None if nothing was."""
-        told = self.page.process(event)
-        if told is not None:
+        """Let the page do what was clicked on; return the message for it, if there is one."""
+        message = self.page.process(event)
+        if message is not None:
             self.page.update()
-        return told
+        return message
 
     def zooms(self, event: pygame.event.Event) -> bool:
         """Let the wheel, or the key Home, zoom what the page shows; return whether it did."""

@@ -1,4 +1,4 @@
-"""The tabs of the pages: in as many rows as their captions need, and none of them cut."""
+"""The tabs of the pages, in as many rows as their captions need."""
 
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, combinations, pairwise

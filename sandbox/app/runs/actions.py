@@ -1,4 +1,4 @@
-"""What is done to a run, at which step: enough to have the same run again, to the last bit."""
+"""Actions on a run, each with its step: enough to repeat the run to the last bit."""
 
 import json
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""What helps a run that had to stop, tried in the background and told when it is known."""
+"""The search for what helps a run that had to stop, in the background."""
 
 from sandbox.app.background import Background
 from sandbox.app.runs.session import Session
@@ -39,7 +39,7 @@ class Advising:
         for finding in self._work.found():
             found = finding
         if not (found.text or self._work.running):  # it has ended without any
-            session.take(Advice(say("what would help is not known")))
+            session.take(Advice(say("no remedy is known")))
         elif found.text:
             session.take(found)
 

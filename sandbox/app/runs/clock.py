@@ -1,4 +1,4 @@
-"""What steps take, told apart from what the machine does beside them."""
+"""The computing time of steps, apart from whatever else the machine does."""
 
 from collections import deque
 from collections.abc import Iterator

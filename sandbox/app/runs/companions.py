@@ -1,4 +1,4 @@
-"""Other runs of the scene that is played, beside it: each a world of its own, in lockstep.
+"""Companion runs: the same scene with changes, each in its own world, in lockstep with the run.
 
 What differs is the level, by its effects, or how time advances. Nothing is shared between the
 worlds but the time to which they have come.
@@ -40,10 +40,10 @@ class Changes:
         return bool(self.effects)
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What is changed, in words."""
-        told = formatting.variations(self.effects)
-        return say("{changes}, both by leapfrog", changes=told) if self.left else told
+        label = formatting.variations(self.effects)
+        return say("{changes}, both by leapfrog", changes=label) if self.left else label
 
 
 NONE = Changes()
@@ -53,7 +53,7 @@ NONE = Changes()
 class Variant:
     """What runs beside the level that is played."""
 
-    told: str
+    label: str
     """what it is, in a few words"""
     level: Level
     """the same bodies, with other effects or another stepping"""

@@ -1,4 +1,4 @@
-"""A hold on a body of a run: the body is pulled while time passes, else put elsewhere."""
+"""A grip on a body: it is pulled while time passes, and moved while time stands still."""
 
 from sandbox.app.runs.live_run import LiveRun
 from sandbox.model.joints import Joint, Rod, bodies_of

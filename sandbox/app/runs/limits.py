@@ -1,4 +1,4 @@
-"""What a run in the window may take of a person's time and of memory before it pauses and says so.
+"""The limits on a run's time and memory at which the window pauses and says so.
 
 Nothing is wrong with such a run, so that it goes on whenever somebody wants it to. The window
 answers between any two steps.
@@ -18,7 +18,7 @@ class Limits:
 
     Attributes
     ----------
-    told
+    message
         Why the run is to pause; empty while nothing is the matter.
 
     Parameters
@@ -28,7 +28,7 @@ class Limits:
     """
 
     def __init__(self, recorder: Recorder) -> None:
-        self.told = ""
+        self.message = ""
         self._recorder = recorder
         self._patience: Patience | None = Patience(SLOW)
         self._room = True  # as far as anybody has been told
@@ -36,18 +36,18 @@ class Limits:
     def stepped(self, seconds: float) -> None:
         """Take note of a step and how long it took [s]."""
         if self._patience and self._patience.lost(seconds):
-            told = later("A step takes {time}; the window waits for each")
-            self.told = say(told, time=formatting.seconds(seconds))
+            message = later("A step takes {time}; the window waits for each")
+            self.message = say(message, time=formatting.seconds(seconds))
             self._patience = None  # somebody knows
         elif self._room and self._recorder.full:
-            self.told = say(
-                "{count:,} instants are recorded, which is the most: checks see no more",
+            self.message = say(
+                "{count:,} instants are recorded, the most there can be: checks see no more",
                 count=len(self._recorder),
             )
             self._room = False
         else:
-            self.told = ""
+            self.message = ""
 
     def bear(self) -> None:
         """Go on all the same."""
-        self.told = ""
+        self.message = ""

@@ -1,4 +1,4 @@
-"""A run of the level that is played: what was done to it, and what was observed of it."""
+"""A run that is played: its world, what was done to it, and what was observed of it."""
 
 import json
 from collections.abc import Mapping, Sequence
@@ -10,7 +10,7 @@ from sandbox.app.observing.energy_books import Books
 from sandbox.app.observing.first_contacts import FirstContacts
 from sandbox.app.observing.grading import Grading, Ration, Reading
 from sandbox.app.observing.history import History
-from sandbox.app.observing.impacts import Blows
+from sandbox.app.observing.impacts import ImpactLog
 from sandbox.app.observing.milestones import Milestone
 from sandbox.app.observing.trail import Trail
 from sandbox.app.runs.actions import Action, perform
@@ -100,7 +100,7 @@ class LiveRun:
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
         self.books = Books(world, self.end)
-        self.blows, self.contacts = Blows(world), FirstContacts(world)
+        self.blows, self.contacts = ImpactLog(world), FirstContacts(world)
         self.pace = Pace()
         self.actions: list[Action] = []
         self.script: Sequence[Action] = ()
@@ -221,7 +221,7 @@ class LiveRun:
         booked = self.books.kept
         self.books = Books(world, self.end)
         self.books.keep(booked)
-        self.blows, self.contacts = Blows(world), FirstContacts(world)
+        self.blows, self.contacts = ImpactLog(world), FirstContacts(world)
         self.trail = Trail(world.snapshot.position)
         self.history = History(world.snapshot)
 

@@ -1,4 +1,4 @@
-"""How fast time is played, and whether the machine keeps up."""
+"""The speed of play, and whether the machine keeps up."""
 
 from collections import deque
 

@@ -1,4 +1,4 @@
-"""Playing a run: how fast time passes, to which step, and what a hand does to it on the way.
+"""Playing a run: how fast time passes, up to which step, and what a hand does on the way.
 
 The time step belongs to the level. A frame only decides how many whole steps are due. What cannot
 be paid for within its budget is left to the next two; what is too much for these is dropped and

@@ -1,4 +1,4 @@
-"""What is seen of a run that is played: by pages, panels, the banner and the stage."""
+"""What pages, panels, the banner and the stage read of a run."""
 
 from collections.abc import Sequence
 
@@ -142,7 +142,7 @@ class RunView:
     @property
     def halted(self) -> str:
         """Why it has paused although nothing is wrong with it; empty if it has not."""
-        return self.run.limits.told
+        return self.run.limits.message
 
     @property
     def trace(self) -> Trace:

@@ -1,4 +1,4 @@
-"""Runs as files: a level, its parameters, and what was done, to have the same run again."""
+"""Run files: a level, its parameters and the actions, which repeat the run."""
 
 import json
 from collections.abc import Mapping

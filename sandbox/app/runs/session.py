@@ -1,4 +1,4 @@
-"""A level being played: how its runs begin, as its file says or changed. No window is needed."""
+"""The session: the level that is played, and how its runs begin. No window is needed."""
 
 from collections.abc import Mapping, Sequence
 
@@ -152,8 +152,8 @@ class Session(Playback):
         """
         self._require_one_that_goes_on(say("with other parts"))
         if self.changes:
-            told = say("effects are switched off or on here; switch them back first (X)")
-            raise SandboxError(told)
+            message = say("effects are switched off or on here; switch them back first (X)")
+            raise SandboxError(message)
         self.release()
         self.run.alter(text)
         if self.looking.body not in self.level.bodies:
@@ -162,7 +162,7 @@ class Session(Playback):
     def _require_one_that_goes_on(self, how: str) -> None:
         if self.companions or self.failure is not None:
             why = say("other runs go beside it") if self.companions else say("it had to stop")
-            raise SandboxError(say("this run cannot go on {how}: {why}", how=how, why=why))
+            raise SandboxError(say("this run cannot continue {how}: {why}", how=how, why=why))
 
     def resume(self, actions: Sequence[Action], steps: int, values: Values | None = None) -> None:
         """Take a run again from its start, and stand there; a long way takes some frames.

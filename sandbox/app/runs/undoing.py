@@ -1,4 +1,4 @@
-"""Taking back what a person has changed of a run: parameters, effects, scheme, rate, and speed."""
+"""Undo for changes of a run: parameters, effects, scheme, rate, and speed."""
 
 from collections.abc import Mapping, Sequence
 from itertools import takewhile
@@ -73,13 +73,13 @@ class Undoing:
         self._now = now
 
     def undo(self, session: Session) -> str:
-        """Take the last change back, and return what is told of that; see `redo`."""
+        """Undo the last change, and return the message for it; see `redo`."""
         return self._go(
             session, self._past, self._future, later("undone: {what}"), later("nothing to undo")
         )
 
     def redo(self, session: Session) -> str:
-        """Make a change again that was taken back, and return what is told of that.
+        """Redo a change that was undone, and return the message for it.
 
         Raises
         ------
@@ -88,7 +88,7 @@ class Undoing:
         """
         return self._go(
             session, self._future, self._past, later("done again: {what}"),
-            later("nothing to do again"),
+            later("nothing to redo"),
         )  # fmt: skip
 
     def _go(
@@ -160,8 +160,8 @@ def _branch(session: Session, branch: Branch) -> None:
     if session.sought is None:
         session.go_to(branch.step)
     if session.sought is not None:
-        told = say("the run is on its way to where it branched; then do it again")
-        raise SandboxError(told)
+        message = say("the run is still returning to where it branched; try again then")
+        raise SandboxError(message)
     session.branch(branch.parameters)
 
 

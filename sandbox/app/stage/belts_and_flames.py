@@ -1,4 +1,4 @@
-"""What runs along or out of bodies: the marks of a belt, the flame of a rocket."""
+"""The marks that run along a belt, and the flame of a rocket."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise

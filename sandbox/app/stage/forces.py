@@ -1,4 +1,4 @@
-"""Given forces as arrows, put together tip to tail, and the tips that a hand can drag."""
+"""Given forces as arrows, added tip to tail; their tips can be dragged."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -144,8 +144,8 @@ def _draw_sum(
         at = end
     x, y = (sum(arrow.newtons[axis] for arrow in arrows) for axis in (0, 1))
     lines.arrow(surface, theme.RESULTANT, start, at, WIDTH)
-    told = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
-    write_beside(surface, pen, told, start, at, labels)
+    message = say("sum {components}, {size} N", components=_pair(x, y), size=number(hypot(x, y), 3))
+    write_beside(surface, pen, message, start, at, labels)
 
 
 def _pair(x: float, y: float) -> str:

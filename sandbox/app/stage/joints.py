@@ -1,4 +1,4 @@
-"""Joints: each kind with a look of its own."""
+"""Joints, each kind with a look of its own."""
 
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping, Sequence

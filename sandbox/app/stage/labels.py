@@ -1,4 +1,4 @@
-"""Where words stand beside what they name, so that none covers another."""
+"""The placement of labels, so that none covers another."""
 
 from collections.abc import Iterable, Sequence
 

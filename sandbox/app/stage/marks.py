@@ -1,4 +1,4 @@
-"""What explains a motion: trails, ghosts, velocity arrows, names."""
+"""The marks that explain a motion: trails, ghosts, velocity arrows, names."""
 
 from collections.abc import Iterator, Sequence
 from math import copysign, hypot, isfinite

@@ -1,4 +1,4 @@
-"""The momenta of what moves, and the scale on which they are drawn over a whole run."""
+"""The momenta of moving bodies, and the scale on which a whole run is drawn."""
 
 from typing import NamedTuple
 from weakref import WeakKeyDictionary

@@ -1,4 +1,4 @@
-"""The shapes of a level's bodies as they are drawn and picked, for chosen parameters."""
+"""The shapes of a level's bodies as they are drawn and clicked on."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Strings over pegs, drawn as if each peg were a little wheel on the inside of the bend."""
+"""Strings over pegs, drawn as if each peg were a small wheel inside the bend."""
 
 from collections.abc import Sequence
 from math import acos, atan2, cos, hypot, pi, sin, tan

@@ -1,4 +1,4 @@
-"""A world as it is looked at: what the stage and its overlays draw from."""
+"""A view of a world: what the stage and its overlays draw from."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING

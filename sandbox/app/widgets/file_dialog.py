@@ -1,4 +1,4 @@
-"""The dialog in which a file is chosen."""
+"""The dialog that chooses a file."""
 
 import locale
 import os

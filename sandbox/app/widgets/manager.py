@@ -1,4 +1,4 @@
-"""pygame_gui's manager, with a theme that finds the look of a widget without a detour."""
+"""pygame_gui's manager, with a theme that looks up a widget's style directly."""
 
 import io
 import os

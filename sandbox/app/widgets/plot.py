@@ -1,4 +1,4 @@
-"""Lines over an axis with numbers: what a graph is drawn with."""
+"""Lines over a numbered axis: the base of all graphs."""
 
 from collections.abc import Iterator, Sequence
 from math import ceil, floor

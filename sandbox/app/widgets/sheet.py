@@ -1,4 +1,4 @@
-"""The scrolled part of the side panel, on which a page puts what it shows."""
+"""The scrolling part of the side panel, on which a page puts its contents."""
 
 from typing import Protocol
 

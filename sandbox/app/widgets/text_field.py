@@ -1,4 +1,4 @@
-"""A line to type into."""
+"""A line for typing."""
 
 import pygame
 from pygame_gui.core.utility import clipboard_paste

@@ -1,4 +1,4 @@
-"""Small things that pygame_gui's widgets need from several panels."""
+"""Small helpers for pygame_gui's widgets, shared by several panels."""
 
 from collections.abc import Sequence
 from itertools import pairwise

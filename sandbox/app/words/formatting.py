@@ -1,4 +1,4 @@
-"""How numbers and moments are put for a person to read."""
+"""Numbers, times and settings, formatted for a person to read."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import ceil, degrees, floor, inf, isclose, isfinite, log10
@@ -217,32 +217,32 @@ def offer(setting: Setting) -> str:
     if setting.in_real_time is None:
         return f"{error(setting.target)}: {_offer(setting.chosen)}"
     return say(
-        "{error} cannot be had in real time: it takes {price:.2g} s of computing for 1 s."
+        "{error} is not possible in real time: 1 s takes {cost:.2g} s of computing."
         " Instead: {offer}",
         error=error(setting.target),
-        price=setting.chosen.price,
+        cost=setting.chosen.cost,
         offer=_offer(setting.in_real_time),
     )
 
 
 def _offer(found: Offer) -> str:
     return say(
-        "{scheme} at {rate:g} Hz, error {error}, {price:.3g} ms of computing for 1 s",
+        "{scheme} at {rate:g} Hz, error {error}, {cost:.3g} ms of computing for 1 s",
         scheme=scheme(found.stepping.scheme),
         rate=found.stepping.rate,
         error=error(found.error),
-        price=1e3 * found.price,
+        cost=1e3 * found.cost,
     )
 
 
 def trusted(found: Trust) -> str:
     """Write how many digits of a quantity hold throughout a run, and how far it is foretold."""
-    told = plural("{count} digit holds", "{count} digits hold", found.digits)
+    message = plural("{count} digit holds", "{count} digits hold", found.digits)
     if not found.digits:
-        told = say("no digit holds")
+        message = say("no digit holds")
     if found.until is None:
-        return told
-    return say("{digits}; foretold until t = {t}", digits=told, t=seconds(found.until))
+        return message
+    return say("{digits}; predictable until t = {t}", digits=message, t=seconds(found.until))
 
 
 def certain(value: float, off: float, unit: str) -> str:

@@ -1,4 +1,4 @@
-"""The language of the window. What it says stands in the code in English, and is looked up here.
+"""The language of the window: the code says its texts in English, and they are looked up here.
 
 A translation is a catalogue in `languages`, as gettext has them: `de.po` for people to edit, and
 `de.mo`, which is made of it. What the levels say that come with the project has catalogues of its

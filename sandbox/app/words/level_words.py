@@ -1,4 +1,4 @@
-"""What levels say, in the language of the window, if they come with the project as they are.
+"""The texts of the levels that come with the project, in the language of the window.
 
 A level that a person has written stays in the language of its author. So does one that comes with
 the project, as soon as any of its words is changed: otherwise it would be translated by half.

@@ -1,4 +1,4 @@
-"""Numbers as a person would choose them."""
+"""Rounding to numbers that a person would choose."""
 
 from sandbox.app.words.formatting import nice
 from sandbox.model.level import Parameter

@@ -14,7 +14,7 @@ def command(
     ],
     watch: Annotated[
         bool,
-        typer.Option("--watch", help="Check anew whenever a file changes, until Ctrl-C."),
+        typer.Option("--watch", help="Check again whenever a file changes, until Ctrl-C."),
     ] = False,
 ) -> None:
     """Check whether levels are well formed.

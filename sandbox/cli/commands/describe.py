@@ -10,17 +10,15 @@ from sandbox.cli.commands.options import LevelArgument, SetOption
 def command(
     level: LevelArgument,
     set_: SetOption = None,
-    at: Annotated[
-        float, typer.Option(metavar="S", help="The time that is described, in seconds.")
-    ] = 0.0,
+    at: Annotated[float, typer.Option(metavar="S", help="The time to describe, in seconds.")] = 0.0,
     forces: Annotated[
-        bool, typer.Option("--forces", help="Tell the forces on each body, too.")
+        bool, typer.Option("--forces", help="Also list the forces on each body.")
     ] = False,
 ) -> None:
-    """Say in words what is on the stage: for a terminal, or a screen reader.
+    """Describe the scene in words, for a terminal or a screen reader.
 
-    Told are the parameters, where each body is and how it moves, what ties bodies together and with
-    which force, what touches, and how the checks stand.
+    The description lists the parameters, the position and motion of each body, the joints with
+    their forces, the contacts, and the results of the checks.
     """
     from sandbox.cli.describe import describe
 

@@ -11,14 +11,16 @@ SubjectArgument = Annotated[
     str,
     typer.Argument(
         metavar="LEVEL|EXPERIMENT",
-        help="A level, to be varied and measured as the options say; or without them an"
-        " experiment: the path of its file, or a name such as flip-map.",
+        help="A level, which the options vary and measure; or, without options, an experiment:"
+        " the path of its file, or a name such as flip-map.",
         show_default=False,
     ),
 ]
 OutputOption = Annotated[
     Path,
-    typer.Option(metavar="DIR", help="The folder for it; made if missing.", show_default=False),
+    typer.Option(
+        metavar="DIR", help="The folder for the results; made if missing.", show_default=False
+    ),
 ]
 VaryOption = Annotated[
     list[str] | None,
@@ -34,7 +36,7 @@ MeasureOption = Annotated[
     list[str] | None,
     typer.Option(
         metavar="MEASURE",
-        help="What is measured of each run, such as ball.position.x@end, t@landing,"
+        help="A measure of each run, such as ball.position.x@end, t@landing,"
         " ball.speed@apex, max(ball.speed) or error(range). Can be repeated.",
         show_default=False,
     ),
@@ -43,31 +45,35 @@ UntilOption = Annotated[
     str | None,
     typer.Option(
         metavar="CONDITION",
-        help="A run ends where this holds, such as 'ball.position.y < 0'.",
+        help="End each run as soon as this holds, such as 'ball.position.y < 0'.",
         show_default=False,
     ),
 ]
 DrawsOption = Annotated[
     int | None,
-    typer.Option(metavar="N", help="How many times is drawn.", show_default=False),
+    typer.Option(metavar="N", help="How many random draws to take.", show_default=False),
 ]
 MethodOption = Annotated[
     str | None,
     typer.Option(
         metavar="NAME",
-        help="How is drawn: random, latin-hypercube, sobol or sobol-indices.",
+        help="The method of drawing: random, latin-hypercube, sobol or sobol-indices.",
         show_default=False,
     ),
 ]
 SeedOption = Annotated[
     int | None,
-    typer.Option(metavar="N", help="Another number, other draws.", show_default=False),
+    typer.Option(
+        metavar="N",
+        help="The seed of the draws: another number gives other draws.",
+        show_default=False,
+    ),
 ]
 JobsOption = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="Processes that share the runs; one a core if left out.",
+        help="How many processes share the runs. Default: one per core.",
         show_default=False,
     ),
 ]
@@ -84,8 +90,8 @@ FitOption = Annotated[
     typer.Option(
         "--fit",
         metavar="NAME",
-        help="In place of an experiment, find this parameter of the level from --data, with"
-        " its uncertainty. Can be repeated.",
+        help="Instead of an experiment, fit this parameter of the level to --data, with its"
+        " uncertainty. Can be repeated.",
         show_default=False,
     ),
 ]
@@ -93,8 +99,8 @@ DataOption = Annotated[
     Path | None,
     typer.Option(
         metavar="FILE.csv",
-        help="What was measured: a column t [s], and columns called as quantities, such as"
-        " bob.position.x; 'bob.position.x ±' has their standard uncertainties.",
+        help="Measured data: a column t [s], and columns named after quantities, such as"
+        " bob.position.x; a column 'bob.position.x ±' has its standard uncertainties.",
         show_default=False,
     ),
 ]
@@ -118,11 +124,11 @@ def command(
     fit_: FitOption = None,
     data: DataOption = None,
 ) -> None:
-    """Run a level many times, over a grid or over draws of its parameters, and measure each run.
+    """Run a level many times over a grid or random draws of its parameters, and measure each run.
 
-    The folder receives results.parquet with a row for each run, report.html with pictures of it,
-    and experiment.json with all that is needed to run it again. An experiment that was ended goes
-    on where it was when it is given once more.
+    The folder receives results.parquet with a row for each run, report.html with the figures, and
+    experiment.json, from which the experiment can be repeated. Give the same command again to
+    resume an experiment that was interrupted.
     """
     from sandbox.cli.experiment import Asked, experiment, fit
 

@@ -15,7 +15,7 @@ def command(
 ) -> None:
     """Bring levels into the newest version of the format.
 
-    There is one version so far, so nothing is written: what is told is which levels have it.
+    So far there is only one version: the command says which levels have it, and writes nothing.
     """
     from sandbox.cli.migrate import migrate
 

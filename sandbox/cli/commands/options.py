@@ -27,7 +27,7 @@ WithoutOption = Annotated[
     typer.Option(
         "--without",
         metavar="EFFECT",
-        help="Switch an effect that the level declares off, and what makes no sense without it."
+        help="Switch off an effect that the level declares, and whatever makes no sense without it."
         " Can be repeated.",
         show_default=False,
     ),
@@ -43,25 +43,28 @@ WithOption = Annotated[
 ]
 DurationOption = Annotated[
     float | None,
-    typer.Option(metavar="S", help="How long, in seconds; as the level says if left out."),
+    typer.Option(
+        metavar="S", help="The duration of the run, in seconds. Default: the level's own."
+    ),
 ]
 RateOption = Annotated[
     float | None,
-    typer.Option(metavar="HZ", help="Steps a second; as the level says if left out."),
+    typer.Option(metavar="HZ", help="Steps per second. Default: the level's own."),
 ]
 SchemeOption = Annotated[
     str | None,
     typer.Option(
         metavar="NAME",
-        help="How a step is taken, as leapfrog or fourth-order; as the level says if left out.",
+        help="The scheme of integration, such as leapfrog or fourth-order. Default: the level's"
+        " own.",
     ),
 ]
 IterationsOption = Annotated[
     int | None,
     typer.Option(
         metavar="N",
-        help="Sweeps of the solver over contacts and joints, a step; as the level says if left"
-        " out.",
+        help="Iterations of the solver over contacts and joints in each step. Default: the level's"
+        " own.",
     ),
 ]
 AccuracyOption = Annotated[
@@ -69,8 +72,8 @@ AccuracyOption = Annotated[
     typer.Option(
         "--accuracy",
         metavar="ERROR",
-        help="Ask for the largest error that the level's checks may have, such as 1e-6, in place of"
-        " a rate: the cheapest setting that reaches it is found out, and kept for the next time.",
+        help="The largest error that the level's checks may have, such as 1e-6, instead of a rate."
+        " The cheapest setting that reaches it is searched for, and kept for the next time.",
         show_default=False,
     ),
 ]
@@ -78,15 +81,16 @@ RecordOption = Annotated[
     list[str] | None,
     typer.Option(
         metavar="QUANTITY",
-        help="What to write a column of, such as ball.position.x or system.energy; 'all' is"
-        " everything. Can be repeated. If left out: what the level's checks need, and the"
-        " position and velocity of every body that moves freely.",
+        help="A quantity to write as a column, such as ball.position.x or system.energy; 'all' for"
+        " everything. Can be repeated. Default: what the level's checks need, and the position and"
+        " velocity of every body that moves freely.",
         show_default=False,
     ),
 ]
 RaceOption = Annotated[
     bool,
     typer.Option(
-        "--race", help="Let every scheme that the level can use run over it, up to four of them."
+        "--race",
+        help="Draw the runs of the other schemes that the level can use, up to four, over it.",
     ),
 ]

@@ -24,7 +24,7 @@ def command(
     set_: SetOption = None,
     at: Annotated[
         float | None,
-        typer.Option(metavar="S", help="The time that is shown, in seconds.", show_default=False),
+        typer.Option(metavar="S", help="The time to show, in seconds.", show_default=False),
     ] = None,
     without: WithoutOption = None,
     with_: WithOption = None,
@@ -33,7 +33,7 @@ def command(
 ) -> None:
     """Draw a level as a PNG picture, without a window.
 
-    With --without or --with the changed run is drawn, over the level as it is: dashed.
+    With --without or --with, the changed run is drawn over the unchanged one, which is dashed.
     """
     from sandbox.cli.render import render
 

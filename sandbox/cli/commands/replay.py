@@ -8,13 +8,13 @@ import typer
 
 def command(
     file: Annotated[
-        Path, typer.Argument(metavar="FILE", help="A run that was saved.", show_default=False)
+        Path, typer.Argument(metavar="FILE", help="The saved run.", show_default=False)
     ],
 ) -> None:
-    """Take a run again that was saved in the window, without a window.
+    """Repeat a run that was saved in the window, without a window.
 
-    It begins with the same level and parameters, and does what a hand did at the same steps. The
-    exit status is 1 if it comes to another state, be it by one bit.
+    The level, the parameters and all actions are the same, each action at its own step. The exit
+    status is 1 if a single bit of the final state differs.
     """
     from sandbox.cli.replay import replay
 

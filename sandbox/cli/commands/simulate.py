@@ -23,7 +23,7 @@ def command(
     level: LevelArgument,
     output: Annotated[
         Path,
-        typer.Option(metavar="FILE.csv", help="The table that is written.", show_default=False),
+        typer.Option(metavar="FILE.csv", help="The file to write.", show_default=False),
     ],
     set_: SetOption = None,
     duration: DurationOption = None,
@@ -37,11 +37,11 @@ def command(
 ) -> None:
     """Run a level and write it as a CSV file.
 
-    No window is opened. The comments at the top of the file say all that is needed to run it
-    again. What the level's checks found is printed, and the exit status is 1 if one failed.
+    No window opens. The comments at the top of the file say all that is needed to repeat the run.
+    The results of the level's checks are printed, and the exit status is 1 if one failed.
 
-    With --without or --with the changed run is written, and what is printed is how it differs from
-    the level as it is, in the quantities of its checks and in time.
+    With --without or --with, the changed run is written instead. The printed table then shows how
+    it differs from the unchanged level, in the quantities of its checks and in computing time.
     """
     from sandbox.cli.accuracy_option import Choice
     from sandbox.cli.simulate import simulate

@@ -1,4 +1,4 @@
-"""New bodies, as they are drawn, and bodies taken out.
+"""Adding bodies that were drawn, and deleting bodies.
 
 A body is drawn of one material: 10 kg on each square metre. What it needs to act is declared with
 it: gravity and contact where nothing is declared yet, and a coefficient where every body has one.
@@ -154,8 +154,8 @@ def _declaring(text: str, level: Level) -> list[str]:
         missing["gravity"] = GRAVITY
     if level.effects.contact is None and (fresh or len(level.bodies) == 1):
         missing["contact"] = {}
-    told = [(("effects", name), said) for name, said in missing.items()]
-    return [put_all(text, dict(told[:count])) for count in range(len(told), 0, -1)]
+    declared = [(("effects", name), said) for name, said in missing.items()]
+    return [put_all(text, dict(declared[:count])) for count in range(len(declared), 0, -1)]
 
 
 def _about(points: Sequence[XY], center: XY) -> list[list[float]]:

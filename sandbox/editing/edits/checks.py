@@ -1,4 +1,4 @@
-"""Checks and ghosts added and taken away, and the quantities that they may name."""
+"""Adding and removing checks and ghosts, and the quantities that they may name."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Literal

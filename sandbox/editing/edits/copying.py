@@ -1,4 +1,4 @@
-"""Bodies copied, with the joints among them, into the same level or another one."""
+"""Copying bodies with the joints among them, into the same level or another one."""
 
 import json
 from collections.abc import Collection, Mapping
@@ -79,8 +79,8 @@ def paste(text: str, level: Level, copied: str, by: XY = (0.0, 0.0)) -> Made:
         position = shifted_point(body.position, complex(*by))
         changes["bodies", names[name]] = {**data["bodies"][name], "position": position}
     for name, joint in source.joints.items():
-        told = _joint(joint, data["joints"][name], names, complex(*by))
-        changes["joints", names[name]] = told
+        joint_copy = _joint(joint, data["joints"][name], names, complex(*by))
+        changes["joints", names[name]] = joint_copy
     for index, group in enumerate(source.view.together, start=len(level.view.together)):
         changes["view", "together", index] = [names[name] for name in group]
     for kind in ("parameters", "constants"):

@@ -1,4 +1,4 @@
-"""What an edit has made, and what it is called."""
+"""The result of an edit: the new text, and the name of what was made."""
 
 from collections.abc import Container
 from itertools import count

@@ -1,4 +1,4 @@
-"""Effects declared and dropped, and what they cost."""
+"""Declaring and dropping effects, and what they cost."""
 
 from collections.abc import Mapping
 from typing import Any, get_args, get_origin

@@ -1,4 +1,4 @@
-"""Any field of a level set to what was typed, and any number made a parameter."""
+"""Setting any field of a level, and turning a number into a parameter."""
 
 import json
 import re
@@ -88,11 +88,11 @@ def make_parameter(text: str, path: Path, name: str) -> str:
     value, formula, unit = _parameter(said, expression, name)
     about = {"unit": unit} if unit else {}
     ranges = _ranges(value, in_degrees=unit == "deg", share=isinstance(expression, Fraction))
-    told: list[dict[str, Json]] = [
+    changes: list[dict[str, Json]] = [
         {"value": value, "min": plain(low), "max": plain(high), **about, "label": _label(path)}
         for low, high in ranges
     ]
-    return accepted(*(put_all(text, {path: formula, ("parameters", name): one}) for one in told))
+    return accepted(*(put_all(text, {path: formula, ("parameters", name): one}) for one in changes))
 
 
 def parameter_name(level: Level, path: Path) -> str:

@@ -1,4 +1,4 @@
-"""Bodies put into a group, which the editor selects with one click, and taken out of it.
+"""Grouping bodies, so that one click selects all of them, and ungrouping them.
 
 A group is a line of `view.together`. No body is in two of them.
 """
@@ -54,6 +54,6 @@ def _left(level: Level, names: Collection[str]) -> list[list[str]]:
 def _with(text: str, level: Level, groups: list[list[str]]) -> str:
     """Return a level with these groups and no others."""
     if groups:
-        told: list[Json] = [list[Json](one) for one in groups]
-        return put(text, PLACE, told)
+        kept: list[Json] = [list[Json](one) for one in groups]
+        return put(text, PLACE, kept)
     return remove(text, PLACE) if level.view.together else text

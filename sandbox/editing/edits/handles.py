@@ -1,4 +1,4 @@
-"""Bodies made larger or smaller, by the handles of their shapes.
+"""Resizing bodies by the handles of their shapes.
 
 A disc has one on its rim; a box one at each corner and in the middle of each side, and what lies
 opposite stays; lines and polygons have one at each corner. A body whose mass is that which it was
@@ -175,8 +175,8 @@ def _scaled(body: Placed, factor: float) -> Changes:
                 (*path, "height"): scaled(height, factor),
             }
         case Polygon() | Segment() | Polyline() as drawn:
-            told = zip(_paths(body), points_of(drawn), strict=True)
-            return {place: [scaled(c, factor) for c in point] for place, point in told}
+            corners = zip(_paths(body), points_of(drawn), strict=True)
+            return {place: [scaled(c, factor) for c in point] for place, point in corners}
         case Curve():
             raise SandboxError("a curve has the shape that its formulas say")
 

@@ -1,4 +1,4 @@
-"""New joints, of every kind that there is, from what is picked on the stage.
+"""Adding joints of every kind, from what was picked on the stage.
 
 How long a joint is, it is left to the level, which takes the distance at the start.
 """

@@ -1,4 +1,4 @@
-"""Bodies seen in a mirror: their places, shapes and motions, and the joints among them."""
+"""Mirror images of bodies: their places, shapes, motions, and the joints among them."""
 
 from collections.abc import Collection
 from typing import Literal
@@ -101,9 +101,9 @@ class _Mirror:
             case Rail(direction=direction) | Stop(direction=direction):
                 return {(*path, "direction"): self._flipped(direction)}
             case Rack(direction=direction):  # the wheel turns the other way round
-                told: list[Json] = [along.source for along in direction]
-                told[1 - self._index] = negative(direction[1 - self._index])
-                return {(*path, "direction"): told}
+                mirrored: list[Json] = [along.source for along in direction]
+                mirrored[1 - self._index] = negative(direction[1 - self._index])
+                return {(*path, "direction"): mirrored}
             case Wire(curve=curve):
                 return {(*path, "curve"): self._place(curve)}
         return {}
@@ -156,9 +156,9 @@ class _Mirror:
         return self._with(vector, negative(vector[self._index]))
 
     def _with(self, pair: Pair, coordinate: Json) -> list[Json]:
-        told: list[Json] = [expression.source for expression in pair]
-        told[self._index] = coordinate
-        return told
+        mirrored: list[Json] = [expression.source for expression in pair]
+        mirrored[self._index] = coordinate
+        return mirrored
 
     def _direction(self, angle: Expression) -> Json:
         """Return a direction: π − θ if left and right change places, else −θ."""

@@ -1,4 +1,4 @@
-"""Bodies moved, turned, aligned and mirrored, one or many, with what hangs on them.
+"""Moving, turning, aligning and mirroring bodies, with what is attached to them.
 
 Formulas stay formulas: a position `r` that is moved becomes `r + 0.5`. What is pinned to a body
 moves along, and so do the pins that it turns about; a rod is as long as its ends are then apart.

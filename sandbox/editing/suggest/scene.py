@@ -1,4 +1,4 @@
-"""A level as those look at it who recognise set-ups in it."""
+"""A level as the recognisers of set-ups look at it."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What must hold in a level for every choice of its parameters."""
+"""A condition: what must hold in a level for every choice of its parameters."""
 
 from collections.abc import Callable
 from typing import NamedTuple

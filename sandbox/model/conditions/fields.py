@@ -1,4 +1,4 @@
-"""Fields of force have a value where their bodies start."""
+"""Force fields have a value where their bodies start."""
 
 from collections.abc import Iterator
 from functools import partial

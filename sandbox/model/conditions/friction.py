@@ -1,4 +1,4 @@
-"""What sticks sticks at least as firmly as it slips."""
+"""Static friction is at least as strong as kinetic friction."""
 
 from collections.abc import Iterator
 from functools import partial

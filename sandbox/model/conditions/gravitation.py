@@ -1,4 +1,4 @@
-"""Bodies start apart from what attracts them: from each other, and from fixed centres."""
+"""Bodies start away from what attracts them: each other, and fixed centres."""
 
 from collections.abc import Iterator, Mapping
 from functools import partial

@@ -1,4 +1,4 @@
-"""Joints are as long as the way between their ends."""
+"""Joints are as long as the distance between their ends."""
 
 from collections.abc import Iterator
 from functools import partial

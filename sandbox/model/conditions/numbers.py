@@ -1,4 +1,4 @@
-"""Every expression has a value, and no run takes for ever."""
+"""Every expression has a value, and no run lasts for ever."""
 
 from collections.abc import Iterator
 from functools import partial

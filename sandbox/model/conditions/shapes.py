@@ -1,4 +1,4 @@
-"""Every shape has an extent, and no corner too many."""
+"""Every shape has an extent, and not too many corners."""
 
 from collections.abc import Iterator
 from functools import partial

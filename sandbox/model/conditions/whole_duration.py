@@ -1,4 +1,4 @@
-"""What acts has a value as long as a run lasts, and rods change their length gradually."""
+"""Formulas over time have a value for the whole run, and rods change their length gradually."""
 
 from collections.abc import Iterator
 from functools import partial

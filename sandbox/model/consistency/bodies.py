@@ -1,4 +1,4 @@
-"""What the bodies say fits what they are, and there are not too many of them."""
+"""The fields of a body fit its type, and there are not too many bodies."""
 
 from collections.abc import Iterator, Mapping
 

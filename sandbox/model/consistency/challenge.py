@@ -1,4 +1,4 @@
-"""What a challenge needs of the level that it stands in."""
+"""A challenge fits its level."""
 
 from collections.abc import Iterator
 

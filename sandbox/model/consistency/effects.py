@@ -1,4 +1,4 @@
-"""The effects that are declared have something to act on."""
+"""Declared effects have something to act on."""
 
 from collections.abc import Iterator
 
@@ -74,7 +74,7 @@ def rotation_used(level: Level) -> Iterator[Fault]:
 
 def _levers(level: Level) -> bool:
     """Whether an effect or a joint turns a body, or acts on it away from its centre."""
-    if any(effect.twists for effect in level.effects.told):
+    if any(effect.twists for effect in level.effects.declarations):
         return True
     if any(joint.kind.turns for joint in level.joints.values()):
         return True

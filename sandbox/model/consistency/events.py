@@ -1,4 +1,4 @@
-"""What events name exists, can be seen, and can be cut or switched."""
+"""Events name what exists, can be observed, and can be cut or switched."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What the joints hold can be held by them."""
+"""Joints hold bodies that they can hold."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""Where a level names its bodies and quantities, found from the types of its fields."""
+"""The places where a level names bodies and quantities, found from the types of its fields."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""The names in a level: each is used, and leads to something that exists."""
+"""Every name in a level is used, and refers to something that exists."""
 
 from collections.abc import Iterator
 from keyword import iskeyword

@@ -1,4 +1,4 @@
-"""There is no more to compute in a step than a machine can, whatever else the level says."""
+"""A step is not too much to compute, whatever else the level says."""
 
 from collections.abc import Iterator
 

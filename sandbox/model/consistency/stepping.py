@@ -1,4 +1,4 @@
-"""How time advances fits what is simulated."""
+"""The stepping fits what is simulated."""
 
 from collections.abc import Iterator
 

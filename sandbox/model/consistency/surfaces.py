@@ -1,4 +1,4 @@
-"""What concerns bodies that touch is declared, is used, and fits together."""
+"""What concerns touching bodies is declared, is used, and is consistent."""
 
 from collections.abc import Iterator, Sequence
 

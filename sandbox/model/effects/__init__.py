@@ -1,7 +1,7 @@
 """The manifest of effects: what a level does not declare is not simulated, and costs nothing.
 
 A module an effect, and `contract` for what it says there. `Effects` is the one list of them, in the
-order in which they are told; a new one joins by its field.
+order in which they are listed; a new one joins by its field.
 """
 
 from collections.abc import Iterator, Mapping
@@ -93,14 +93,14 @@ class Effects(Model):
         return tuple(name for name in type(self).model_fields if getattr(self, name) is not None)
 
     @property
-    def told(self) -> Iterator[Effect]:
+    def declarations(self) -> Iterator[Effect]:
         """What the effects that the level declares say of themselves."""
         return (EFFECTS[name] for name in self.declared)
 
     @property
     def said(self) -> Iterator[tuple[Effect, Path, Any]]:
         """What the level says of each, and where: once, or as often as it says something."""
-        for effect in self.told:
+        for effect in self.declarations:
             place, said = ("effects", effect.name), getattr(self, effect.name)
             if isinstance(said, tuple):
                 yield from ((effect, (*place, index), one) for index, one in enumerate(said))

@@ -1,4 +1,4 @@
-"""Surfaces that run."""
+"""Belts: surfaces that run."""
 
 from typing import ClassVar
 

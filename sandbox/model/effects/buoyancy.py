@@ -1,4 +1,4 @@
-"""What a liquid carries."""
+"""Buoyancy in a liquid at rest."""
 
 from typing import Annotated, ClassVar
 

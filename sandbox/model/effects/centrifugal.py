@@ -1,4 +1,4 @@
-"""What a plane that turns does to what lies in it."""
+"""The forces of a rotating frame."""
 
 from typing import ClassVar
 

@@ -1,4 +1,4 @@
-"""What an effect says of itself, once. Everything else that knows of effects is derived from it.
+"""The contract of an effect: what it declares once, and everything else derives from.
 
 To add one, see `docs/how-to/add-an-effect.md`. An effect is
 
@@ -14,8 +14,8 @@ switched on by `--with`, the accounts of the ledger and the quantities that tell
 that a level may have, and the tests that go through all effects. What is forgotten is told when the
 package is loaded, with the file that it belongs in.
 
-Which fields name bodies is not said here: it is their type (see `sandbox.model.reference_fields`). Nor are
-units: the types in `sandbox.model.bounds` have them, and a field's docstring says them.
+Which fields name bodies is not said here: it is their type (see `sandbox.model.reference_fields`).
+Nor are units: the types in `sandbox.model.bounds` have them, and a field's docstring says them.
 """
 
 from collections.abc import Callable, Mapping

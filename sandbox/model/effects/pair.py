@@ -1,4 +1,4 @@
-"""Two bodies that touch, for which an effect says something."""
+"""A pair of touching bodies for which an effect says something."""
 
 from sandbox.model.base import Model
 from sandbox.model.reference_fields import Couple

@@ -1,4 +1,4 @@
-"""A potential, of which the force is the slope."""
+"""A potential; the force is its negative gradient."""
 
 from typing import Annotated, ClassVar, Literal
 

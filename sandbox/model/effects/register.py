@@ -1,4 +1,4 @@
-"""The register of effects, made from the manifest; what an effect has forgotten is told here."""
+"""The register of effects, made from the manifest; it names what an effect has forgotten."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, get_args

@@ -1,4 +1,4 @@
-"""Bodies that turn."""
+"""Bodies that can turn."""
 
 from typing import ClassVar
 

@@ -1,4 +1,4 @@
-"""What a kind of joint says of itself, once; see `docs/how-to/add-a-joint.md`.
+"""The contract of a kind of joint: what it declares once (see `docs/how-to/add-a-joint.md`).
 
 A joint is a frozen model beside the others in `sandbox/model/joints/__init__.py`, a member of the
 union `Joint` there, with a `kind` as below; `sandbox/physics/joints/assembly.py` makes it. From

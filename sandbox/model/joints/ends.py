@@ -1,4 +1,4 @@
-"""Where joints hold on."""
+"""The ends of joints: where they hold on."""
 
 from collections.abc import Mapping
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""Gears and racks: one thing turns, or moves, as much as another one tells it."""
+"""Gears and racks: the motion of one body fixes that of another."""
 
 from typing import ClassVar, Literal
 

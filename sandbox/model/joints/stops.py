@@ -1,4 +1,4 @@
-"""Stops: what moves freely between two limits, and no further."""
+"""Stops: motion is free between two limits, and goes no further."""
 
 from typing import ClassVar, Literal
 

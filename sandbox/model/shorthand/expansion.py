@@ -1,4 +1,4 @@
-"""A level with everything written out that its author typed only once."""
+"""A level with all of its shorthand expanded."""
 
 import re
 from typing import Any, NamedTuple

@@ -1,4 +1,4 @@
-"""What is noted while a level is written out: where parts were typed, what is wrong, how much."""
+"""Notes taken while shorthand is expanded: where parts were typed, mistakes, counts."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""Groups: bodies and joints that are placed together, several times, each time somewhere else.
+"""Groups: bodies and joints that are placed together, as often as wanted, in different places.
 
     "groups": {"cart": {"bodies": {"frame": {...}, "wheel": {...}}, "joints": {"axle": {...}}}},
     "bodies": {"left": {"copy": "cart", "position": [-3, 0], "angle": "10*deg"}}

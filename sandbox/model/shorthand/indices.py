@@ -1,4 +1,4 @@
-"""The indices of what repeats: how they run, and how `{i + 1}` in a text becomes a number."""
+"""The indices of repeated parts: how they count, and how `{i + 1}` in a text becomes a number."""
 
 import re
 from collections.abc import Iterator, Mapping

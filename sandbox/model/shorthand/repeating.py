@@ -1,4 +1,4 @@
-"""Members that repeat: `"ball{i}": {"repeat": {"i": 5}, ...}` stands for five bodies.
+"""Repeated members: `"ball{i}": {"repeat": {"i": 5}, ...}` stands for five bodies.
 
 A member of a list, or of a part whose members have names, repeats if it has the key `repeat`. In
 its copies the texts and names have numbers for what stands in braces. What is no object, such as a

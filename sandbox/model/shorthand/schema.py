@@ -1,4 +1,4 @@
-"""What the JSON Schema says of shorthand, so that editors complete it as they do the rest."""
+"""The JSON Schema of shorthand, so that editors complete it like the rest."""
 
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any

@@ -1,4 +1,4 @@
-"""Settings that were found before, kept in the user's cache folder.
+"""A cache of settings that were found, in the user's cache folder.
 
 What is kept is found again by a hash of all that it depends on: the level, its parameters, the
 accuracy, the sandbox's code and the versions of what it stands on. So nothing stale is ever used.
@@ -119,7 +119,7 @@ def keep(
 def resolved(
     level: Level, values: Values, stepping: Stepping, also: Sequence[str] = ()
 ) -> Stepping:
-    """Return a setting that is chosen, found out if only an accuracy is asked for.
+    """Return the setting: the chosen one, or the one searched for where an accuracy is asked.
 
     Parameters
     ----------
@@ -152,7 +152,7 @@ def _read(path: Path, key: str, level: Level) -> Setting | None:
     except (OSError, ValidationError, SchemeError):
         return None
     chosen = setting.chosen
-    sound = isfinite(chosen.price) and 0 <= chosen.error <= setting.target
+    sound = isfinite(chosen.cost) and 0 <= chosen.error <= setting.target
     return setting if sound and held == key and checked == _hash(key, setting) else None
 
 

@@ -1,4 +1,4 @@
-"""The cheapest setting that reaches an accuracy: what it is, or why there is none."""
+"""Calibration: the cheapest setting that reaches an accuracy, or why there is none."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class Setting:
     target
         What was asked for.
     chosen
-        The setting, its estimated error and its price.
+        The setting, its estimated error and its cost.
     judged_by
         What the error is that of, in words.
     verified
@@ -114,23 +114,23 @@ def calibrate(
     seeker = Seeker(level, values, target, budget, progress, stop)
     wanted, judged_by = _judges(level, values, also)
     found = seeker.found(wanted)
-    if found.chosen.error > target:
-        known = foretold(found.offers.refinements, found.wanted, target)
-        chaos = chaotic(level, values, found.offers.fine, stop)
-        until = f"foretold until t = {known:.3g} s" if known else "not foretold at all"
-        if not chaos:
-            raise _refused(found, target, judged_by, until)
+    if found.chosen.error <= target:
+        return _setting(found, judged_by)
+    known = foretold(found.offers.refinements, found.wanted, target)
+    chaos = chaotic(level, values, found.offers.fine, stop)
+    until = f"predictable until t = {known:.3g} s" if known else "not predictable at all"
+    if chaos:
         judged_by = f"its energy, for it is chaotic: {chaos}; where things are is {until}"
         found = seeker.found((_ENERGY,))
-        if found.chosen.error > target:
-            raise _refused(found, target, judged_by, until)
+    if found.chosen.error > target:
+        raise _refused(found, target, judged_by, until)
     return _setting(found, judged_by)
 
 
 def _setting(found: Found, judged_by: str) -> Setting:
-    """Return what was found, at its price."""
-    offer = found.priced()
-    affordable = None if offer.price <= REAL_TIME else found.in_real_time()
+    """Return what was found, at its cost."""
+    offer = found.timed()
+    affordable = None if offer.cost <= REAL_TIME else found.in_real_time()
     verified = found.chosen.trace is not None
     return Setting(
         found.target, offer, judged_by, verified, affordable, found.decided_by, found.onset
@@ -141,7 +141,7 @@ def _refused(found: Found, target: float, judged_by: str, until: str) -> Accurac
     """Say that an accuracy cannot be had, and what can."""
     decided = f", of which {found.decided_by} decided" if found.decided_by else ""
     return AccuracyError(
-        f"an accuracy of {target:g} cannot be had; there is {found.priced()}, judged by "
+        f"an accuracy of {target:g} cannot be had; there is {found.timed()}, judged by "
         f"{judged_by}{decided}; to {target:g} it is {until}"
     )
 

@@ -1,4 +1,4 @@
-"""What the refinements of a level have to offer: settings, their errors and their prices."""
+"""The candidates for a setting that the refinements of a level offer, with errors and costs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ NOT_SEEN = 1e-3
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What can be had: a setting, its estimated error, and its price.
+    """What can be had: a setting, its estimated error, and its cost.
 
     Attributes
     ----------
@@ -31,22 +31,22 @@ class Offer:
         The setting.
     error
         The largest of the run, as a check's: relative, absolute where zero is expected.
-    price
+    cost
         What a second of the scene takes to compute [s].
     """
 
     stepping: Stepping
     error: float
-    price: float
+    cost: float
 
     def __str__(self) -> str:
         s = self.stepping
-        price = f"{self.price * 1e3:.3g} ms of computing for a second of the scene"
-        return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {price}"
+        cost = f"{self.cost * 1e3:.3g} ms of computing for a second of the scene"
+        return f"{s.scheme} at {s.rate:g} Hz, estimated error {self.error:.1e}, {cost}"
 
 
 class Candidate(NamedTuple):
-    """A setting whose price is not measured yet."""
+    """A setting whose cost is not measured yet."""
 
     stepping: Stepping
     error: float
@@ -57,7 +57,7 @@ class Candidate(NamedTuple):
     """of a second of the scene [s], as counted"""
 
     def offer(self, step: float) -> Offer:
-        """Return it at the price of a step [s]."""
+        """Return it at the cost of a step [s]."""
         return Offer(self.stepping, self.error, step * self.stepping.rate)
 
 
@@ -78,7 +78,7 @@ class Offers:
 
     @property
     def fine(self) -> Stepping:
-        """A setting that comes close to the best run, at half its price."""
+        """A setting that comes close to the best run, at half its cost."""
         return self.refinements[0].traces[-2].stepping
 
     def best(self, target: float) -> Candidate:
@@ -135,7 +135,7 @@ def _candidate(work: float, refinement: Refinement, target: float) -> Candidate:
 
 
 def _affordable(step: float, refinement: Refinement) -> Iterator[Offer]:
-    """Yield a ladder's settings that run in real time, at a price a step [s]."""
+    """Yield a ladder's settings that run in real time, at a cost a step [s]."""
     fastest = REAL_TIME / max(step, REAL_TIME / HIGHEST_RATE)
     for trace, error in zip(refinement.traces, refinement.errors, strict=True):
         if SLOWEST <= trace.stepping.rate <= fastest:

@@ -1,4 +1,4 @@
-"""Whether a motion is chaotic, and until when it can be foretold.
+"""Whether a motion is chaotic, and how far ahead it can be predicted.
 
 Both are measured: how a change too small to be seen grows, and where two runs part.
 """

@@ -1,4 +1,4 @@
-"""Looking for the cheapest setting by short runs.
+"""The cheapest setting, found by short runs.
 
 Each scheme that is for the level runs at a sequence of rates, each twice the one before, until the
 cheapest run that will do is seen. A rate between that run and the one before is tried, and what
@@ -16,8 +16,8 @@ from sandbox.physics.accuracy.candidates import Candidate, Offer, Offers
 from sandbox.physics.accuracy.compared_runs import Stop, Watched, never, record, scaled, stride
 from sandbox.physics.accuracy.errors import AccuracyError
 from sandbox.physics.accuracy.event_errors import onset
-from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_prices
-from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, price, refine
+from sandbox.physics.accuracy.refinement import NEARLY, foot, furthest, step_durations
+from sandbox.physics.accuracy.refinement_search import FEWEST, Progress, Refiner, cost, refine
 from sandbox.physics.accuracy.richardson import ORDERS
 from sandbox.physics.guarding.rate_limits import needs
 from sandbox.physics.measuring.recording import Trace
@@ -65,14 +65,14 @@ class Found:
         off = onset(best, self.wanted, rate).error
         return off if off > self.target else 0.0
 
-    def priced(self) -> Offer:
-        """Return the setting at its price, which is measured."""
-        return self.chosen.offer(*step_prices(self.level, self.values, self.chosen.stepping))
+    def timed(self) -> Offer:
+        """Return the setting at its cost, which is measured."""
+        return self.chosen.offer(*step_durations(self.level, self.values, self.chosen.stepping))
 
     def in_real_time(self) -> Offer | None:
         """Return the most accurate setting that runs in real time."""
         last = [refinement.traces[-1].stepping for refinement in self.offers.refinements]
-        return self.offers.in_real_time(step_prices(self.level, self.values, *last))
+        return self.offers.in_real_time(step_durations(self.level, self.values, *last))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,8 +107,8 @@ class Seeker:
         if not refinements and (failure := refiners[-1].failure):
             raise failure
         if not refinements:
-            raise AccuracyError("the level takes too long to run for its accuracy to be found out")
-        offers = Offers(refinements, [price(refiners, refinement) for refinement in refinements])
+            raise AccuracyError("the level takes too long to run to search for its accuracy")
+        offers = Offers(refinements, [cost(refiners, refinement) for refinement in refinements])
         chosen = offers.best(self.target)
         if chosen.trace is None:
             chosen = self._confirmed(chosen, wanted)
@@ -186,7 +186,7 @@ def _candidates(level: Level, values: Values) -> Iterator[Stepping]:
     elif contact := level.effects.contact:
         judge = start.model_copy(update={"iterations": min(MORE_SWEEPS * start.iterations, 1000)})
         yield judge
-        if contact.located or level.effects.in_sequence:  # which has a price, too
+        if contact.located or level.effects.in_sequence:  # which has a cost, too
             naive = judge if level.effects.in_sequence else start  # rows at once are for sweeps
             yield naive.model_copy(update={"scheme": "symplectic-euler", "rate": lowest})
     yield start

@@ -1,4 +1,4 @@
-"""Runs that are held against each other, and what is watched in them."""
+"""Runs that are compared with each other, and the quantities that are compared."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace

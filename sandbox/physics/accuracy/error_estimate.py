@@ -1,4 +1,4 @@
-"""The numerical error of a run: its step is halved, twice."""
+"""The numerical error of a run, estimated by halving its step twice."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Why an accuracy cannot be had."""
+"""Errors: why an accuracy cannot be reached."""
 
 from sandbox.model.errors import SandboxError
 

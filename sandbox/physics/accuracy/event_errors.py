@@ -1,4 +1,4 @@
-"""What happens at once, at an instant between two steps, and how far off that leaves a run.
+"""Errors from sudden events between two steps: impacts, and forces that set in or end.
 
 An impact that is not located is found at a step, up to one late. A run with half the step may find
 it at the same instant: the two then agree to the last digit on what is wrong, and every other time

@@ -1,4 +1,4 @@
-"""Runs of one scheme with smaller and smaller steps, and what they tell of others."""
+"""Step refinement: runs of one scheme with smaller and smaller steps, and what they predict."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -131,7 +131,7 @@ class Refinement:
         return max((off * ratio**order for off, order in self.growth), default=inf)
 
 
-def step_prices(level: Level, values: Values, *steppings: Stepping) -> tuple[float, ...]:
+def step_durations(level: Level, values: Values, *steppings: Stepping) -> tuple[float, ...]:
     """Return what a step of some settings takes [s], timed in turn."""
     return brief_costs(*(partial(make_world, level, values, stepping) for stepping in steppings))
 

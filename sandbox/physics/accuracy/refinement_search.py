@@ -1,4 +1,4 @@
-"""Taking runs with smaller and smaller steps, of several schemes in turn, as far as the work goes.
+"""The search over schemes and steps: which run comes next, as far as the work allows.
 
 Whichever next run takes least is taken, so that no scheme spends the time of the others, and what
 cannot be the cheapest any more is left. Work is counted, so the same request takes the same runs;
@@ -160,7 +160,7 @@ def held(refiners: Sequence[Refiner]) -> list[Refinement]:
     return [best, *others]
 
 
-def price(refiners: Sequence[Refiner], refinement: Refinement) -> float:
+def cost(refiners: Sequence[Refiner], refinement: Refinement) -> float:
     """Return how much work a step of a refinement is [s], as counted."""
     return next(
         c.step for c in refiners if c.refinement and c.refinement.traces is refinement.traces
@@ -175,7 +175,7 @@ def _worthwhile(refiners: Sequence[Refiner], refinements: Sequence[Refinement]) 
     left = [refiner for refiner in refiners if not refiner.over]
     target = refiners[0].target
     seen = [
-        price(refiners, refinement) * found[0].stepping.rate
+        cost(refiners, refinement) * found[0].stepping.rate
         for refinement in refinements
         if (found := refinement.cheapest(target))
     ]

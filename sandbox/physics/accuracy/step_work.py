@@ -1,4 +1,4 @@
-"""How much work a step is, counted and not timed: the same on any machine, however busy.
+"""The work of a step, counted and not timed: the same on every machine, however busy.
 
 What a search finds depends on what runs cost. Were that timed, the same request would be answered
 one way now and another way later.

@@ -1,4 +1,4 @@
-"""What the accuracy of a level is, what it is made of, and what more of it would cost.
+"""A study of a level's accuracy: how large the error is, what causes it, what less would cost.
 
 A study is a row of findings, each told as soon as it is known, for somebody who looks on.
 """
@@ -30,7 +30,7 @@ from sandbox.physics.accuracy.refinement import (
     foot,
     held_against,
     judged,
-    step_prices,
+    step_durations,
 )
 from sandbox.physics.accuracy.refinement_search import Refiner, refine
 from sandbox.physics.accuracy.richardson import extrapolated
@@ -68,7 +68,7 @@ class Progress:
     """Which share is done, and what comes next, with `{scheme}` for the scheme that is tried."""
 
     share: float
-    told: Stage
+    stage: Stage
     scheme: str = ""
 
 
@@ -79,7 +79,7 @@ class Point:
     scheme: Scheme
     rate: float
     error: float
-    price: float
+    cost: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +120,7 @@ class Split:
 class Failed:
     """Why there is no more to be found."""
 
-    told: str
+    reason: str
 
 
 Finding = Progress | Point | Here | Split | Trust | Setting | Failed
@@ -230,7 +230,7 @@ def _others(level: Level, values: Values) -> Iterator[Finding]:
     if not refinements:
         return
     best = min(refinements, key=_doubt)
-    steps = step_prices(
+    steps = step_durations(
         level, values, *(refinement.traces[-1].stepping for refinement in refinements)
     )
     for refinement, step in zip(refinements, steps, strict=True):

@@ -1,4 +1,4 @@
-"""How far the numbers of a run can be trusted: how many of their digits hold, and until when."""
+"""How many digits of a run's numbers can be trusted, and until when."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

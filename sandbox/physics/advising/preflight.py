@@ -1,4 +1,4 @@
-"""What is known against a level before it runs: steps too long for it, bodies that overlap."""
+"""What speaks against a level before it runs: steps that are too long, bodies that overlap."""
 
 from math import inf
 
@@ -39,7 +39,7 @@ def refusal(level: Level, *, advised: bool = False) -> SimulationError | None:
     found = [(values, error) for values, error in asked if error]
     if not found:
         return None
-    values, error = _told(level, *max(found, key=lambda one: _needed(one[1])))
+    values, error = _placed(level, *max(found, key=lambda one: _needed(one[1])))
     if advised and error.rate is not None:
         from sandbox.physics.advising.remedies import tried
 
@@ -76,7 +76,7 @@ def _needed(error: SimulationError) -> float:
     return error.rate or inf
 
 
-def _told(level: Level, values: Values, error: SimulationError) -> tuple[Values, SimulationError]:
+def _placed(level: Level, values: Values, error: SimulationError) -> tuple[Values, SimulationError]:
     """Return the parameters that an error takes, and the error with these and its place."""
     for name, default in level.defaults.items():
         tamer = {**values, name: default}

@@ -1,4 +1,4 @@
-"""What helps a run that had to stop: tried before it is told.
+"""Remedies for a run that had to stop, each tried before it is suggested.
 
 Whoever shows why a run stopped asks for it; the run itself only says what it suspects. Each remedy
 is tried in a world of its own, from the start, by far enough that the stop would have come, and all
@@ -122,7 +122,7 @@ def advise(
             return Advice(f"tried: {_dismissed(failed)}{trial.outcome}", trial.rate)
         failed.append(trial)
     if not failed:
-        return Advice(f"what would help is not known: nothing came as far within {seconds:g} s")
+        return Advice(f"no remedy is known: nothing came as far within {seconds:g} s")
     return Advice(f"nothing that was tried helps: {'; '.join(t.outcome for t in failed)}")
 
 

@@ -1,4 +1,4 @@
-"""Bodies that do not meet each other, whatever their shapes do.
+"""Pairs of bodies that never collide, whatever their shapes do.
 
 pymunk leaves out pairs between which a constraint says so, before it looks at their shapes: nothing
 is called, and nothing is made of a contact. The constraint is a motor without strength.

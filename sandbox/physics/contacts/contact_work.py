@@ -1,4 +1,4 @@
-"""A kick as a ledger books it, and what contacts did in it."""
+"""A kick as the ledger books it, and the work that contacts did in it."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Feelers: small discs that find where the corners of bodies touch what is hollow."""
+"""Feelers: small discs that find where the corners of bodies touch hollow shapes."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Corners that touch something at the start, and fall short of it.
+"""Corners that should touch at the start, but fall short by the rounding of polygons.
 
 The inset of polygons rounds their corners off: one that stands on a floor by its corner, as a
 ladder does, would be out of touch by some 1e-9 m, and fall freely in the first step; the sharper

@@ -1,4 +1,4 @@
-"""Arcs, hoops and curves in pymunk's space: circles that pymunk finds, touched as they are.
+"""Contacts of arcs, hoops and curves: pymunk finds them, and the exact geometry corrects them.
 
 Whatever is within a circle overlaps it, so pymunk finds it in every step. Before it solves, a
 callback puts the exact contact in place of its own, or takes it away. What has corners touches an

@@ -1,4 +1,4 @@
-"""Making what is hollow: arcs, curves and hoops with room in them, and feelers for all others."""
+"""Making hollow shapes in pymunk: arcs, curves and hoops, and the feelers of the other bodies."""
 
 from cmath import rect
 from collections.abc import Iterator, Mapping, Sequence

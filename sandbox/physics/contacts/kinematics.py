@@ -1,4 +1,4 @@
-"""How points of bodies move, and the Jacobian of pairs that touch."""
+"""The velocities of points of bodies, and the Jacobian of touching pairs."""
 
 import numpy as np
 

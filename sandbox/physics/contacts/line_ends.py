@@ -1,4 +1,4 @@
-"""The ends of arcs and curves: round, or going on into another line that never moves.
+"""The ends of arcs and curves: rounded, or joined to another static line.
 
 Where the end of a static arc or curve meets that of another static line of the same thickness, the
 two know each other, as the segments of a polyline do: no ball trips where they join.

@@ -1,4 +1,4 @@
-"""Bodies that overlap at the start, which nothing put there but a mistake.
+"""Bodies that overlap at the start, which is a mistake in the level.
 
 What takes overlaps back would throw them apart, or leave them in each other. So a level in which
 bodies overlap says that it wants it, or is refused.

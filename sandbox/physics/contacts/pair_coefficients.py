@@ -1,4 +1,4 @@
-"""The coefficients of pairs: those that a level names, else the products of the bodies' own."""
+"""The coefficients of pairs: the level's own, or else the products of the bodies'."""
 
 from typing import Literal
 

@@ -1,4 +1,4 @@
-"""How many pairs of bodies may be within reach of each other, estimated before anything is made.
+"""How many pairs of bodies may come close, estimated and limited before anything is made.
 
 pymunk keeps 1 kB for each pair that touches and goes over all of them in each sweep of its solver:
 2,000 discs in one place are two million pairs, which took 30 s and 2.7 GB.

@@ -1,4 +1,4 @@
-"""The velocity at a step in which bodies hit each other.
+"""The velocity of bodies at a step in which they collide.
 
 Elsewhere the velocity at a step is the mean of those half a step before and after. An impact has no
 such mean: what counts is the velocity right after it, from which the body then goes on for half a

@@ -1,4 +1,4 @@
-"""What bodies touch where they are, asked of pymunk between two of its steps."""
+"""Contacts at the present positions, asked of pymunk between two of its steps."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence

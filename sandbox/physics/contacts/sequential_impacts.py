@@ -1,4 +1,4 @@
-"""Impacts one after the other, as those of hard bodies that touch each other are.
+"""Sequential impacts: hard bodies that touch each other collide pair after pair.
 
 pymunk solves all contacts of a step at once, so a shot into a row of touching balls moves several
 of them. Here, between drift and kick, the pair that approaches fastest collides first: an impulse

@@ -1,4 +1,4 @@
-"""What bodies touch each other with: pymunk's shapes, and how it is to treat their contacts."""
+"""The shapes of bodies in pymunk, and how pymunk treats their contacts."""
 
 from itertools import pairwise
 

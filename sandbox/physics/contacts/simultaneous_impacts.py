@@ -1,4 +1,4 @@
-"""Bodies that touch each other and collide: one pair after the other, and all at once.
+"""Impacts within a pile: the fastest pair first, and what is left all at once.
 
 The pair that approaches fastest collides first, which may make neighbours approach, and so on.
 Pairs that approach equally fast collide at once, so that what was symmetric stays so. Bodies with

@@ -1,4 +1,4 @@
-"""The coefficients of pairs that rub, bounce or stick, where they are not the surfaces' own."""
+"""The coefficients that pymunk's solver works with, where pairs have their own."""
 
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING

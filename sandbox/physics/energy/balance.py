@@ -1,4 +1,4 @@
-"""Where the energy and the momentum of a run are at a step: what a ledger's books say."""
+"""The balance of energy and momentum at a step, read from the ledger."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Whether the books of a run close, and how well they can.
+"""Whether the energy books of a run close, and how well they can.
 
 Leapfrog keeps another energy than the one that is read, to rounding: with a drift in the middle of
 which it is read, the two differ by
@@ -91,7 +91,7 @@ class Closing(NamedTuple):
 
 
 class Closer:
-    """Keeps the books of a run, and sees whether they close; told of every step."""
+    """Keeps the books of a run, and checks whether they close; `note` is called at every step."""
 
     def __init__(self, run: Recorded) -> None:
         self._run, self._ledger = run, Ledger(run)

@@ -1,4 +1,4 @@
-"""What a kick did: which impulse came from a force, a joint, a contact or a hand."""
+"""Attribution of a kick's impulses to forces, joints, contacts and the hand."""
 
 from dataclasses import replace
 from typing import TYPE_CHECKING

@@ -1,4 +1,4 @@
-"""Where the energy and the momentum of a run come from, and where they go.
+"""The ledger: where the energy and the momentum of a run come from and go.
 
 A step drifts, then kicks. Read from the middle of one drift to the middle of the next it is half a
 drift, one kick, half a drift, and only the kick changes velocities. An impulse J in a kick that

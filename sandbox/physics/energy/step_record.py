@@ -1,4 +1,4 @@
-"""What a step leaves behind for whoever keeps books of its energy: frozen, and known after it."""
+"""The frozen record of a step, from which the energy books are kept."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple, Protocol

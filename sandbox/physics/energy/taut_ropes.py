@@ -1,4 +1,4 @@
-"""Ropes that are caught, and what such a jerk reaches."""
+"""Ropes that become taut, and the joints that such a jerk reaches."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The pairs in contact as pymunk writes them down, an arbiter each; see `Contacts` in `batch`.
+"""pymunk's arbiters, one for each pair in contact, read as arrays (see `Contacts` in `batch`).
 
 Which pairs touch seldom changes from step to step: what follows from that alone is kept.
 """

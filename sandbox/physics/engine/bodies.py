@@ -1,4 +1,4 @@
-"""pymunk's bodies: where they start, their mass and moment, and the corners of their shapes."""
+"""pymunk's bodies: their start, mass and moment, and the corners of their shapes."""
 
 from cmath import rect
 from itertools import pairwise

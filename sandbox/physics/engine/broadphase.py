@@ -1,4 +1,4 @@
-"""How pairs of shapes that may touch are found, chosen to suit the scene.
+"""The broad phase, chosen to suit the scene: how pairs that may touch are found.
 
 pymunk's tree of bounding boxes serves any scene. In a crowd of like shapes a grid of cells is
 quicker, for a tree grows with the logarithm of their number: in a gas a disc takes 1090

@@ -1,4 +1,4 @@
-"""A hand that takes hold of bodies."""
+"""Grabbing: a stiff spring with which a hand holds a body."""
 
 from collections.abc import Sequence
 

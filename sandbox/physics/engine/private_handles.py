@@ -1,4 +1,4 @@
-"""Bodies and contacts read and written by the handles that pymunk keeps to itself.
+"""Bodies and contacts read and written through pymunk's private handles.
 
 `pymunk.batch` reads or writes all bodies in one call of C, but makes the arguments of that call
 anew each time: 0.9 of the 1.1 µs that it takes to read two bodies, and 1.4 of the 1.6 to write
@@ -88,7 +88,7 @@ class Pair:
         self._a, self._b = a._body, b._body  # noqa: SLF001
         self._state = Memory(BodyFields.POSITION | BodyFields.VELOCITY, 8)
         self._velocity = Memory(BodyFields.VELOCITY, 4)
-        self._told = self._velocity.values.data
+        self._buffer = self._velocity.values.data
 
     def read(self) -> list[float]:
         """Return x, y, vx, vy of the one, and then of the other [m, m/s]."""
@@ -101,7 +101,7 @@ class Pair:
     def set_velocity(self, ax: float, ay: float, bx: float, by: float) -> None:
         """Give the one and the other their velocities [m/s]."""
         memory = self._velocity
-        _PAIR.pack_into(self._told, 0, ax, ay, bx, by)
+        _PAIR.pack_into(self._buffer, 0, ax, ay, bx, by)
         memory.floats.num = 0
         lib.pmSpaceBodySetIteratorFuncBatched(self._a, memory.call)
         lib.pmSpaceBodySetIteratorFuncBatched(self._b, memory.call)

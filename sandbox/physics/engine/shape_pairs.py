@@ -1,4 +1,4 @@
-"""Two shapes that pymunk has found to be near, by the handles that it keeps to itself.
+"""A pair of shapes that pymunk found to be close, read through its private handles.
 
 To ask an arbiter for its shapes, bodies and points takes 12 µs of vectors and lists, and to give it
 a point that is replaced as much again; that it touched nothing so far cannot be said at all.

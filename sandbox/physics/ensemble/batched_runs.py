@@ -1,4 +1,4 @@
-"""Many worlds in one batch of arrays, where gravity and exact joints act and nothing touches.
+"""Many runs in one batch of arrays, for scenes with gravity and exact joints where nothing touches.
 
 Each run starts as a world of its own, with its first kick. From there on all step together: the
 drift and the kick are pymunk's own arithmetic, the joints those of `ManyJoints`, and what is

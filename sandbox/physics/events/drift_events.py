@@ -1,8 +1,8 @@
-"""Drifts in which something happens that changes what acts: a joint is cut, a force switched.
+"""Drifts with an event that changes what acts: a joint is cut, a force is switched.
 
-Between two kicks leapfrog stands for a motion with the acceleration of the last one, a parabola.
-Something happens on it, at its own time; from there a parabola with another acceleration leads on
-to the end of the drift.
+Between two kicks leapfrog stands for a motion with the acceleration of the last kick: a parabola.
+An event happens at its own time on that parabola. From there another parabola, with another
+acceleration, leads to the end of the drift.
 """
 
 from collections.abc import Callable, Sequence

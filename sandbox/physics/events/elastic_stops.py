@@ -1,10 +1,10 @@
-"""Stops that give back some of the speed with which they are run into.
+"""Elastic stops: what runs into one is turned back with some of its speed.
 
-What runs into one is turned back at its own time within a drift, as Newton's law of restitution
-says (see `jolts.py`); until then the stop is no part of what the joints are solved for. What would
-come back within a step rests on the stop: from there it is held like any other joint that only
-pushes, until it leaves. So a ball that bounces lower and lower comes to rest, and its last bounces,
-which are lower than a g dt²/8, are taken by the stop.
+It is turned back at its own time within a drift, by Newton's law of restitution (see
+`joint_impacts.py`). Until then the stop is no part of the equations of the joints. What would come
+back within a step rests on the stop: from there the stop holds it like any other joint that only
+pushes, until it leaves. So a ball that bounces lower and lower comes to rest. Its last bounces,
+lower than a g dt²/8, are taken by the stop.
 """
 
 from collections.abc import Mapping

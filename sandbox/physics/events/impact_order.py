@@ -1,4 +1,4 @@
-"""Which of the impacts that are located in time come next, and when they are too many."""
+"""The order of located impacts: which comes next, and when they are too many."""
 
 from collections.abc import Callable, Sequence
 

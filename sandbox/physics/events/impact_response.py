@@ -1,4 +1,4 @@
-"""What impacts of two bodies do, wherever in time they come: one, or some at once.
+"""The response to impacts of two bodies at any time: to one, or to several at once.
 
 Impulses along the normal, at the points where the bodies touch, turn their approach into e times as
 fast a parting (Newton's law of restitution); friction takes what Coulomb's law allows; exact joints

@@ -1,16 +1,18 @@
-"""Blows that go through joints which break.
+"""Joints that break under an impact.
 
-What is rigid has no finite force where it is jerked taut or struck: it takes an impulse in no time.
-A joint that breaks at a force therefore breaks before it has given any, and what it held goes on
-as if it had not been there. So a kick in which the force of a joint leaps beyond what it bears is
-solved again without that joint. An impulse counts as the force that gives it within a step, so that
-the rate decides what is a blow: a joint bears an impulse that it could give in one step.
+Rigid joints have no finite force at an impact: they take an impulse in no time. A joint with a
+breaking force therefore breaks before it has given any impulse, and its bodies go on as if it had
+not been there. So if the force of a joint in a kick leaps beyond its limit, the kick is solved
+again without that joint. An impulse counts as the force that would give it within one step. So the
+rate decides what counts as an impact: a joint bears an impulse that its limiting force gives in one
+step.
 
-A rope that is caught in a drift is stopped in the kick before it and in the one after. It is the
-whole jerk that counts, J = m u, wherever in the drift that is. Of it the first kick gives the share
-(u − u')/u, with the rates u and u' at which the rope grows longer before it and after.
+A rope that becomes taut within a drift is stopped partly in the kick before it and partly in the
+kick after it. What counts is the whole jerk, J = m u, wherever in the drift it happens. The first
+kick gives the share (u − u')/u of it, where u and u' are the rates at which the rope grows longer
+before and after that kick.
 
-Springs know their force at any time, and know no blows.
+The force of a spring is known at any time, so springs need none of this.
 """
 
 from collections.abc import Mapping
@@ -29,7 +31,7 @@ SUDDEN = 0.5
 less is a force that rises, and found within the drift."""
 
 
-class Blows:
+class JointBreaking:
     """Solves the joints of a scene in a kick, and once more without those that a blow breaks.
 
     Parameters

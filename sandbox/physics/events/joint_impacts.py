@@ -1,4 +1,4 @@
-"""Impacts of joints at one instant: of one that catches, or of what runs into an elastic stop.
+"""Impacts of joints at one instant: a joint catches, or a body runs into an elastic stop.
 
 All that is joined or touches takes part: the impulses λ along the rows of the Jacobian J are found
 together, so that right after it nothing that holds is parted any further, and what bounces leaves

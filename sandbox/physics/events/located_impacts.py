@@ -1,4 +1,4 @@
-"""Impacts located in time: those of fast bodies, and those whose time matters.
+"""Impacts located in time, for fast bodies and wherever the instant matters.
 
 pymunk looks for contacts once a step. A bullet is then already behind the wall, and a ball bounces
 up to a step late. Here the drift of a step is cut at every impact of the bodies that a level names:

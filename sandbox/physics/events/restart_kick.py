@@ -1,8 +1,8 @@
-"""How bodies go on from where something ends within a step: a kick of bodies that are held.
+"""The kick with which bodies go on after an event within a step.
 
-They are held there and kicked, as all are before the first step, by pymunk's solver and the joints
-together. A contact that slips keeps on slipping in a kick that is short enough; one whose slip has
-ended is held by friction if that can, and slips the other way if it cannot.
+The bodies are held where they are and kicked by pymunk's solver and the joints together, as before
+the first step. In a kick that is short enough, a slipping contact keeps slipping. A contact whose
+slip has ended is held by friction if friction is strong enough; otherwise it slips the other way.
 """
 
 from collections.abc import Callable, Iterator, Mapping

@@ -1,4 +1,4 @@
-"""Which contacts slip at a step, and whose slip ends before the next."""
+"""Which contacts slip at a step, and which stop slipping before the next."""
 
 from typing import NamedTuple
 

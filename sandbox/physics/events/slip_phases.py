@@ -1,4 +1,4 @@
-"""How fast what touches slips, and what friction did while it slipped differently than thought."""
+"""The phases of slipping within a step, and the work of friction in each."""
 
 from collections.abc import Sequence
 from typing import NamedTuple

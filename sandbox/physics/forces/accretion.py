@@ -1,4 +1,4 @@
-"""What pushes a body that gathers matter: m dv/dt = F + (w − v) dm/dt.
+"""The force on a body that gathers matter: m dv/dt = F + (w − v) dm/dt.
 
 w is the velocity of what comes (Meshchersky's equation).
 """

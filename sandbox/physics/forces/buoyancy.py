@@ -1,4 +1,4 @@
-"""What a liquid at rest carries: its weight where bodies displace it, exactly.
+"""Buoyancy in a liquid at rest: the weight of the displaced liquid, computed exactly.
 
 The area A of a polygon below the surface, its depth and its moment are sums over the edges, clipped
 at the surface: by Green's theorem ∬ f dA = −∮ ∫f dy dx over what lies below, for the surface itself

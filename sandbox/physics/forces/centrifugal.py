@@ -1,4 +1,4 @@
-"""What a frame that turns does to what lies in it."""
+"""The forces of a rotating frame."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

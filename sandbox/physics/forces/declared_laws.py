@@ -1,4 +1,4 @@
-"""The force laws that a level declares; each effect's own module makes them.
+"""The force laws that a level declares, made by each effect's own module.
 
 A law is imported where a level declares it: what a scene does not call for is not even loaded.
 """
@@ -39,7 +39,7 @@ def laws(effects: Effects, given: Given) -> tuple[tuple[Law, ...], tuple[Turn, .
     """
     forces: list[Law] = []
     turns: list[Turn] = []
-    for effect in effects.told:
+    for effect in effects.declarations:
         if not effect.is_law:
             continue
         for law in _laws_of(effect, getattr(effects, effect.name), given):
@@ -60,7 +60,7 @@ def _laws_of(effect: Effect, said: Any, given: Given) -> Iterable[Any]:  # noqa:
 def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Array) -> Share:
     """Return how the masses of a level's bodies change; `steady` if nothing flows."""
     found: list[Flow] = []
-    for effect in effects.told:
+    for effect in effects.declarations:
         if effect.changes_mass:
             found += part_of(effect, "flows")(getattr(effects, effect.name), values, names)
     return MassFlows(found, mass) if found else steady
@@ -68,7 +68,7 @@ def mass_share(effects: Effects, values: Values, names: Sequence[str], mass: Arr
 
 def any_law(level: Level) -> bool:
     """Whether a level has forces that pymunk does not apply by itself, springs among them."""
-    declared = any(effect.is_law for effect in level.effects.told)
+    declared = any(effect.is_law for effect in level.effects.declarations)
     return declared or any(joint.kind.force for joint in level.joints.values())
 
 
@@ -76,14 +76,14 @@ def missing(effects: Iterable[Effect]) -> Iterator[str]:
     """Yield what is missing of effects that act by a law, without loading any."""
     for effect in effects:
         if effect.is_law and find_spec(f"{_ROOM}.{effect.name}") is None:
-            yield _told(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
+            yield _message(effect, f"it has no law: add {_file(effect)} with a function 'laws'")
 
 
 def part_of(effect: Effect, function: str) -> Callable[..., Iterable[Any]]:
     """Return what an effect's own module makes something with."""
     module = import_module(f"{_ROOM}.{effect.name}")
     if not hasattr(module, function):
-        raise IncompleteError(_told(effect, f"add a function '{function}' to {_file(effect)}"))
+        raise IncompleteError(_message(effect, f"add a function '{function}' to {_file(effect)}"))
     found: Callable[..., Iterable[Any]] = getattr(module, function)
     return found
 
@@ -94,13 +94,13 @@ def _require(effect: Effect, law: Law | Turn) -> None:
     if lacking := [name for name in needed if not hasattr(law, name)]:
         kind = "does no work ('book' is 'none'), so it is a Turn" if effect.turns else "is a Law"
         which = f"its law {kind}, but {type(law).__name__} in {_file(effect)}"
-        raise IncompleteError(_told(effect, f"{which} has no '{lacking[0]}'"))
+        raise IncompleteError(_message(effect, f"{which} has no '{lacking[0]}'"))
     if law.effect.name != effect.name:
         which = f"{type(law).__name__} in {_file(effect)} says that it is of '{law.effect.name}'"
-        raise IncompleteError(_told(effect, which))
+        raise IncompleteError(_message(effect, which))
 
 
-def _told(effect: Effect, rule: str) -> str:
+def _message(effect: Effect, rule: str) -> str:
     return f"the effect '{effect.name}' is declared in {_declaration(effect)}, but {rule}"
 
 

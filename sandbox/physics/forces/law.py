@@ -1,4 +1,4 @@
-"""What a force law is, and what it is made of.
+"""The contract of a force law, and what laws are made from.
 
 The law of an effect is a module of its name in this folder, with a function
 

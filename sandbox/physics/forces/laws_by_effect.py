@@ -1,4 +1,4 @@
-"""The laws of a level one by one, for whoever tells what each of them does."""
+"""The laws of a level one by one, each with its effect."""
 
 from collections.abc import Iterator
 
@@ -11,7 +11,7 @@ from sandbox.physics.forces.switched_laws import SwitchedLaw
 
 def one_by_one(effects: Effects, given: Given) -> Iterator[tuple[Model, Law]]:
     """Yield each law with what a level says of it: of a list, those of each entry by themselves."""
-    for effect in effects.told:
+    for effect in effects.declarations:
         if effect.is_law and not effect.turns:
             make, said = part_of(effect, "laws"), getattr(effects, effect.name)
             for entry in said if isinstance(said, tuple) else (said,):

@@ -1,4 +1,4 @@
-"""A potential of one's own, of which the force is the slope."""
+"""A potential given as a formula; the force is its negative gradient."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Whether a force acts that events switch.
+"""A switch: whether a force acts that events turn on and off.
 
 A switch knows when it was thrown, so that a recorded run, too, tells what acted at each instant.
 """

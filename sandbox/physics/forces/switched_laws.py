@@ -1,4 +1,4 @@
-"""Forces that events switch: a law that acts while its switch is on."""
+"""Force laws that act while their switch is on."""
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass

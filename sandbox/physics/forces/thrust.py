@@ -1,4 +1,4 @@
-"""What pushes a body that loses matter: m dv/dt = F + u dm/dt.
+"""The force on a body that loses matter: m dv/dt = F + u dm/dt.
 
 u is the velocity of what leaves relative to the body (Meshchersky's equation).
 """

@@ -1,4 +1,4 @@
-"""Forces that turn velocities, and do no work: by a rotation inside of the kick.
+"""Forces that turn velocities and do no work, as a rotation inside the kick.
 
 J. P. Boris's way (Proc. 4th Conf. Numerical Simulation of Plasmas, 1970): half of what all other
 forces give in the kick, then a rotation, then the other half,

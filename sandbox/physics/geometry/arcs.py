@@ -1,4 +1,4 @@
-"""Where arcs and hoops touch other shapes: the geometry, exact and from both sides.
+"""Where arcs and hoops touch other shapes, exactly and from both sides.
 
 To pymunk a circle is filled. An arc is a line of some thickness along a part of a circle, so what
 touches it does so in one of three ways: from inside, with a corner or, if it is round, along the

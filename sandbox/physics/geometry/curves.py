@@ -1,4 +1,4 @@
-"""Where curves touch other shapes: at the points of the curve itself, from both sides.
+"""Where curves touch other shapes, at points of the curve itself and from both sides.
 
 To pymunk each stretch of a curve is a filled circle around it, so that whatever may touch it is
 found. What is round touches it where it is nearest to the middle of that, and a corner where it is

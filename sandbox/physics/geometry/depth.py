@@ -1,4 +1,4 @@
-"""How deep points are in a polygon: their distance from its outline, negative outside."""
+"""The depth of points in a polygon: their distance from its outline, negative outside."""
 
 import numpy as np
 

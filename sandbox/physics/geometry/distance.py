@@ -1,4 +1,4 @@
-"""The outlines of shapes, how far they are from each other, and where they would touch.
+"""Outlines of shapes: the distance between them, and where they would touch.
 
 To pymunk a disc is a point with a radius, a wall two points with a radius, a polygon its corners
 with a very small one. So the distance of two shapes is that of two cores, points of the plane (here

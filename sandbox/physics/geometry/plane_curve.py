@@ -1,4 +1,4 @@
-"""The course of a curved surface: its points, where it is nearest to others, and how it bends.
+"""A plane curve: its points, the point nearest to another, and its curvature.
 
 Everything is along the axes of its body, and a place on it is counted in the pieces of `Quintics`.
 """

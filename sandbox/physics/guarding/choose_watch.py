@@ -1,4 +1,4 @@
-"""What watches a run, as far as its level can go wrong."""
+"""What watches a run: the protocol, and the choice by what can go wrong in the level."""
 
 from functools import partial
 from typing import TYPE_CHECKING, Protocol

@@ -1,4 +1,4 @@
-"""Energy from nowhere where work is put in, and the energy of a scene may grow for a reason.
+"""Unexplained energy in scenes whose energy may grow for a reason.
 
 What the reason is only the ledger knows, and it costs more than a step. So the books are opened
 when a step changes the kinetic energy by much, as whatever blows up does in every step, and closed

@@ -1,4 +1,4 @@
-"""What energy has come from nowhere in a scene into which nothing puts any.
+"""Unexplained energy in scenes to which nothing gives any.
 
 There energy can only grow by what the steps are too coarse for, and by what taking back overlaps
 lifts. The second is seen: a body that goes another way than its velocity had it go in a drift was

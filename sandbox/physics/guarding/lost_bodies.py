@@ -1,4 +1,4 @@
-"""Stops a run in which a body is nowhere any more, or has more energy than a number holds."""
+"""Stops a run in which a body's position or energy is no longer a finite number."""
 
 from collections.abc import Callable, Sequence
 from math import isfinite

@@ -1,4 +1,4 @@
-"""Which rate a scene needs, from limits that are known without trying: those of its present state.
+"""The rate that a scene needs in its present state, from known limits.
 
 Who looks for a rate begins with what the start asks for; what stops a run that goes wrong asks what
 was too strong for it.

@@ -1,4 +1,4 @@
-"""Stops a run that has gone wrong, says what did, and at which rate it should hold.
+"""The watchdog: it stops a run that has gone wrong, says why, and at which rate it should hold.
 
 It looks at what is observed anyway, and changes nothing. What makes a look expensive, energies and
 the joints' lengths, it looks at every few observations only. Euler's schemes are deliberately bad:
@@ -165,12 +165,16 @@ class Watchdog:
             self._refuse_if(now, self._audit.look(now, before, self._gains.lifted))
         self._recent.append(now)
         if len(self._recent) > EVERY:
-            self.good = self._recent[0]
-            if self._strict:
-                self._look_for_parted(now)
-            if self._closed and not disturbed:
-                self._refuse_if(now, self._gains.look(now))
-            self._recent = self._recent[-1:]
+            self._look_closely(now, disturbed=disturbed)
+
+    def _look_closely(self, now: Snapshot, *, disturbed: bool) -> None:
+        """Look at what is looked at only now and then."""
+        self.good = self._recent[0]
+        if self._strict:
+            self._look_for_parted(now)
+        if self._closed and not disturbed:
+            self._refuse_if(now, self._gains.look(now))
+        self._recent = self._recent[-1:]
 
     def _look_for_lost(self, now: Snapshot) -> None:
         if not is_sound(now):

@@ -1,4 +1,4 @@
-"""Bodies that become one: welded by the level, or stuck to each other at their first touch."""
+"""Composites: bodies that are welded by the level, or stick at their first touch."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial

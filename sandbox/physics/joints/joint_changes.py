@@ -1,4 +1,4 @@
-"""What changes who is joined to whom while a scene runs."""
+"""Joints that are cut, stick or catch while a scene runs."""
 
 from sandbox.physics.joints.joints import Joints
 from sandbox.physics.state.kick import Kick

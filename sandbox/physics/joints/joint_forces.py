@@ -1,4 +1,4 @@
-"""What exact joints did in a kick, for whoever keeps books of it."""
+"""The forces of exact joints in a kick, for the energy books."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""Joints that are open until an event ties them."""
+"""Latches: joints that are open until an event closes them."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""A light, inextensible string over fixed pegs, which pymunk has not.
+"""Pulleys: a light, inextensible string over fixed pegs, which pymunk does not have.
 
 The unknown is one impulse along the string. It is chosen so that the string has its length *after
 the next drift*, at position level, which is the constrained form of leapfrog (SHAKE; Ryckaert,

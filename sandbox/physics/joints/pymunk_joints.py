@@ -1,4 +1,4 @@
-"""Joints as pymunk has them: springs, and others for levels that do not ask for exact ones.
+"""pymunk's own joints: springs, and joints that levels declare as not exact.
 
 pymunk's solver takes turns between its constraints: it holds velocities as well as its iterations
 go, and corrects places later, by a share of what they are off.

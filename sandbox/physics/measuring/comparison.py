@@ -1,4 +1,4 @@
-"""Two runs of a level held against each other: what an effect changes."""
+"""Comparison of two runs of a level: what an effect changes."""
 
 from dataclasses import dataclass
 

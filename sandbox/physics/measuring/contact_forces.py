@@ -1,4 +1,4 @@
-"""What contacts do to one body: normal force and friction, and where they act.
+"""The contact forces on one body: normal force, friction, and where they act.
 
 Contacts that are solved directly tell the impulse at every point, so the force of a side on a side
 is known with its line of action. pymunk tells the impulse of both points of a side together: where

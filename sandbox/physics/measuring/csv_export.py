@@ -1,4 +1,4 @@
-"""Runs as CSV files that say how to get them again."""
+"""Runs as CSV files that say how to repeat them."""
 
 import platform
 import shlex

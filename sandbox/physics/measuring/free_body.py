@@ -67,7 +67,7 @@ class Acting(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class FreeBody:
-    """A body and the forces on it at a step; see `free_bodies` for what they are.
+    """A body and the forces on it at a step; see `free_body_forces` for what they are.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Holding a run against what its level asks of the person who plays it."""
+"""The goals of a challenge, and how a run meets them."""
 
 from dataclasses import dataclass
 from math import inf, nan

@@ -1,4 +1,4 @@
-"""Holding a run against the closed forms that its level states."""
+"""Grading a run by the closed forms of its level."""
 
 from dataclasses import dataclass
 from typing import Literal

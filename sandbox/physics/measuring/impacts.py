@@ -1,4 +1,4 @@
-"""The impacts of a step: which bodies struck each other, where, and with what impulse.
+"""The impacts of a step: which bodies collided, where, and with what impulse.
 
 A contact that begins in a step gives the impulse that the engine reports for the pair. Bodies that
 touch already, as the balls of a Newton's cradle do, are struck in turn (`sequential_impacts`) or

@@ -1,4 +1,4 @@
-"""What becomes of a quantity from the start of a run on: extremes, means and integrals.
+"""Running extremes, means and integrals of a quantity since the start of a run.
 
 They are those of the samples: between two of them an extreme is missed by a kick's share, and an
 integral goes by trapezoids. Both are of second order.

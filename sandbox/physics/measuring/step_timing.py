@@ -1,4 +1,4 @@
-"""What a step costs, measured so that the noise of the machine stays out of it."""
+"""The cost of a step, measured so that the noise of the machine stays out of it."""
 
 from collections.abc import Callable, Sequence
 from itertools import chain, count, cycle, islice

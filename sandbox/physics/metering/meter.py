@@ -1,4 +1,4 @@
-"""From snapshots to named quantities."""
+"""The meter: from snapshots to named quantities."""
 
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial

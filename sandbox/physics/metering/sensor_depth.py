@@ -1,4 +1,4 @@
-"""How deep a body's centre is in a sensor: its distance from the outline, negative outside."""
+"""The depth of a body's centre in a sensor: its distance from the outline, negative outside."""
 
 from collections.abc import Callable
 

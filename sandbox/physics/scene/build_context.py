@@ -1,4 +1,4 @@
-"""What the parts of a scene are handed while it is made."""
+"""What each part of a scene is handed while the scene is built."""
 
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple

@@ -1,4 +1,4 @@
-"""The drifts and kicks of which a step of fourth order is made.
+"""Composition schemes: the drifts and kicks of which a fourth-order step is made.
 
 A scheme of higher order is a row of drifts and kicks of different lengths, some of which go back in
 time. The kick at the end of a step belongs in equal parts to that step and to the next. pymunk

@@ -1,4 +1,4 @@
-"""How the bodies of a scene touch: their shapes, who solves contacts, and who sticks to whom."""
+"""Setting up contacts: shapes, the choice of solver, and who sticks to whom."""
 
 from typing import TYPE_CHECKING
 

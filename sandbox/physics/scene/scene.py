@@ -4,7 +4,7 @@ What a level does not declare is not made: without contact no shape joins the sp
 rotation every moment is infinite, without friction or restitution the coefficients are zero.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -134,12 +134,7 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
     forces, turns = laws(level.effects, given)
     made = Made(level, values, stepping, bodies, batch, joints, inertia, inverse_mass)
     direct, sequence = _solvers(made, pairs)
-    hooked: Iterable[Law] = forces
-    if joints.springs or forces or turns:
-        from sandbox.physics.scene.springs import check_rate, hooked_springs
-
-        check_rate(made, forces, turns)
-        hooked = (*forces, *hooked_springs(made, share))
+    hooked = _hooked(made, forces, turns, share)
     return Scene(
         space=space,
         bodies=bodies,
@@ -159,10 +154,22 @@ def make_scene(level: Level, values: Values, stepping: Stepping) -> Scene:
         gates=pairs.gates,
         gravity=field,
         laws=(*forces, *joints.springs.values()),
-        hooked=tuple(hooked),
+        hooked=hooked,
         turns=turns,
         switches=switches,
     )
+
+
+def _hooked(
+    made: Made, forces: tuple[Law, ...], turns: tuple[Turn, ...], share: Share
+) -> tuple[Law, ...]:
+    """Return the laws that are called in each step, if the rate is high enough for all."""
+    if not (made.joints.springs or forces or turns):
+        return forces
+    from sandbox.physics.scene.springs import check_rate, hooked_springs
+
+    check_rate(made, forces, turns)
+    return (*forces, *hooked_springs(made, share))
 
 
 def _inertia(bodies: Sequence[pymunk.Body]) -> tuple[Array, Array]:

@@ -1,4 +1,4 @@
-"""Which springs pymunk pulls, and whether the rate is high enough for springs and other forces."""
+"""Which springs pymunk handles itself, and whether the rate is high enough for all forces."""
 
 from collections.abc import Iterator, Sequence
 

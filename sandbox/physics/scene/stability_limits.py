@@ -1,4 +1,4 @@
-"""How high a rate springs and drag need: beyond it, leapfrog makes them explode."""
+"""The rate that springs and drag need: below it, leapfrog is unstable."""
 
 from collections.abc import Mapping, Sequence
 from math import inf

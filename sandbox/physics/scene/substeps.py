@@ -1,4 +1,4 @@
-"""The drift and the kick of a step, and the drifts and kicks of one that has several."""
+"""Substeps: a drift and the kick after it."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""The switches of a scene: of what its level's events cut and switch."""
+"""The switches of a scene, one for each thing that events cut or switch."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Where a joint holds on."""
+"""Anchors: the points of bodies on which joints hold."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

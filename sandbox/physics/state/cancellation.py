@@ -1,4 +1,4 @@
-"""Places in a long computation at which whoever waits for it may look up, and break it off.
+"""Cancellation points: places in a long computation where it can be broken off.
 
 The loops that can make one step last for seconds come to a `cancellation_point` each time round.
 pymunk's own step has none, nor has a call of LAPACK: they are over before anybody is asked. Nobody
@@ -15,7 +15,7 @@ _asked: tuple[Look, ...] = ()
 
 
 def cancellation_point() -> None:
-    """Let whoever waits look; a run that they break off has ended.
+    """Let the waiting caller look; a run that it cancels has ended.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def cancellation_point() -> None:
 
 @contextmanager
 def cancellable(look: Look) -> Iterator[None]:
-    """Ask at every cancellation point within, and whoever asked before as well."""
+    """Ask at every cancellation point inside, together with earlier requests."""
     global _asked
     before, _asked = _asked, (*_asked, look)
     try:

@@ -1,4 +1,4 @@
-"""What can go wrong while a world runs."""
+"""The errors of a running world."""
 
 from math import ceil
 
@@ -49,7 +49,7 @@ class SimulationError(SandboxError):
         self.place = ""
         self._path = path
         self.rate = ceil(rate) if rate is not None and rate <= HIGHEST_RATE else None
-        super().__init__(self.told(hint))
+        super().__init__(self.with_advice(hint))
 
     def __reduce__(self) -> tuple[object, ...]:
         """Let it be told in another process, too."""
@@ -57,9 +57,9 @@ class SimulationError(SandboxError):
         return type(self), arguments, {"place": self.place}
 
     def __str__(self) -> str:
-        return self.told(self.hint)
+        return self.with_advice(self.hint)
 
-    def told(self, advice: str) -> str:
+    def with_advice(self, advice: str) -> str:
         """Return the message with some advice; none if that is empty."""
         begin = self.place or f"stopped at t = {self.time:.6g} s"
         return f"{begin}: {self.reason}" + (f"; {advice}" if advice else "")

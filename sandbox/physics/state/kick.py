@@ -1,4 +1,4 @@
-"""What is said of a kick to all that have a part in it."""
+"""A kick, as it is handed to everything that acts in it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ class Clock:
 class Kick:
     """A kick of n bodies, as it is handed on to what acts in it.
 
-    Time is counted in steps, so that it is the same to the last digit for whoever asks. The kick of
+    Time is counted in steps, so that it is the same everywhere to the last digit. The kick of
     most steps differs from the last in nothing but the time, and is made once.
 
     Attributes

@@ -1,4 +1,4 @@
-"""How bodies move, as force laws and joints look at it."""
+"""The motion of bodies, in the form that force laws and joints read."""
 
 from typing import NamedTuple, Protocol
 

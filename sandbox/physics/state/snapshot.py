@@ -1,4 +1,4 @@
-"""The state of a world at one step, or at many."""
+"""Snapshots: the state of a world at one step, or at many."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields

@@ -1,4 +1,4 @@
-"""The forces of a scene, given to its bodies before each kick."""
+"""The applied forces: given to bodies before each kick."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

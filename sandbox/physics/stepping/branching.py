@@ -1,6 +1,6 @@
-"""A run that goes on from where it stands with other parameters, or with other parts.
+"""Branches: a run goes on from where it stands, with other parameters or parts.
 
-`taking_over.py` says how.
+`state_transfer.py` says how.
 """
 
 from functools import partial

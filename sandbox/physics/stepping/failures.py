@@ -1,4 +1,4 @@
-"""What is told of a run that had to stop, whatever stopped it."""
+"""The message for a run that had to stop, whatever stopped it."""
 
 from collections.abc import Sequence
 
@@ -16,7 +16,7 @@ from sandbox.physics.state.errors import (
 
 
 def explained(error: Exception, bodies: Sequence[str], t: float, rate: float) -> SandboxError:
-    """Return what is told of an error: what nothing has foreseen is a breakdown.
+    """Return the error to raise for another one: an unforeseen one is a breakdown.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What a hand does to a world: it takes hold of bodies, and puts them elsewhere."""
+"""The hand: it takes hold of a world's bodies, and puts them elsewhere."""
 
 from collections.abc import Mapping
 from math import isfinite

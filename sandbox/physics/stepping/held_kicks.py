@@ -1,4 +1,4 @@
-"""A kick of bodies that stand still: the first, and any that must be found before it is given.
+"""Kicks of bodies that are held in place: the first kick, and those that have to be found first.
 
 pymunk solves contacts, and strings after them, in turn: one kick leaves them a little at odds. So
 bodies are held where they are and kicked again and again from the same velocities, each time from

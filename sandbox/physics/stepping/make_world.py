@@ -1,4 +1,4 @@
-"""The world of a level, at a rate that is chosen, or why there is none."""
+"""Making the world of a level at a chosen rate, or saying why there is none."""
 
 import numpy as np
 

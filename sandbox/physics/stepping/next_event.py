@@ -1,4 +1,4 @@
-"""What a scene waits for: which of its events happens first in a part of a drift.
+"""The next event: which of a scene's events comes first in a part of a drift.
 
 A force that is only known at steps, such as that of a rod, is taken to change within a drift as it
 did in the last.
@@ -28,7 +28,7 @@ class Waiting:
     setup
         Of what runs.
     pending
-        What is still to happen, by name: it is taken off by whoever lets it happen.
+        What is still to happen, by name; remove what has happened.
     """
 
     def __init__(self, setup: Setup, pending: Mapping[str, Happening]) -> None:

@@ -1,4 +1,4 @@
-"""What a stage of a step is: the contract between a world and what only some levels call for.
+"""The contract of a stage: a part of a step that only some levels need.
 
 A step is a drift and a kick. Whatever else a level declares takes part in it as a *stage*: it says
 at which moments it acts, and leaves the others out. In the order of a step, these are

@@ -1,10 +1,10 @@
-"""A world that begins where another one stands, at a later step, with other parameters or parts.
+"""Handing a state to a new world, which goes on with other parameters or parts.
 
 What is handed on is the state *at* the step: places, angles, and the velocities there, the mean of
 those half a kick before and after. From there the new world is started like any other, with half a
 kick of its own forces (see `start.py`): leapfrog's velocities are half a step ahead, and those of
 the old world have half a kick of the old forces in them, so to hand these on would be wrong by
-Δa h/2. Impulses that solvers remember, and whether a contact sticks, are found out anew.
+Δa h/2. The warm start of solvers, and whether a contact sticks, are computed again.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Stops a run whose steps take so long that nobody can wait for it.
+"""The limit on computing time: stops a run whose steps take too long to wait for.
 
 What a step takes is counted before it is taken wherever that can be; this is for what is left. A
 step is broken off at a cancellation point; where it has none, the run ends after the step.
@@ -21,7 +21,7 @@ HINT = "let it have fewer bodies that touch or are joined, or fewer 'iterations'
 class Patience:
     """Is lost where a step computes for too long, or two in a row take too long.
 
-    A single one may have been held up by the machine, or by whoever has stopped the process.
+    A single one may have been delayed by the machine, or because the process was suspended.
 
     Parameters
     ----------
@@ -70,6 +70,6 @@ class Patience:
 
 
 def _spent(t: float, took: float, longest: float) -> SimulationError:
-    """Return what is told of a step that took so long, of what it may take [s]."""
+    """Return the message for a step that took too long, and for the limit [s]."""
     message = f"a step takes {took:.0f} s, and {longest:g} s are the most"
     return SimulationError("", t, message, hint=HINT)

@@ -1,4 +1,4 @@
-"""A level that runs, step by step.
+"""The world: a level that runs, step by step.
 
 A step is a drift and a kick (`kicks.py`). What only some levels call for takes part in it as a
 stage: `stage.py` says how, and `stages/register.py` lists them.
@@ -173,7 +173,7 @@ class World:
             raise
 
     def _stop(self, error: Exception) -> NoReturn:
-        """Raise what is told of an error; such a world has ended."""
+        """Raise the error with its explanation; the world has then ended."""
         from sandbox.physics.stepping.failures import explained
 
         self._ended = explained(error, list(self.scene.bodies), self.t, self.stepping.rate)

@@ -211,4 +211,4 @@ def test_settings_that_cannot_be_kept_are_told_and_act_all_the_same(person: Pers
     person.press(pygame.K_t, "\x14", pygame.KMOD_LCTRL)
 
     assert theme.used() == "light"
-    assert "not kept" in person.window.banner._note
+    assert "could not be saved" in person.window.banner._note

@@ -89,7 +89,7 @@ def test_what_cannot_be_kept_is_told_once_and_the_level_opens(
     person.wait()
 
     assert person.session.level.title == "A falling ball"
-    assert "not kept for the next time" in person.window.banner._note
+    assert "could not be saved" in person.window.banner._note
 
 
 def dialog(person: Person, folder: Path) -> None:

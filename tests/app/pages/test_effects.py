@@ -51,7 +51,7 @@ def test_an_effect_is_switched_off_and_on_again() -> None:
 
     whatif.toggle(session, "gravity")
     assert session.level.effects.gravity is None
-    assert session.changes.told == "without gravity"
+    assert session.changes.label == "without gravity"
     whatif.toggle(session, "gravity")
 
     assert session.level == session.original
@@ -77,7 +77,7 @@ def test_the_difference_is_told_in_the_levels_quantities_and_in_time() -> None:
 
     play(session)
     found = whatif.compared(session)
-    told = whatif.told(session, found)
+    told = whatif.summary(session, found)
 
     half_way = simulate(session.original).columns["ball.speed"][30]
     assert found[1].before == pytest.approx(half_way)
@@ -148,7 +148,7 @@ def test_where_the_scheme_is_not_for_an_effect_both_runs_go_by_leapfrog_until_it
 
     (original,) = session.companions
     assert session.level.stepping.scheme == original.world.stepping.scheme == "leapfrog"
-    assert session.changes.told == "with drag (linear 0.1), both by leapfrog"
+    assert session.changes.label == "with drag (linear 0.1), both by leapfrog"
     play(session)
     whatif.toggle(session, "drag")
     assert session.level == session.original
@@ -190,7 +190,7 @@ def test_an_effect_takes_with_it_what_is_nothing_without_it_and_brings_it_back()
     session = Session(load(find("momentum/bouncing-ball")))
 
     whatif.toggle(session, "contact")
-    assert session.changes.told == "without contact (and so without restitution)"
+    assert session.changes.label == "without contact (and so without restitution)"
     assert session.level.effects.restitution is None
     whatif.toggle(session, "contact")
 
@@ -255,10 +255,10 @@ def test_an_effect_that_is_on_can_be_made_stronger_and_weaker(player: Person) ->
 
     player.click(player.page(EffectsPage).scale("drag", 2).rect)
     player.click(player.page(EffectsPage).scale("drag", 2).rect)
-    assert player.session.changes.told == "with drag (linear 0.4)"
+    assert player.session.changes.label == "with drag (linear 0.4)"
     player.click(player.page(EffectsPage).scale("drag", 0.5).rect)
 
-    assert player.session.changes.told == "with drag (linear 0.2)"
+    assert player.session.changes.label == "with drag (linear 0.2)"
     assert player.session.level.effects.drag is not None
     assert player.session.level.effects.drag.linear({}) == 0.2
 
@@ -271,7 +271,7 @@ def test_a_strength_that_cannot_be_changes_nothing() -> None:
         whatif.strengthen(session, "restitution", 2)
     whatif.strengthen(session, "restitution", 0.5)
 
-    assert session.changes.told == "with restitution (coefficient 0.5)"
+    assert session.changes.label == "with restitution (coefficient 0.5)"
 
 
 def test_where_an_effect_cannot_go_is_told(player: Person) -> None:

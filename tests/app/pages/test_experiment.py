@@ -62,7 +62,7 @@ def test_a_measure_that_cannot_be_is_told() -> None:
     (refused,) = sample(level, level.defaults, "angle", "ball.positon.x@end")
 
     assert isinstance(refused, Refused)
-    assert "position" in refused.told
+    assert "position" in refused.reason
 
 
 @pytest.mark.sweep

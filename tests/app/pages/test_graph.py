@@ -161,7 +161,7 @@ def test_how_far_a_quantity_can_be_trusted_stands_above_its_graph(pen: Pen) -> N
     known, _ = graphs(pen, 278, session, [name], "t", None, {name: told})
 
     assert known.height - without.height == pen.height(12)
-    assert formatting.trusted(told) == "4 digits hold; foretold until t = 1.25 s"
+    assert formatting.trusted(told) == "4 digits hold; predictable until t = 1.25 s"
 
 
 def test_a_quantity_that_is_all_error_has_no_digits() -> None:

@@ -114,7 +114,7 @@ def test_which_neglected_effect_would_explain_a_difference_is_told(
     until_tried(asked)
 
     dragged = simulate(scenes.level(effects=DRAGGED)).columns["ball.speed"][30]
-    found = {trial.told: trial for trial in predicting(asked).trials}
+    found = {trial.label: trial for trial in predicting(asked).trials}
     assert found["with drag (linear 0.1)"].after == pytest.approx(dragged, rel=1e-6)
     assert found["with drag (linear 0.1)"].before == pytest.approx(5)
     explained = (5 - dragged) / 0.5
@@ -368,7 +368,7 @@ def test_what_is_impossible_is_left_out_of_what_is_tried() -> None:
 
     found = list(neglected.trials(level, level.defaults, question))
 
-    told = [each.told for each in found if isinstance(each, neglected.Trial)]
+    told = [each.label for each in found if isinstance(each, neglected.Trial)]
     assert any("drag" in text for text in told)
     assert not any("friction" in text for text in told)  # which needs contact
 
@@ -379,4 +379,4 @@ def test_an_effect_that_delays_an_instant_for_ever_is_told(pen: Pen, written: li
 
     card.result(pen, 280, Session(scenes.level()), outcome, [trial], None)
 
-    assert "then it never comes to that" in written
+    assert "then that never happens" in written

@@ -33,7 +33,7 @@ def opened(name: str) -> tuple[Session, Stopwatch]:
 
 
 def called(session: Session, told: str) -> Occasion:
-    return next(each for each in occasions(session) if each.told == told)
+    return next(each for each in occasions(session) if each.label == told)
 
 
 def reading(person: Person) -> Reading:
@@ -164,7 +164,7 @@ def test_on_the_page_events_are_chosen_from_lists_and_it_is_set_back(person: Per
 
     person.click(_row(timing.stops, 2))
     person.wait(0.1)
-    assert stopwatch.stops.told == "apex of ball"
+    assert stopwatch.stops.label == "apex of ball"
     person.press(pygame.K_3, "3")  # nothing is left to a hand
     assert reading(person).going
 

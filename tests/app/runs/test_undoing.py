@@ -49,7 +49,7 @@ def test_a_parameter_is_taken_back_and_set_again(person: Person, tmp_path: Path)
     redo(person)
     assert g(person) == 7
     redo(person)
-    assert "nothing to do again" in person.window.banner._note
+    assert "nothing to redo" in person.window.banner._note
 
 
 def test_what_is_changed_after_an_undo_takes_the_place_of_what_was_undone(

@@ -177,10 +177,10 @@ def test_what_is_told_of_a_run_that_is_over_changes_too(person: Person, tmp_path
     turn_to(person, "effects")
     page = person.page(EffectsPage)
     person.click(page.switch("gravity").rect)
-    assert person.session.changes.told == "without gravity"
+    assert person.session.changes.label == "without gravity"
     choose(person, "Deutsch")
 
-    assert person.session.changes.told == "ohne Schwerkraft"
+    assert person.session.changes.label == "ohne Schwerkraft"
 
 
 def test_a_language_is_kept_for_the_next_window(person: Person) -> None:

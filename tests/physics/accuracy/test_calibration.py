@@ -190,7 +190,7 @@ def test_an_accuracy_is_delivered_and_not_much_more(damping: float, target: floa
 
 
 def test_fourth_order_is_taken_where_it_is_cheaper() -> None:
-    """On an orbit by few of the steps, at five or six times the price each."""
+    """On an orbit by few of the steps, at five or six times the cost each."""
     assert calibrate(orbit(), target=1e-8).chosen.stepping.scheme == "fourth-order"
     assert calibrate(orbit(), target=1e-2).chosen.stepping.scheme == "leapfrog"
 
@@ -313,7 +313,7 @@ def test_runs_that_find_an_impact_at_the_same_step_are_not_believed() -> None:
 
 @pytest.mark.sweep
 def test_an_impact_that_no_rate_finds_in_time_is_told() -> None:
-    told = r"1e-06 cannot be had; .* of which second.position.x .* foretold until t = 0\.99"
+    told = r"1e-06 cannot be had; .* of which second.position.x .* predictable until t = 0\.99"
     with pytest.raises(AccuracyError, match=told):
         calibrate(head_on(), target=1e-6)
 
@@ -416,7 +416,7 @@ def test_a_clock_that_stumbles_changes_no_setting(
 @pytest.mark.sweep
 @pytest.mark.parametrize("seed", range(6))
 def test_the_same_request_gets_the_same_answer(seed: int) -> None:
-    """To the last bit, wherever in its parameters a level is; only the price is measured."""
+    """To the last bit, wherever in its parameters a level is; only the cost is measured."""
     random = Random(seed)
     scene = catalog_level(random.choice(catalog.textbook()))
     values = {name: random.uniform(p.min, p.max) for name, p in scene.parameters.items()}
@@ -426,7 +426,7 @@ def test_the_same_request_gets_the_same_answer(seed: int) -> None:
 
 
 def answer(scene: Level, values: Values) -> tuple[object, ...]:
-    """Return what is answered to a request but for the price, or until when it is foretold."""
+    """Return what is answered to a request but for the cost, or until when it is foretold."""
     try:
         found = calibrate(scene, values, 1e-3)
     except AccuracyError as error:
@@ -509,14 +509,14 @@ def test_what_is_too_dear_for_real_time_comes_with_an_offer_that_is_not(
     for module in (calibration, candidates):  # as if the rest went elsewhere
         monkeypatch.setattr(module, "REAL_TIME", 0.1)
     monkeypatch.setattr(
-        cheapest_setting, "step_prices", lambda _level, _values, *of: (3e-5,) * len(of)
+        cheapest_setting, "step_durations", lambda _level, _values, *of: (3e-5,) * len(of)
     )
     scene = oscillator(c=1)  # no fourth order with a damper
     setting = calibrate(scene, target=1e-9)
 
-    assert setting.chosen.price > 0.1
+    assert setting.chosen.cost > 0.1
     assert setting.in_real_time is not None
-    assert setting.in_real_time.price <= 0.101
+    assert setting.in_real_time.cost <= 0.101
     assert 1e-9 < setting.in_real_time.error < 1e-6
     assert "not in real time, in which there is leapfrog" in str(setting)
 
@@ -634,7 +634,7 @@ def test_another_level_or_target_or_code_is_another_setting(
     [
         lambda _: "",
         lambda text: text[:-20],
-        lambda text: text.replace('"price":', '"prize":'),
+        lambda text: text.replace('"cost":', '"coast":'),
         lambda text: text.replace('"target":0.001', '"target":0'),
         lambda text: text.replace(text[2:10], "00000000"),
         lambda text: text.replace('"leapfrog"', '"magic"').replace('"fourth-order"', '"magic"'),

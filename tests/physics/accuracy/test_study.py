@@ -95,7 +95,7 @@ def test_an_exact_run_owes_nothing_to_its_step() -> None:
     assert all(split.model == 0 for split in splits(found).values())
     (here,) = (each for each in found if isinstance(each, Here))
     assert (here.scheme, here.rate) == ("leapfrog", 60)
-    assert here.price > 0
+    assert here.cost > 0
 
 
 def test_the_error_of_a_step_is_told_as_numerical(
@@ -150,7 +150,7 @@ def test_a_study_tells_points_of_every_scheme_and_the_finer_cost_more(
     for scheme in ("leapfrog", "symplectic-euler"):
         own = [point for point in points if point.scheme == scheme]
         assert len(own) >= 3
-        assert [point.price for point in own] == sorted(point.price for point in own)
+        assert [point.cost for point in own] == sorted(point.cost for point in own)
     coarse = {point.scheme: point.error for point in points if point.rate == 30}
     assert coarse["leapfrog"] < 0.01 * coarse["symplectic-euler"]
     shares = [each.share for each in found if isinstance(each, Progress)]
@@ -171,4 +171,4 @@ def test_why_there_is_nothing_to_find_is_told() -> None:
     found = list(study.split(level, level.defaults))
 
     assert isinstance(found[-1], Failed)
-    assert "string" in found[-1].told
+    assert "string" in found[-1].reason

@@ -88,7 +88,7 @@ def test_what_a_plain_level_does_not_declare_is_not_even_loaded() -> None:
 
     rooms = {name.split(".")[2] for name in loaded if name.count(".") > 1}
     assert rooms <= {"state", "engine", "forces", "joints", "scene", "guarding", "stepping"}
-    assert not [name for name in loaded if "stepping.stages." in name and "declared" not in name]
+    assert not [name for name in loaded if "stepping.stages." in name and "register" not in name]
     assert sum(loaded.values()) <= MOST
 
 

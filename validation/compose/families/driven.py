@@ -1,4 +1,4 @@
-"""What is driven: cars with motors, belts, lifts on rods that change, pistons."""
+"""Driven scenes: cars with motors, belts, lifts on rods that change length, pistons."""
 
 from itertools import pairwise
 

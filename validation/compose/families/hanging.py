@@ -1,4 +1,4 @@
-"""What hangs, and is to stay there: cranes, platforms, weights over pegs and on wheels."""
+"""Hanging scenes that stay in place: cranes, platforms, weights over pegs and on wheels."""
 
 from validation.compose.scene_builder import Draft, held
 

@@ -1,4 +1,4 @@
-"""What moves and hits: pendulums, seesaws, dumbbells, ragdolls, trains, wrecking balls."""
+"""Moving scenes with impacts: pendulums, seesaws, dumbbells, ragdolls, trains, wrecking balls."""
 
 from itertools import pairwise
 from math import cos, pi, sin

@@ -1,4 +1,4 @@
-"""Bodies of any shape, tied by joints of any kind into a tree, dropped on whatever lies below."""
+"""Random trees: bodies of any shape, joined at random, dropped on whatever lies below."""
 
 from math import cos, hypot, pi, sin
 

@@ -1,4 +1,4 @@
-"""What nothing hits: linkages, pendulums of several bobs, springs; here errors have an order."""
+"""Smooth scenes without impacts, in which errors have an order: linkages, pendulums, springs."""
 
 from itertools import pairwise
 from math import cos, sin

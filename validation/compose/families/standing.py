@@ -1,4 +1,4 @@
-"""What stands on the ground, and is to stay there: struts, frames, tables, cars, ladders."""
+"""Standing scenes that stay in place: struts, frames, tables, cars, ladders."""
 
 from itertools import pairwise
 from math import cos, pi, sin, tan

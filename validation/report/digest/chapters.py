@@ -1,4 +1,4 @@
-"""What is told of levels, chapter by chapter."""
+"""The levels of the report, chapter by chapter."""
 
 from collections.abc import Callable, Iterable
 from typing import Protocol, TypeVar

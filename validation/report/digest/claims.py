@@ -1,4 +1,4 @@
-"""How the claims of the cases came out."""
+"""The outcome of the cases' claims."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass

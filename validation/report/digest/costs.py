@@ -1,4 +1,4 @@
-"""What accuracy costs beside pymunk, over all levels."""
+"""The cost of accuracy beside stock pymunk, over all levels."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -39,7 +39,7 @@ class Costs:
         The levels on which pymunk, too, is off by rounding alone, and nothing is to be compared.
     no_closer
         The others on which pymunk does as well, or better.
-    price
+    step_ratio
         What our step takes of pymunk's own, at the same rate: the median.
     """
 
@@ -49,7 +49,7 @@ class Costs:
     converging: Group | None
     alike: tuple[str, ...]
     no_closer: tuple[str, ...]
-    price: float
+    step_ratio: float
 
     @property
     def chapters(self) -> list[tuple[str, list[Row]]]:
@@ -63,7 +63,7 @@ def costs(sweeps: Sequence[Sweep]) -> Costs:
     rows = [(sweep, best, order(sweep.points, OURS)) for sweep, best in found if best]
     alike = [s.level for s, best, _ in rows if max(best.error, best.naive_error) <= ROUNDING]
     compared = [(sweep.level, best) for sweep, best, _ in rows if sweep.level not in alike]
-    prices = [ratio for sweep in sweeps for ratio in _prices(sweep)]
+    ratios = [ratio for sweep in sweeps for ratio in _step_ratios(sweep)]
     return Costs(
         rows=tuple(rows),
         silent=tuple(sweep for sweep, best in found if best is None),
@@ -71,7 +71,7 @@ def costs(sweeps: Sequence[Sweep]) -> Costs:
         converging=_group([best.closer for _, best in compared if best.error > ROUNDING]),
         alike=tuple(alike),
         no_closer=tuple(level for level, best in compared if best.closer <= 1),
-        price=median(prices) if prices else float("nan"),
+        step_ratio=median(ratios) if ratios else float("nan"),
     )
 
 
@@ -79,7 +79,7 @@ def _group(ratios: Sequence[float]) -> Group | None:
     return Group(len(ratios), median(ratios), min(ratios)) if ratios else None
 
 
-def _prices(sweep: Sweep) -> Iterator[float]:
+def _step_ratios(sweep: Sweep) -> Iterator[float]:
     """Yield what ours takes of pymunk's time at the level's own rate, with the same iterations."""
     naive = {(p.rate, p.iterations): p for p in sweep.points if p.scheme == NAIVE}
     for point in sweep.points:

@@ -1,4 +1,4 @@
-"""How scenes that break engines came out, and how hard they can be made."""
+"""The outcome of the hard cases, and how hard they can be made."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

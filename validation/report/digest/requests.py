@@ -1,4 +1,4 @@
-"""How accuracies that were asked for were answered."""
+"""The answers to requests for an accuracy."""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -44,9 +44,9 @@ class Requests:
         return sum(r.delivered <= r.target and not r.honoured for r in self.asked)
 
     @property
-    def price(self) -> float:
+    def cost_ratio(self) -> float:
         """What one costs over the cheapest setting of the sweep: the median."""
-        ratios = [r.price / r.cheapest for r in self.asked if r.honoured and isfinite(r.cheapest)]
+        ratios = [r.cost / r.cheapest for r in self.asked if r.honoured and isfinite(r.cheapest)]
         return median(ratios) if ratios else float("nan")
 
     @property

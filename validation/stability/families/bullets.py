@@ -1,4 +1,4 @@
-"""Bullets: bodies that move more than what they meet is wide in a step."""
+"""Bullets: bodies that move further in a step than their target is wide."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What should be exact: falls, pulleys, rolling, a pair on a pivot, and running it twice."""
+"""Scenes that should be exact: falls, pulleys, rolling, a pair on a pivot, and repetition."""
 
 from collections.abc import Iterator
 from hashlib import sha256

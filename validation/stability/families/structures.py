@@ -1,4 +1,4 @@
-"""What is built: an arch of wedges, a house of cards."""
+"""Structures: an arch of wedges, a house of cards."""
 
 from collections.abc import Iterator
 from math import cos, pi, sin

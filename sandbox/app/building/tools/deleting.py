@@ -1,4 +1,4 @@
-"""The tool that takes bodies and joints out."""
+"""The tool that deletes bodies and joints."""
 
 import pygame
 
@@ -17,7 +17,7 @@ class DeleteTool:
     """Takes out what is clicked on."""
 
     busy = False
-    hint = later("Click what is to go; its joints go with a body")
+    hint = later("Click what to delete; a body takes its joints along")
 
     def __init__(self, bench: Bench) -> None:
         self._bench = bench

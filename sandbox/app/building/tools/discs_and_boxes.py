@@ -1,4 +1,4 @@
-"""What is drawn from one point to another: discs and boxes."""
+"""The tools for discs and boxes, which are drawn from one point to another."""
 
 from abc import ABC, abstractmethod
 from math import cos, dist, sin, tau
@@ -35,7 +35,7 @@ class Stretching(ABC):
     @property
     def hint(self) -> str:
         """What to do next, in a few words."""
-        return later("Let go, or click, where it ends") if self.busy else self.begins
+        return later("Release, or click, where it ends") if self.busy else self.begins
 
     def press(self, spot: Spot) -> None:
         """Set the first point."""

@@ -1,4 +1,4 @@
-"""The tool that ties bodies together, with any joint that there is."""
+"""The tool that joins bodies, with any kind of joint."""
 
 from collections.abc import Mapping
 from math import dist
@@ -28,9 +28,7 @@ class Clicks(NamedTuple):
     several: bool = False
 
 
-PLAIN = Clicks(
-    (later("Click what it holds at one end"), later("Click what it holds at the other end"))
-)
+PLAIN = Clicks((later("Click one end of it"), later("Click its other end")))
 
 CLICKS: Mapping[str, Clicks] = {
     "pulley": Clicks(

@@ -15,7 +15,7 @@ TOOLS: tuple[Kind, ...] = (
     Kind("surface", "Surface", "5", "draw floors, slopes and walls", SurfaceTool),
     Kind("curve", "Freehand", "6", "draw what you like", CurveTool),
     Kind("join", "Joint", "7", "tie bodies together, or to the plane", JoinTool),
-    Kind("delete", "Delete", "8", "take out what is clicked on", DeleteTool),
+    Kind("delete", "Delete", "8", "delete what is clicked on", DeleteTool),
 )
 """In the order of the palette; the first is in hand at first."""
 

@@ -242,8 +242,8 @@ class SelectTool:
         for corners, closed in outlines:
             moved = [(x + dx, y + dy) for x, y in corners]
             preview.outline(surface, self._bench.camera, moved, closed=closed)
-        told = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
-        preview.measure(surface, pen, now.pixel, told.strip())
+        message = f"Δx {preview.metres(dx)}  Δy {preview.metres(dy)}  {self._way.by}"
+        preview.measure(surface, pen, now.pixel, message.strip())
 
     def _draw_turned(self, surface: pygame.Surface, pen: Pen, body: Drawn, now: Spot) -> None:
         angle = body.angle + self._turn
@@ -260,10 +260,10 @@ class SelectTool:
         preview.outline(surface, self._bench.camera, corners, closed=body.outline.closed)
         xs, ys = zip(*local, strict=True)
         width, height = max(xs) - min(xs), max(ys) - min(ys)
-        told = f"{preview.metres(width)} × {preview.metres(height)}"
+        message = f"{preview.metres(width)} × {preview.metres(height)}"
         if body.outline.radius is not None:
-            told = f"r {preview.metres(width / 2)}"
-        preview.measure(surface, pen, now.pixel, told)
+            message = f"r {preview.metres(width / 2)}"
+        preview.measure(surface, pen, now.pixel, message)
 
 
 def _frame(bodies: Sequence[Drawn]) -> list[XY]:

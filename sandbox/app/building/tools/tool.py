@@ -1,4 +1,4 @@
-"""What a tool of the editor is, and what it says of itself."""
+"""The base of the editor's tools, and what each declares."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What is drawn through several points: polygons, surfaces, and what a hand draws freely."""
+"""The tools for polygons, surfaces and freehand strokes, which are drawn through several points."""
 
 from math import atan2, degrees, dist
 
@@ -87,8 +87,10 @@ class Tracing:
         preview.outline(surface, camera, [*self._points, end], closed=self.closed)
         preview.dots(surface, camera, self._points)
         x, y = end[0] - self._points[-1][0], end[1] - self._points[-1][1]
-        told = f"{preview.metres(dist(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
-        preview.measure(surface, pen, self._spot.pixel, told)
+        message = (
+            f"{preview.metres(dist(end, self._points[-1]))}  {number(degrees(atan2(y, x)), 4)}°"
+        )
+        preview.measure(surface, pen, self._spot.pixel, message)
 
     def make(self, points: tuple[XY, ...]) -> None:
         """Put it into the level."""

@@ -16,5 +16,5 @@ PAGE = Page(
     text="accuracy: what the next digit costs",
     panel=AccuracyPage,
     worker=Studying,
-    commands=(PageCommand("measure", "A", "measure error and cost, or stop that", _measure),),
+    commands=(PageCommand("measure", "A", "start or stop measuring error and cost", _measure),),
 )

@@ -1,4 +1,4 @@
-"""What is told of a run's accuracy and of the time that it takes."""
+"""The card with a run's accuracy, and the computing time that it costs."""
 
 from collections.abc import Mapping
 
@@ -34,16 +34,18 @@ def asked(
 ) -> pygame.Surface:  # fmt: skip
     """Draw what accuracy is asked for, the present setting, and how far that can be trusted."""
     card = Card(pen, width)
-    card.heading(say("Accuracy and its price"))
+    card.heading(say("Accuracy and its cost"))
     wanted = say("Ask for an accuracy:")
     if target is not None:
         wanted = say("Asked for: {error}", error=formatting.error(target))
     card.text(wanted, 14, bold=target is not None)
     scheme = formatting.scheme(stepping.scheme)
-    told = say("now {scheme} at {rate:g} Hz", scheme=scheme, rate=stepping.rate)
+    message = say("now {scheme} at {rate:g} Hz", scheme=scheme, rate=stepping.rate)
     if here is not None:
-        told = say("{setting}, error {error}", setting=told, error=formatting.error(here.error))
-    card.text(told, 13, theme.DIM)
+        message = say(
+            "{setting}, error {error}", setting=message, error=formatting.error(here.error)
+        )
+    card.text(message, 13, theme.DIM)
     _least_known(card, place)
     card.y += GAP
     return card.drawn()
@@ -69,8 +71,8 @@ def status(
         for i, line in enumerate(pen.paragraph(failure, size[0], 11, theme.FAILED)[:2]):
             surface.blit(line, (0, i * pen.px(13) - 1))
     elif progress:
-        told = say(progress.told, scheme=formatting.scheme(progress.scheme))
-        surface.blit(pen.write(pen.shorten(told, size[0], 12), 12, theme.DIM), (0, 0))
+        message = say(progress.stage, scheme=formatting.scheme(progress.scheme))
+        surface.blit(pen.write(pen.shorten(message, size[0], 12), 12, theme.DIM), (0, 0))
         surface.fill(theme.RAISED, (0, pen.px(19), size[0], pen.px(5)))
         surface.fill(theme.ACCENT, (0, pen.px(19), round(size[0] * progress.share), pen.px(5)))
     return surface
@@ -115,10 +117,10 @@ def _split(card: Card, check: Check, words: Say, split: Split) -> None:
     card.text(title(check, words), 13, bold=True)
     if split.total is None:
         source = check.valid_if.source if check.valid_if else ""
-        told = say("its moment never comes")
+        message = say("its moment never comes")
         if source:
-            told = say("model out of range: it needs {condition}", condition=source)
-        card.text(told, 12, theme.NOTICE)
+            message = say("model out of range: it needs {condition}", condition=source)
+        card.text(message, 12, theme.NOTICE)
         numerical = say("numerical")
         card.text(f"{numerical} {formatting.error(split.numerical)}", 12, theme.DIM)
         return
@@ -128,8 +130,8 @@ def _split(card: Card, check: Check, words: Say, split: Split) -> None:
     for i, (name, value) in enumerate(zip(PARTS, values, strict=True)):
         color = theme.TEXT if value and value == largest else theme.DIM
         card.put(card.pen.write(say(name), 11, theme.DIM), i * column)
-        told = say("none seen") if not value else formatting.error(value)
-        card.put(card.pen.write(told, 13, color), i * column, card.pen.height(11) - 1)
+        message = say("none seen") if not value else formatting.error(value)
+        card.put(card.pen.write(message, 13, color), i * column, card.pen.height(11) - 1)
     card.y += card.pen.height(11) + card.pen.height(13)
 
 

@@ -68,7 +68,7 @@ def draw(
         text = pen.write(say("not measured yet"), 12, theme.DIM)
         surface.blit(text, text.get_rect(center=surface.get_rect().center))
         return surface
-    across = axis([1e3 * p.price for p in everything], pen.px(LEFT), size[0] - pen.px(RIGHT))
+    across = axis([1e3 * p.cost for p in everything], pen.px(LEFT), size[0] - pen.px(RIGHT))
     up = axis([p.error for p in everything], size[1] - pen.px(BELOW), pen.px(ABOVE))
     _draw_axes(surface, pen, across, up)
     for scheme, color in colors().items():
@@ -82,7 +82,7 @@ def draw(
 
 
 def _pixel(point: Point, across: Axis, up: Axis) -> XY:
-    return across.pixel(1e3 * point.price), up.pixel(point.error)
+    return across.pixel(1e3 * point.cost), up.pixel(point.error)
 
 
 def _draw_axes(surface: pygame.Surface, pen: Pen, across: Axis, up: Axis) -> None:

@@ -1,4 +1,4 @@
-"""The page of the accuracy: what a digit costs here, and what the error is made of."""
+"""The page Accuracy: what the next digit costs, and what the error is made of."""
 
 from math import log10
 
@@ -46,7 +46,7 @@ class AccuracyPage:
         self._wide = sheet.room(say(MEASURE), say(CANCEL))
         place = pygame.Rect(width - self._wide, y, self._wide, sheet.px(HEIGHT))
         self._button = sheet.button(
-            place, say(MEASURE), say("measure error and cost, or stop that")
+            place, say(MEASURE), say("start or stop measuring error and cost")
         )
         self._status = sheet.image(self._drawn_status(), y)
         self._below = y + sheet.px(HEIGHT) + 6

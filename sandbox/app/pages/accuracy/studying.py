@@ -1,4 +1,4 @@
-"""What is known of the accuracy of the run that is shown, and the work to learn it."""
+"""The study of the run's accuracy: what is known so far, and the work that goes on."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
@@ -75,7 +75,7 @@ class Studying:
     def follow(self, session: Session, seconds: float, *, watched: bool) -> str | None:
         """Find out what is not known of a session, and play with what was looked for.
 
-        Returns what is to be told of that. What the page shows is found out while it is watched.
+        Returns the message for it. The study goes on only while the page is open.
         """
         self._keep_to(session, seconds, watched=watched)
         setting = self._look()
@@ -94,7 +94,7 @@ class Studying:
             self._forget_run()
             offer, stepping = self._offer, session.world.stepping
             if offer and offer.stepping == stepping:
-                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.price)
+                self.here = Here(stepping.scheme, stepping.rate, offer.error, offer.cost)
         self._waited += seconds
         if self._waited < PATIENCE or self.running:
             return
@@ -172,8 +172,8 @@ class Studying:
                 self._splits[finding.check] = finding
             case Trust():
                 self._trust[finding.quantity] = finding
-            case Failed(told=told):
-                self.failure = told
+            case Failed(reason=reason):
+                self.failure = reason
 
     def splits(self, session: Session) -> Mapping[int, Split]:
         """Return what is known of the checks of the present run, by their index."""
@@ -193,7 +193,7 @@ class Studying:
 
 
 def _play_with(session: Session, setting: Setting) -> str:
-    """Play with a setting that was looked for; return what is to be told of that."""
+    """Play with the setting that was searched for; return the message for it."""
     try:
         if session.waiting:
             session.settle(setting)

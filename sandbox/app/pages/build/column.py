@@ -1,4 +1,4 @@
-"""Widgets one below the other, all of which can be taken away again."""
+"""A column of widgets that can be removed together."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What the page says and offers besides fields: mistakes, offers, suggestions, effects."""
+"""The parts of the page besides the fields: mistakes, offers, suggestions, effects."""
 
 from functools import partial
 from typing import NamedTuple
@@ -16,15 +16,13 @@ from sandbox.model.effects import EFFECTS, Effects
 
 FIRST = later("Draw something: take Disc or Box above, and drag on the stage.")
 IN_RUN = later(
-    "Throw things in with a tool, or click on a body to change it. Checks no longer hold then."
+    "Add things with a tool, or click on a body to change it. The checks then no longer apply."
 )
-NO_FORMULA = later(
-    "The run was changed on the way: none of the level's checks holds for it any more."
-)
+NO_FORMULA = later("The run was changed on the way: the level's checks no longer apply.")
 NOTHING_SELECTED = later("Click on a body or joint on the stage to set its mass, length and so on.")
 SELECTED = later("Effects and suggested checks are shown while nothing is selected.")
 NO_CHECKS = later("No checks to suggest: they are for set-ups that have a closed form.")
-CHECKED = later("The level has checks; its own page (O) tells how they stand.")
+CHECKED = later("The level has checks; its own page (O) shows their results.")
 CHECKS = later("Recognised: a click adds the checks of its closed form.")
 
 
@@ -61,13 +59,13 @@ def above(editor: Editor, session: Session) -> list[Block]:
     elif (left := editor.trial.left(editor.work.draft.text)) is not None and not editor.refusal:
         back = Act(
             say("Back to the run at {t:.2f} s", t=left.t),
-            say("take the run again that you left, to where it was (Ctrl Y right after Esc)"),
+            say("return to the run that you left, where it was (Ctrl Y right after Esc)"),
             partial(editor.come_back, session),
         )
         found.append(Block("", acts=(back,)))
     if editor.refusal:
         found.append(Block(say("It cannot run yet: {reason}", reason=editor.refusal), theme.FAILED))
-    found += [Block(offer.told, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
+    found += [Block(offer.text, theme.NOTICE, offer.ways) for offer in offers(editor, session)]
     if editor.naming:
         found.append(Block(say("Save under this name:"), theme.TEXT))
     return found
@@ -87,7 +85,7 @@ def subject(editor: Editor) -> list[Block]:
             title,
             Block(say(NOTHING_SELECTED if drawn else FIRST)),
             *_suggested(editor),
-            Block("", acts=tuple(inspection.told(work))),
+            Block("", acts=tuple(inspection.stated(work))),
             _switches(editor),
         ]
     if in_run:
@@ -128,6 +126,6 @@ def _switches(editor: Editor) -> Block:
         )
         for name in EFFECTS
     )
-    told = say("Effects: those that are lit act; a click switches one on or off.")
+    message = say("Effects: those that are lit are on; click to switch one on or off.")
     lit = frozenset(map(say, inspection.declared(work)))
-    return Block(told, acts=tuple(acts), pressed=lit)
+    return Block(message, acts=tuple(acts), pressed=lit)

@@ -1,4 +1,4 @@
-"""Fields, choices and switches for whatever can be set of a part; see `building.fields`."""
+"""The inspector: fields, choices and switches of the selected part (see `building.fields`)."""
 
 import dataclasses
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -22,7 +22,7 @@ SLIDER = 44  # px
 INDENT = 10  # px, of what belongs to a section
 MOST = 300
 """Letters; what is longer is no line to type."""
-TOO_LONG = later("too long for a line: edit it in the file")
+TOO_LONG = later("too long for one line: edit it in the file")
 SWITCHED: Mapping[str, str] = {later("no"): "false", later("yes"): "true"}
 
 
@@ -267,12 +267,12 @@ def _options(entry: Entry) -> Mapping[str, str]:
 
 def _tip(entry: Entry) -> str:
     """Return what is said of an entry while the mouse rests on it."""
-    told = entry.help or entry.label
+    description = entry.help or entry.label
     if not entry.default:
-        return told
+        return description
     captions = (caption for caption, means in _options(entry).items() if means == entry.default)
     default = next(captions, entry.default)
-    return say("{help}; {default} if nothing is said", help=told, default=default)
+    return say("{help}; {default} if left empty", help=description, default=default)
 
 
 def _form(entry: Entry, numbers: Collection[Path]) -> tuple[object, ...]:

@@ -1,4 +1,4 @@
-"""The tools, and what is done with a level as a whole: they stay while the page is scrolled."""
+"""The palette of tools and of actions on the whole level; it stays while the page scrolls."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -31,7 +31,7 @@ class Palette:
         self._joints = kinds()
         y = self._put_tools(self._put_acts(0))
         whole = pygame.Rect(0, y, sheet.width, sheet.px(HEIGHT) + 2)
-        tip = say("let time run, and come back from there (Space, Esc)")
+        tip = say("run the level, and come back (Space, Esc)")
         self._put(whole, TRY, say(TRY), tip, partial(editor.try_it, session), "@main")
         self._without = whole.bottom + sheet.px(GAP)
         self._height = self._put_joints(self._without)
@@ -43,7 +43,7 @@ class Palette:
         acts: tuple[tuple[str, str, Callable[[], object]], ...] = (
             (
                 later("New"),
-                say("an empty scene: the ground alone (Ctrl N)"),
+                say("an empty scene with only the ground (Ctrl N)"),
                 partial(editor.new, session),
             ),
             (later("Undo"), "", partial(editor.undo, session)),

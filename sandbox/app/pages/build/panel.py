@@ -1,4 +1,4 @@
-"""The page on which levels are built: the tools, what there is to decide, and the fields."""
+"""The page Build: the tools, the pending decisions, and the fields."""
 
 import os
 from collections.abc import Collection, Sequence
@@ -65,7 +65,7 @@ class BuildPage:
     # what is asked for
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Do what was clicked on or typed; what is to be told of that the editor tells."""
+        """Do what was clicked on or typed; the editor shows the message for it."""
         for line in self.inspector.left():
             self._set(line)
         if event.type == UI_BUTTON_PRESSED:

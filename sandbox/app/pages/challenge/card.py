@@ -1,4 +1,4 @@
-"""How a challenge stands: its task, its stars, its goals, and the hints that were asked for."""
+"""The card of a challenge: its task, its stars, its goals, and the hints that were asked for."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,7 @@ from sandbox.model.challenge import Challenge
 from sandbox.physics.measuring.goals import Attempt, Outcome, Standing
 
 NONE = later("This level sets no challenge. Those of the chapter Challenges do.")
-TOUCHED = later("A hand has touched this run, or effects are changed: it earns no stars.")
+TOUCHED = later("This run was changed by hand, or its effects were: it earns no stars.")
 _STAR = 11  # px, its radius
 
 
@@ -70,8 +70,8 @@ def standing(pen: Pen, width: int, session: Session, best: int) -> pygame.Surfac
         _goal(card, outcome, words(outcome.goal.label))
     if found.altered:
         names = ", ".join(found.altered)
-        told = say("No star counts: {names} is locked in this challenge.", names=names)
-        card.text(told, 13, theme.NOTICE)
+        message = say("No star counts: {names} is locked in this challenge.", names=names)
+        card.text(message, 13, theme.NOTICE)
     return card.drawn()
 
 

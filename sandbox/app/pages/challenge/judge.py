@@ -1,4 +1,4 @@
-"""Judges every run by its level's challenge, and keeps the stars."""
+"""The judge of challenges: it holds every run against the goals, and keeps the stars."""
 
 from sandbox.app.files.progress import Progress
 from sandbox.app.runs.session import Session
@@ -37,13 +37,13 @@ class Judge:
         title, before = session.original.title, self.stars(session)
         if not found.stars:
             return None
-        told = later("{stars} of {most} stars")
+        message = later("{stars} of {most} stars")
         if 0 < before < found.stars:
-            told = later("{stars} of {most} stars, more than before")
-        told = say(told, stars=found.stars, most=found.most)
+            message = later("{stars} of {most} stars, more than before")
+        message = say(message, stars=found.stars, most=found.most)
         lost = self._progress.earn(title, found.stars)
         self.news = object()
-        return f"{told}; {lost}" if lost else told
+        return f"{message}; {lost}" if lost else message
 
     def cancel(self) -> None:
         """There is no work that could be ended."""

@@ -1,4 +1,4 @@
-"""The page of a level's challenge: its free parameters, its goals, its hints."""
+"""The page Challenge: free parameters, goals, hints."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED

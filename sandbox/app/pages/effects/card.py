@@ -1,4 +1,4 @@
-"""What effects that are switched off and on change."""
+"""The card that shows what the switched effects change."""
 
 from collections.abc import Sequence
 
@@ -14,9 +14,7 @@ from sandbox.app.words.language import later, say
 from sandbox.app.words.level_words import Say
 from sandbox.physics.measuring.comparison import Difference
 
-TOUCHED_ONE = later(
-    "A hand has touched this run, and not the other: they are two different things now."
-)
+TOUCHED_ONE = later("Only this run was changed by hand: the two can no longer be compared.")
 
 
 def compared(
@@ -34,7 +32,7 @@ def compared(
         told = say("time: {cost}", cost=formatting.step_cost(cost).replace("-", formatting.MINUS))
         card.text(told, 13)
     if all(found.before is found.after is None for found in differences):
-        card.text(say("Play to see what it changes."), 13, theme.DIM)
+        card.text(say("Play to see what changes."), 13, theme.DIM)
         return card.drawn()
     card.y += GAP
     heads = (say("as declared"), say("changed"), say("change"))
@@ -57,15 +55,15 @@ def changed(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if not session.changes:
         return unchanged(pen, width)
     words = level_words.of(session.original)
-    return compared(pen, width, session.changes.told, whatif.compared(session), words)
+    return compared(pen, width, session.changes.label, whatif.compared(session), words)
 
 
 def effects_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw what the switches of the effects are for."""
     card = Card(pen, width)
     card.heading(say("What if …"))
-    told = say("Switch an effect off or on, then play: both runs are drawn.")
-    card.text(told, 13, theme.DIM)
+    message = say("Switch an effect off or on, then play: both runs are drawn.")
+    card.text(message, 13, theme.DIM)
     return card.drawn()
 
 

@@ -1,4 +1,4 @@
-"""The page of the effects: each a switch, and below what a change of them makes of the run."""
+"""The page Effects: a switch for each effect, and below it what the change does to the run."""
 
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -30,7 +30,7 @@ SCALES: Mapping[str, tuple[float, str]] = {
     formatting.MINUS: (0.5, later("half as strong")),
     "+": (2.0, later("twice as strong")),
 }
-LEFT = later("The level's scheme, fourth order, is not for this: both runs go by leapfrog.")
+LEFT = later("Fourth order does not allow this: both runs use leapfrog.")
 
 
 class EffectsPage:
@@ -82,8 +82,8 @@ class EffectsPage:
         if effect in self._session.original.effects.declared:
             return say("switch {effect} off or on for this run", effect=say(effect))
         said = ", ".join(f"{say(name)} {value}" for name, value in DEFAULTS[effect].items())
-        told = say("add {effect} to this run", effect=say(effect))
-        return f"{told}: {said}" if said else told
+        message = say("add {effect} to this run", effect=say(effect))
+        return f"{message}: {said}" if said else message
 
     def switch(self, effect: str) -> UIButton:
         """Return the switch of an effect."""
@@ -99,7 +99,7 @@ class EffectsPage:
         return self._reset
 
     def process(self, event: pygame.event.Event) -> str | None:
-        """Switch or scale an effect, or take all back; return what is to be told of that."""
+        """Switch or scale an effect, or reset all; return the message for it."""
         if event.type != UI_BUTTON_PRESSED:
             return None
         name = next((n for n, b in self._switches.items() if b is event.ui_element), None)
@@ -138,4 +138,4 @@ class EffectsPage:
         found = self._ration(session.world.steps + 1, hurried=session.playing)
         cost = whatif.cost(session)
         words, disturbed = level_words.of(session.original), session.world.disturbed
-        return compared(pen, width, session.changes.told, found, words, cost, disturbed=disturbed)
+        return compared(pen, width, session.changes.label, found, words, cost, disturbed=disturbed)

@@ -74,7 +74,7 @@ def changed(original: Level, changes: Changes) -> tuple[Level, Level, Changes]:
 
 
 def reset(session: Session) -> str:
-    """Play the level as it is declared; return what is to be told of that."""
+    """Play the level as it is declared; return the message for it."""
     if not session.changes:
         return say("no effect is changed")
     change(session, NONE)
@@ -86,7 +86,7 @@ def rows(session: Session) -> list[tuple[Color | None, str]]:
     if not session.changes:
         return []
     original = session.companions[0].variant
-    return [(None, session.changes.told), (original.color, say(original.told))]
+    return [(None, session.changes.label), (original.color, say(original.label))]
 
 
 def stepped(level: Level, scheme: Scheme) -> Level:
@@ -162,11 +162,11 @@ def cost(session: Session) -> float | None:
     return None if here is None or there is None else here - there
 
 
-def told(session: Session, found: Sequence[Difference]) -> str:
+def summary(session: Session, found: Sequence[Difference]) -> str:
     """Say in one sentence what the change makes of the level, and what it costs."""
     said = list(formatting.summary(found, level_words.of(session.original)))
-    price = cost(session)
-    if price is not None:
-        said.append(formatting.step_cost(price))
-    text = f"{session.changes.told}: {', '.join(said) or say(formatting.NO_DIFFERENCE)}"
+    seconds = cost(session)
+    if seconds is not None:
+        said.append(formatting.step_cost(seconds))
+    text = f"{session.changes.label}: {', '.join(said) or say(formatting.NO_DIFFERENCE)}"
     return text.replace(" -", f" {formatting.MINUS}")

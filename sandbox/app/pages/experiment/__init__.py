@@ -8,7 +8,7 @@ PAGE = Page(
     name="experiment",
     caption="Experiment",
     key="y",
-    text="experiment: what comes of it, over all values of a parameter",
+    text="experiment: a measure over all values of a parameter",
     panel=ExperimentPage,
     worker=Exploring,
 )

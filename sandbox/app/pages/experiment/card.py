@@ -1,4 +1,4 @@
-"""The curve of an experiment, as far as its runs are made."""
+"""The card with the curve of an experiment, as far as it has been computed."""
 
 from collections.abc import Iterator, Sequence
 
@@ -19,7 +19,7 @@ from sandbox.experiments.measures import MeasureError, parse
 from sandbox.model.level import Level
 
 HEIGHT = 190  # px, of the curve
-NOTHING = later("This level has no parameter that could be varied.")
+NOTHING = later("This level has no parameter to vary.")
 HINT = later("Click on the curve to run with that value.")
 
 
@@ -41,7 +41,7 @@ def curve(
         return card.drawn(), pygame.Rect(0, 0, 0, 0)
     unit = unit_of(session.level, chosen)
     card.text(f"{chosen.measure} [{unit}]" if unit else chosen.measure, 13, theme.BODIES[0])
-    _told(card, session.level, chosen, mouse)
+    _point_text(card, session.level, chosen, mouse)
     card.y += GAP
     field = pygame.Rect(0, card.y, width, pen.px(HEIGHT))
     here = session.values[chosen.parameter] if mouse is None else mouse.at
@@ -85,7 +85,7 @@ def _series(points: Sequence[Point]) -> Iterator[Series]:
             yield Series(color, at, values, dashed=dashed, marked=not dashed)
 
 
-def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
+def _point_text(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None:
     """Tell what came of a run, in figures."""
     if point is None:
         card.text(say(HINT), 12, theme.DIM)
@@ -95,10 +95,10 @@ def _told(card: Card, level: Level, chosen: Chosen, point: Point | None) -> None
         reason = point.failure or say("that did not happen in this run")
         card.text(f"{chosen.parameter} = {value}: {reason}", 12, theme.NOTICE)
         return
-    told = f"{chosen.parameter} = {value}: {formatting.number(point.measured, 5)}"
+    message = f"{chosen.parameter} = {value}: {formatting.number(point.measured, 5)}"
     if point.expected is not None:
-        told += say(", closed form {value}", value=formatting.number(point.expected, 5))
-    card.text(told, 12, theme.NOTICE)
+        message += say(", closed form {value}", value=formatting.number(point.expected, 5))
+    card.text(message, 12, theme.NOTICE)
 
 
 def _named(level: Level, name: str) -> str:
@@ -113,14 +113,14 @@ def _progress(card: Card, exploring: Exploring) -> None:
     if exploring.failure:
         card.text(exploring.failure, 12, theme.FAILED)
     elif exploring.share < 1:
-        told = plural("{count} run so far", "{count} runs so far", len(exploring.points))
-        card.text(told, 12, theme.DIM)
+        message = plural("{count} run so far", "{count} runs so far", len(exploring.points))
+        card.text(message, 12, theme.DIM)
     failed = [p.failure for p in exploring.points if p.failure]
     if failed:
-        told = plural(
+        message = plural(
             "{count} run has failed: {reason}",
             "{count} runs have failed: {reason}",
             len(failed),
             reason=failed[0],
         )
-        card.text(told, 12, theme.FAILED)
+        card.text(message, 12, theme.FAILED)

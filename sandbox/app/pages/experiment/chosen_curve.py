@@ -1,4 +1,4 @@
-"""Which curve a person looks at, level by level, and the runs that it is made of."""
+"""The curve that was chosen, level by level, and the runs behind it."""
 
 from typing import NamedTuple
 
@@ -103,15 +103,15 @@ class Exploring:
         for finding in self._work.found():
             self.news = object()
             if isinstance(finding, Refused):
-                self.failure = finding.told
+                self.failure = finding.reason
             else:
                 self.points.append(finding)
                 self.points.sort()
         if was_running and not self._work.running:
             self.news = object()
             if self.points and self.share < 1:
-                told = say("more would take too long: try it with 'sandbox experiment'")
-                self.failure = told
+                message = say("more would take too long: try it with 'sandbox experiment'")
+                self.failure = message
 
     def cancel(self) -> None:
         """End the work; it begins again with another scene or choice."""

@@ -1,4 +1,4 @@
-"""The page of experiments: what is varied and measured is chosen from lists."""
+"""The page Experiment: lists from which to choose what is varied and measured."""
 
 import pygame
 from pygame_gui import UI_SELECTION_LIST_NEW_SELECTION

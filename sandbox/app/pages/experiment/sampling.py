@@ -29,7 +29,7 @@ class Point(NamedTuple):
 class Refused(NamedTuple):
     """Why there are no runs."""
 
-    told: str
+    reason: str
 
 
 def sample(level: Level, values: Values, parameter: str, measure: str) -> Iterator[Point | Refused]:
@@ -79,10 +79,10 @@ def _plan(level: Level, values: Values, parameter: str, measure: str) -> Plan:
         plan, faults = make(experiment, level.title, level)
         if not faults:
             return plan
-    raise SandboxError("; ".join(_told(fault) for fault in faults))
+    raise SandboxError("; ".join(_message(fault) for fault in faults))
 
 
-def _told(fault: Fault) -> str:
+def _message(fault: Fault) -> str:
     return f"{fault.path[-1]}: {fault.rule}" if fault.path else fault.rule
 
 

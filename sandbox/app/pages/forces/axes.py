@@ -1,4 +1,4 @@
-"""Along which axes forces are told: those of the plane, or those of a surface."""
+"""The axes along which forces are split: those of the plane, or those of a surface."""
 
 from math import hypot
 

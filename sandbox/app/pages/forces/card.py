@@ -21,12 +21,10 @@ DIAGRAM, POLYGON = 170, 130  # px, how high they are
 NUMBER = 48  # px, how wide a column of numbers is
 MARK = 9  # px, the side of the square that shows a colour
 SIZE = 12  # of letters in the table
-NOBODY = later("Nothing in this level is moved by forces.")
+NOBODY = later("No forces act on anything in this level.")
 NOT_YET = later("Forces are known from the first step on.")
-STRUCK = later(
-    "An impact is in this step: its force is a mean over the step, and tells of that, too."
-)
-CLOSED = later("One force is known from the others and m a alone, so the sum proves nothing here.")
+STRUCK = later("There is an impact in this step: the forces are means over the step.")
+CLOSED = later("One force was computed from the others and m a, so their sum proves nothing here.")
 
 
 def forces(pen: Pen, width: int, session: Session, axes: Axes) -> pygame.Surface:
@@ -59,7 +57,7 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
     axes = (say("along"), say("across")) if inclined else ("x", "y")
     _row(card, "N", None, (say("size"), *axes), theme.DIM)
     for acting in selected_body.felt(found):
-        cells = _told(acting.force, first)
+        cells = _cell(acting.force, first)
         _row(card, selected_body.title(acting), selected_body.color(acting), cells, theme.TEXT)
     line = pygame.Surface((card.width, 1))
     line.fill(theme.EDGE)
@@ -70,10 +68,10 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         card,
         say("sum"),
         None,
-        _told(selected_body.cleared(found.net, found), first),
+        _cell(selected_body.cleared(found.net, found), first),
         theme.RESULTANT,
     )
-    _row(card, "m a", None, _told(selected_body.cleared(found.gain, found), first), theme.RESULTANT)
+    _row(card, "m a", None, _cell(selected_body.cleared(found.gain, found), first), theme.RESULTANT)
     if found.moment:
         card.y += 4
         spin = found.moment * found.angular_acceleration
@@ -81,12 +79,12 @@ def _table(card: Card, found: FreeBody, first: XY, inclined: bool) -> None:
         levers = (a.size * hypot(a.at[0] - x, a.at[1] - y) + abs(a.couple) for a in found.forces)
         scale = max(levers, default=0.0)
         for name, value in ((say("torques about the centre"), found.torque), ("I α", spin)):
-            told = number(0.0 if abs(value) < selected_body.FAINT * scale else value, 3)
-            _row(card, name, None, ("", "", f"{told} N m"), theme.DIM)
+            torque = number(0.0 if abs(value) < selected_body.FAINT * scale else value, 3)
+            _row(card, name, None, ("", "", f"{torque} N m"), theme.DIM)
     card.y += 4
 
 
-def _told(force: XY, first: XY) -> tuple[str, ...]:
+def _cell(force: XY, first: XY) -> tuple[str, ...]:
     size = hypot(*force)
     parts = (
         0.0 if abs(part) < selected_body.FAINT * size else part for part in components(force, first)

@@ -1,4 +1,4 @@
-"""A free-body diagram, and the forces put together tip to tail."""
+"""A free-body diagram, and the forces added tip to tail."""
 
 from collections.abc import Iterator, Sequence
 from math import atan2, copysign, cos, hypot, pi, sin
@@ -82,8 +82,8 @@ def polygon(pen: Pen, size: tuple[int, int], found: FreeBody) -> pygame.Surface:
     net = hypot(*selected_body.cleared(found.net, found))
     if net:
         lines.arrow(surface, theme.RESULTANT, start, end, WIDTH + 1)
-    told = say("sum {force} N", force=selected_body.newtons(net))
-    surface.blit(pen.write(told, 12, theme.RESULTANT), (4, 2))
+    message = say("sum {force} N", force=selected_body.newtons(net))
+    surface.blit(pen.write(message, 12, theme.RESULTANT), (4, 2))
     return surface
 
 

@@ -1,4 +1,4 @@
-"""The page of the forces: a diagram, and the axes along which it tells components."""
+"""The page Forces: the diagram, and the choice of axes."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
@@ -26,9 +26,7 @@ class ForcesPage:
         self.level = sheet.button(
             across, say("Along x and y"), say("components along the plane's axes")
         )
-        tip = say(
-            "components along the surface that it touches, else along its way, and across that"
-        )
+        tip = say("components along and across the surface that it touches, or else its path")
         self.inclined = sheet.button(along, say("Along its surface"), tip)
         self._image = sheet.image(self._drawn(), sheet.px(HEIGHT) + sheet.margin // 2)
         self.update()

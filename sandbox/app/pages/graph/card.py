@@ -1,4 +1,4 @@
-"""Graphs of what was chosen: one for each unit, with the closed form and earlier runs."""
+"""The graphs of the chosen quantities: one for each unit, with the closed form and earlier runs."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
@@ -68,22 +68,20 @@ def graphs(
     span = zoom.on(span_of(pen, width, session, across))
     for unit in dict.fromkeys(units[name] for name in up):
         these = [name for name in up if units[name] == unit]
-        _told(card, columns, these, up, units, across, cursor, trust)
-        series = [
-            *_faint(earlier, these, across),
-            *_closed(session, columns, these, up, across),
-            *(
-                Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
-                for name in these
-            ),
-        ]
+        _values(card, columns, these, up, units, across, cursor, trust)
+        own = (
+            Series(_color(name, up), columns[across], columns[name], sign=_sign(name, up))
+            for name in these
+        )
+        before = _faint(earlier, these, across)
+        series = [*before, *_closed(session, columns, these, up, across), *own]
         size = width, pen.px(HEIGHT)
         rise = zoom.on(plot.upwards(pen, size[1], [each.y for each in series]), unit)
         found.append(Graph(unit, pygame.Rect((0, card.y), size), span, rise))
         card.put(plot.draw(pen, size, series, span, cursor, rise), 0)
         card.y += size[1] + GAP
-    told = say("against {quantity}", quantity=f"{across} [{units[across]}]")
-    card.text(told, 12, theme.DIM)
+    message = say("against {quantity}", quantity=f"{across} [{units[across]}]")
+    card.text(message, 12, theme.DIM)
     return Graphs(card.drawn(), found)
 
 
@@ -111,7 +109,7 @@ def _sign(name: str, up: Sequence[str]) -> int | None:
     return list(up).index(name) if len(up) > 1 else None
 
 
-def _told(
+def _values(
     card: Card, columns: Mapping[str, Array], these: Sequence[str],
     up: Sequence[str], units: Mapping[str, str], across: str, cursor: float | None,
     trust: Mapping[str, Trust],
@@ -135,8 +133,8 @@ def _told(
         if name in trust:
             card.text(formatting.trusted(trust[name]), 12, theme.DIM)
     at = formatting.quantity(float(columns[across][row]), units[across], 4)
-    told = say("at {quantity} = {value}", quantity=across, value=at)
-    card.text(told, 12, theme.DIM if cursor is None else theme.NOTICE)
+    message = say("at {quantity} = {value}", quantity=across, value=at)
+    card.text(message, 12, theme.DIM if cursor is None else theme.NOTICE)
 
 
 def _faint(

@@ -1,4 +1,4 @@
-"""Which quantities a person looks at, level by level, for as long as the window is open."""
+"""The quantities chosen for the graphs, level by level, as long as the window is open."""
 
 from itertools import chain, islice
 from pathlib import Path
@@ -88,7 +88,7 @@ class Choice:
         return self._work.running
 
     def draw(self, found: Figure, path: Path) -> str:
-        """Draw a picture of graphs into a file, and return what is told of that."""
+        """Draw a picture of graphs into a file, and return the message for it."""
         self._work.start(saved, found, path)
         return say("drawing ...")
 

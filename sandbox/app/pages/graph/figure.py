@@ -1,4 +1,4 @@
-"""What is graphed, as a picture by matplotlib; it is drawn in another process."""
+"""The graphs as a picture by matplotlib, drawn in another process."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -82,7 +82,7 @@ def _earlier(
         columns, _ = measured(run.world, run.history, names)
         for name in these:
             color = list(up).index(name)
-            yield Curve(f"{name}, {run.told}", "earlier", color, columns[across], columns[name])
+            yield Curve(f"{name}, {run.label}", "earlier", color, columns[across], columns[name])
 
 
 def _of_the_formula(name: str) -> str:

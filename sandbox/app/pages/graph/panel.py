@@ -1,4 +1,4 @@
-"""The page of graphs: what is drawn is chosen from lists, and told under the mouse."""
+"""The page Graph: lists to choose from, and the values under the mouse."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -112,10 +112,10 @@ class GraphPage:
         """Put the buttons that zoom, and those that save what is seen."""
         step, px = self._zooming.step, self._sheet.px
         zooming: tuple[tuple[str, str, Callable[[], object]], ...] = (
-            ("+", say("look closer (the wheel over a graph)"), partial(step, NOTCH)),
+            ("+", say("zoom in (the wheel over a graph)"), partial(step, NOTCH)),
             ("−", say("look from further away"), partial(step, 1 / NOTCH)),
-            ("<", say("look at what was before"), partial(step, 1.0, -SHIFT)),
-            (">", say("look at what comes after"), partial(step, 1.0, SHIFT)),
+            ("<", say("show earlier times"), partial(step, 1.0, -SHIFT)),
+            (">", say("show later times"), partial(step, 1.0, SHIFT)),
             (
                 say("All"),
                 say("show the whole graph (Home, or a double click on it)"),
@@ -123,8 +123,8 @@ class GraphPage:
             ),
         )
         saving = (
-            (say("Save picture"), say("save what is seen as a PNG"), self._save_picture),
-            (say("Save CSV"), say("save the values of what is seen"), self._save_table),
+            (say("Save picture"), say("save this view as a PNG"), self._save_picture),
+            (say("Save CSV"), say("save the values in view"), self._save_table),
         )
         rows: list[list[UIButton]] = []
         for row in (zooming, saving):
@@ -164,7 +164,7 @@ class GraphPage:
         up, across = choice.up(session), choice.across(session)
         found = figure(session, up, across, self._zooming.graphs)
         if found is None:
-            return say("There is no graph to be saved; choose a quantity")
+            return say("There is no graph to save; choose a quantity")
         try:
             return choice.draw(found, saving.path_for(session, ".png"))
         except SandboxError as error:

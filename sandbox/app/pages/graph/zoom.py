@@ -1,4 +1,4 @@
-"""Which part of the graphs is looked at, and how mouse and buttons change it."""
+"""The visible part of the graphs, and how mouse and buttons change it."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace

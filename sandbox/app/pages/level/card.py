@@ -1,4 +1,4 @@
-"""What a level is: its title, its time, its parameters."""
+"""The card of a level: its title, its time, its parameters."""
 
 import pygame
 

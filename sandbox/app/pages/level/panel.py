@@ -1,4 +1,4 @@
-"""The level's own page: what it is, its parameters, its checks."""
+"""The page of the level itself: description, parameters, checks."""
 
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 SWITCH = 26  # px
 TIP = later(
-    "a changed parameter acts from now on, and the run so far stays (Shift O, or Shift and drag)"
+    "a changed parameter acts from now on; the run so far stays (Shift O, or Shift and drag)"
 )
 
 
@@ -85,11 +85,11 @@ class LevelPage:
 
 
 def turn(session: Session) -> str:
-    """Let changes act the other way from now on, and return what is told of that."""
+    """Switch when changes act, and return the message for it."""
     session.branches = not session.branches
     if session.branches:
         return say("a changed parameter acts from now on; the run so far stays behind as a trail")
-    return say("a changed parameter starts the run anew")
+    return say("a changed parameter restarts the run")
 
 
 def switch(desk: Desk) -> str:

@@ -1,4 +1,4 @@
-"""The momentum of each body and of all together, and what gave it."""
+"""The momentum of each body and of all together, and the impulses that gave it."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -69,16 +69,16 @@ def momentum(pen: Pen, width: int, session: Session) -> pygame.Surface:
     if not shown:
         card.text(say("Nothing in this level has a momentum."), 13, theme.DIM)
         return card.drawn()
-    told = say("nothing has moved yet")
+    message = say("nothing has moved yet")
     if scale:
-        told = say("a full bar is {size:g} {unit}", size=scale, unit=momenta.UNIT)
-    card.text(told, 12, theme.DIM)
+        message = say("a full bar is {size:g} {unit}", size=scale, unit=momenta.UNIT)
+    card.text(message, 12, theme.DIM)
     card.y += 4
     total = momenta.momenta(world, world.snapshot).sum(axis=0)
     _add_bars(card, Momentum(say("total"), total), scale, (theme.TOTAL, theme.TOTAL))
     if len(shown) > MOST:
-        told = say("the largest {count}, and the others together", count=MOST)
-        card.text(told, 12, theme.DIM)
+        message = say("the largest {count}, and the others together", count=MOST)
+        card.text(message, 12, theme.DIM)
     for each in shown:
         _add_bars(card, each, scale, _axes())
     card.y += 4

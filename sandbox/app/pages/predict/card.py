@@ -1,4 +1,4 @@
-"""What is told of a prediction: the question, how it came out, and what would explain that."""
+"""The card of a prediction: the question, the result, and what explains the difference."""
 
 from collections.abc import Sequence
 
@@ -16,11 +16,11 @@ from sandbox.app.words import formatting
 from sandbox.app.words.language import later, say
 from sandbox.model.level import Check
 
-NOTHING = later("This level states no closed form that could be predicted.")
+NOTHING = later("This level states no closed form to predict.")
 CHANGED = later(
     "The effects are changed: no formula describes this run. Reset them on the tab Effects."
 )
-NEVER = later("It never came to that in this run.")
+NEVER = later("That did not happen in this run.")
 NOTICED = 1e-4
 """A change by a smaller share is none that anybody would look for."""
 
@@ -30,8 +30,8 @@ def intro(pen: Pen, width: int, session: Session, *, possible: bool) -> pygame.S
     card = Card(pen, width)
     card.heading(say("Predict, run, explain"))
     if possible:
-        told = say("Choose what to predict. The run waits for your number.")
-        card.text(told, 13, theme.DIM)
+        message = say("Choose what to predict. The run waits for your number.")
+        card.text(message, 13, theme.DIM)
     else:
         card.text(say(CHANGED if session.changes else NOTHING), 14, theme.DIM)
     return card.drawn()
@@ -49,8 +49,8 @@ def asked(
     if open_:
         card.y += GAP
         units = say(" or ").join([unit, *FACTORS.get(unit, {})]) or say("no unit")
-        told = say("A number or a formula, such as 2*9.81; in {units}:", units=units)
-        card.text(told, 12, theme.DIM)
+        message = say("A number or a formula, such as 2*9.81; in {units}:", units=units)
+        card.text(message, 12, theme.DIM)
     return card.drawn()
 
 
@@ -72,12 +72,12 @@ def result(
     card = Card(pen, width)
     if session.world.disturbed:
         card.text(say(TOUCHED), 14, theme.NOTICE)
-        told = say("Restart (R) to see what comes of your prediction.")
-        card.text(told, 13, theme.DIM)
+        message = say("Restart (R) to test your prediction.")
+        card.text(message, 13, theme.DIM)
     elif outcome is None:
         over = session.failure is not None or session.world.steps >= session.end
-        told = say(NEVER) if over else say("It runs …")
-        card.text(told, 14, theme.NOTICE if over else theme.DIM)
+        message = say(NEVER) if over else say("It runs …")
+        card.text(message, 14, theme.NOTICE if over else theme.DIM)
     else:
         _verdict(card, outcome)
         _compared(card, outcome)
@@ -122,14 +122,14 @@ def _explained(
     card.y += 8
     card.heading(say("What the level neglects"))
     if trying is not None:
-        told = say("trying effects …")
+        message = say("trying effects …")
         if trying.effect:
-            told = say("trying {effect} …", effect=say(trying.effect))
-        card.text(told, 13, theme.DIM)
+            message = say("trying {effect} …", effect=say(trying.effect))
+        card.text(message, 13, theme.DIM)
     changing = [trial for trial in trials if _change(outcome, trial) > NOTICED]
     for trial in sorted(changing, key=lambda trial: -_change(outcome, trial)):
         _trial(card, outcome, trial)
-    same = [trial.told for trial in trials if trial not in changing]
+    same = [trial.label for trial in trials if trial not in changing]
     if same:
         card.y += GAP
         card.text(say("No difference: {changes}.", changes="; ".join(same)), 12, theme.DIM)
@@ -146,9 +146,9 @@ def _change(outcome: Outcome, trial: Trial) -> float:
 
 def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     card.y += GAP
-    card.text(trial.told, 14, bold=True)
+    card.text(trial.label, 14, bold=True)
     if trial.before is None or trial.after is None:
-        card.text(say("then it never comes to that"), 13, indent=card.indent)
+        card.text(say("then that never happens"), 13, indent=card.indent)
         return
     value = outcome.simulated + trial.after - trial.before
     change = _apart(outcome, value)
@@ -159,5 +159,5 @@ def _trial(card: Card, outcome: Outcome, trial: Trial) -> None:
     off = outcome.apart(outcome.predicted)
     explained = outcome.apart(value) / off if abs(off) > LIMITS[0] else 0.0
     if 0.05 <= explained < 2:  # beyond, the prediction is nearer to the run without it
-        told = say("accounts for {share:.0f} % of your difference", share=100 * explained)
-        card.text(told, 12, theme.NOTICE, indent=card.indent)
+        message = say("accounts for {share:.0f} % of your difference", share=100 * explained)
+        card.text(message, 12, theme.NOTICE, indent=card.indent)

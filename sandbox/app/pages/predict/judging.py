@@ -1,4 +1,4 @@
-"""A prediction held against the formula and the run."""
+"""The judgement of a prediction, by the formula and by the run."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What the effects that a level neglects would make of a quantity, each tried alone."""
+"""How much each effect that a level neglects would change a quantity."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -31,7 +31,7 @@ class Trial:
     after: float | None
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What was tried, in words."""
         return formatting.variations(self.effects)
 

@@ -1,4 +1,4 @@
-"""The page of predictions: what is asked, a field for the answer, and what came of it."""
+"""The page Predict: the question, a field for the answer, and the result."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_TEXT_ENTRY_FINISHED
@@ -41,7 +41,7 @@ class PredictPage:
         self.button = sheet.button(
             pygame.Rect((0, 0), (sheet.room(*map(say, CAPTIONS)), sheet.px(HEIGHT))),
             "",
-            say("put the run to its start"),
+            say("go back to the start of the run"),
         )
         place = pygame.Rect(sheet.margin, 0, sheet.width - sheet.px(UNIT), sheet.px(FIELD))
         self.field = Field(place, sheet.manager, container=sheet.container)

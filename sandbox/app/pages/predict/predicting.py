@@ -1,4 +1,4 @@
-"""What was asked and predicted, and what came of it, from one window's page to the next."""
+"""The prediction in progress: what was asked and answered, and how it came out."""
 
 from typing import TYPE_CHECKING
 
@@ -15,9 +15,9 @@ from sandbox.model.level import Check
 if TYPE_CHECKING:
     from sandbox.model.expressions import Values
 
-FIRST = later("Type what you predict first: the run waits for it (Q).")
-PUT_OFF = later("The prediction is put off: the run is free again.")
-CHANGED = later("The level has changed, and with it what is to be predicted.")
+FIRST = later("Type your prediction first: the run waits for it (Q).")
+PUT_OFF = later("The prediction is postponed: the run can go on.")
+CHANGED = later("The level has changed, and so has the question.")
 
 
 class Predicting:

@@ -1,4 +1,4 @@
-"""What can be asked of a level before it runs, and what is typed in answer."""
+"""The questions that a level allows, and how a typed answer is read."""
 
 import re
 from collections.abc import Mapping
@@ -54,8 +54,8 @@ def when(at: Instant | None) -> str:
         case SeparationEvent(bodies=(a, b), nth=nth):
             return say("when {a} and {b} part", a=a, b=b) + _again(nth)
         case CrossingEvent(quantity=name, value=value):
-            told = later("when {quantity} first comes to {value}")
-            return say(told, quantity=name, value=value.source)
+            message = later("when {quantity} first comes to {value}")
+            return say(message, quantity=name, value=value.source)
         case Expression():
             return say("at t = {t} s", t=at.source)
     return ""
@@ -134,8 +134,8 @@ def _explained(refusal: ExpressionError, typed: str, unit: str) -> ExpressionErr
     if found is None or not _is_arithmetic(found[1]):
         return refusal
     if not unit:
-        told = say("'{typed}': a number without a unit is asked for", typed=found[2])
-        return ExpressionError(told)
+        message = say("'{typed}': type a number without a unit", typed=found[2])
+        return ExpressionError(message)
     allowed = say(" or ").join([unit, *FACTORS.get(unit, {})])
-    told = later("'{typed}' is not a unit of this quantity: {allowed}")
-    return ExpressionError(say(told, typed=found[2], allowed=allowed))
+    message = later("'{typed}' is not a unit of this quantity: {allowed}")
+    return ExpressionError(say(message, typed=found[2], allowed=allowed))

@@ -1,4 +1,4 @@
-"""How the schemes stand that race."""
+"""The card with the standings of the schemes that race."""
 
 from collections.abc import Mapping, Sequence
 
@@ -25,7 +25,7 @@ def race_intro(pen: Pen, width: int) -> pygame.Surface:
     """Draw what the race is."""
     card = Card(pen, width)
     card.heading(say("Race of the schemes"))
-    text = say("The same scene, stepped in up to four ways at once, at the same rate.")
+    text = say("The same scene with up to four schemes at once, at the same rate.")
     card.text(text, 13, theme.DIM)
     return card.drawn()
 

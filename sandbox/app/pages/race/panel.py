@@ -1,4 +1,4 @@
-"""The page of the steppers' race."""
+"""The page Race."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED

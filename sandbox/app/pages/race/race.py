@@ -1,4 +1,4 @@
-"""The steppers' race: the same scene by every scheme that it can use, each with its own world."""
+"""The race: several schemes step the same scene, each in a world of its own."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -93,17 +93,17 @@ def _cost(clock: Clock, rate: float) -> float | None:
 
 
 def start_or_end(session: Session) -> str:
-    """Start the race or end it; return what is to be told of that."""
+    """Start the race or end it; return the message for it."""
     toggle(session)
     return "" if racing(session) else say("the race has ended")
 
 
 def rows(session: Session) -> list[tuple[Color | None, str]]:
     """Return the schemes that race, with their colours and errors; none if there is no race."""
-    return [(lane.color, _told(lane)) for lane in lanes(session)] if racing(session) else []
+    return [(lane.color, _legend(lane)) for lane in lanes(session)] if racing(session) else []
 
 
-def _told(lane: Lane) -> str:
+def _legend(lane: Lane) -> str:
     name = formatting.scheme(lane.scheme)
     if lane.error is None:
         return name

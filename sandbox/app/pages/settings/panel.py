@@ -1,4 +1,4 @@
-"""The page of the window's settings: a row of choices for each."""
+"""The page Settings: a row of choices for each setting."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -37,7 +37,7 @@ class Setting(NamedTuple):
     """Choices of which one is made."""
 
     title: str
-    told: str
+    help: str
     choices: Sequence[Choice]
 
 
@@ -50,7 +50,7 @@ def settings(comfort: Comfort) -> tuple[Setting, ...]:
         ),
         Setting(
             say("Language"),
-            say("What people write in levels of their own stays as they wrote it."),
+            say("The texts of your own levels stay as they are."),
             list(_languages(comfort)),
         ),
         Setting(
@@ -88,7 +88,7 @@ def _sizes(comfort: Comfort) -> Sequence[Choice]:
 def _languages(comfort: Comfort) -> Sequence[Choice]:
     chosen, title = comfort.chosen.language, language.TITLES[language.of_system()]
     system = Choice(
-        say("System"), say("that of the system: {language}", language=title),
+        say("System"), say("the system's language: {language}", language=title),
         partial(comfort.choose, language=None), chosen is None,
     )  # fmt: skip
     return [system, *(
@@ -119,7 +119,7 @@ def _heard(comfort: Comfort) -> str:
     """Return what the sound is like, or why there is none though it is wanted."""
     why = sounds.opened() if comfort.chosen.sound else ""
     if why:
-        return say("No sound can be made here ({reason}). On tries again.", reason=why)
+        return say("No sound is available ({reason}). Switch it on to try again.", reason=why)
     return say("Tones at impacts: deep for heavy bodies, loud for hard impacts.")
 
 
@@ -152,7 +152,7 @@ class SettingsPage:
         """Put the choices of a setting, as many on a line as fit, and return where they end."""
         sheet, px = self._sheet, self._sheet.pen.px
         y = below(sheet.image(heading(sheet.pen, sheet.width, setting.title), y))
-        y = below(sheet.image(label(sheet.pen, sheet.width, setting.told), y)) + px(GAP)
+        y = below(sheet.image(label(sheet.pen, sheet.width, setting.help), y)) + px(GAP)
         x = 0
         for choice in setting.choices:
             width = sheet.room(choice.caption)

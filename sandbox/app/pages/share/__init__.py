@@ -8,7 +8,7 @@ PAGE = Page(
     name="share",
     caption="Share",
     key="w",
-    text="take away: picture, film, table, run, level",
+    text="save: picture, film, table, run, level",
     panel=SharePage,
     worker=Filming,
 )

@@ -1,4 +1,4 @@
-"""The page that takes something away: pictures, films, tables, runs, levels."""
+"""The page Share: it saves pictures, films, tables, runs and levels."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,12 +22,12 @@ from sandbox.model.errors import SandboxError
 
 BUTTON = 104, 28  # px
 ROW = 52  # px, at the least
-GAP = 8  # px, between what is told in two rows
+GAP = 8  # px, between what is image in two rows
 
 KINDS: tuple[tuple[str, str, Callable[[Session], Path]], ...] = (
     (later("Picture"), later("the window as a PNG"), saving.screenshot),
-    (later("Table"), later("what the checks measure, step by step, as a CSV"), saving.table),
-    (later("Run"), later("to be replayed, to the last bit: sandbox replay"), saving.run),
+    (later("Table"), later("what the checks measure at each step, as a CSV"), saving.table),
+    (later("Run"), later("to replay the run to the last bit: sandbox replay"), saving.run),
     (later("Level"), later("a copy with the present values of its parameters"), saving.level),
 )
 
@@ -42,7 +42,7 @@ class SharePage:
         self._actions: dict[UIButton, Callable[[], str]] = {}
         for caption, text, save in KINDS:
             y = self._row(y, say(caption), say(text), partial(self._save, save))
-        small = say("the run so far, small, for a page or a message")
+        small = say("the run so far, in small, for a page or a message")
         y = self._row(y, "GIF", small, self._film_gif)
         large = say("the run so far, 1280 x 720")
         y = self._row(y, "MP4", large, self._film_mp4)
@@ -59,9 +59,9 @@ class SharePage:
         card = Card(sheet.pen, sheet.width - self._sheet.px(BUTTON[0]) - 12)
         card.text(text, 13, theme.DIM)
         place = pygame.Rect(self._sheet.margin + self._sheet.px(BUTTON[0]) + 12, y + 4, 0, 0)
-        told = card.drawn()
-        sheet.image(told, y + 4).set_relative_position(place.topleft)
-        return y + max(sheet.px(ROW), told.height + 4 + sheet.px(GAP))
+        image = card.drawn()
+        sheet.image(image, y + 4).set_relative_position(place.topleft)
+        return y + max(sheet.px(ROW), image.height + 4 + sheet.px(GAP))
 
     def button(self, caption: str) -> UIButton:
         """Return the button with a caption."""
@@ -92,8 +92,8 @@ class SharePage:
     def _drawn(self) -> pygame.Surface:
         card = Card(self._sheet.pen, self._sheet.width)
         if self._filming.running:
-            told = say("Filming: {share:.0%}", share=self._filming.done)
-            card.text(told, 14, theme.NOTICE)
+            message = say("Filming: {share:.0%}", share=self._filming.done)
+            card.text(message, 14, theme.NOTICE)
         return card.drawn()
 
 

@@ -1,4 +1,4 @@
-"""What of a run can be taken away, as files in a folder of the person's own."""
+"""The files that can be saved of a run, in the person's own folder."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -45,7 +45,7 @@ def screenshot(session: Session) -> Path:
     path, png = path_for(session, ".png"), BytesIO()
     shown = pygame.display.get_surface()
     if shown is None:
-        raise SandboxError(say("there is no window of which a picture could be taken"))
+        raise SandboxError(say("there is no window to take a picture of"))
     pygame.image.save(shown, png, "x.png")
     write_atomically(path, png.getvalue())
     return path
@@ -59,7 +59,7 @@ def run(session: Session) -> Path:
 
 
 def table(session: Session) -> Path:
-    """Save what the checks measure, step by step, as a CSV file."""
+    """Save what the checks measure at each step, as a CSV file."""
     path = path_for(session, ".csv")
     write_csv(path, session.trace, session.original.title, disturbed=session.world.disturbed)
     return path

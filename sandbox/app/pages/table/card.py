@@ -1,4 +1,4 @@
-"""The values of what is graphed, a row for each of some instants of the run so far."""
+"""The values of the graphed quantities, a row for each of some instants."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -51,7 +51,7 @@ def values(
         cells = (_cell(float(columns[n][row]), units[n], trust.get(n)) for n in shown)
         _row(card, [f"{columns['t'][row]:.4g}", *cells], theme.TEXT)
     if left := len(names) - len(shown):
-        card.text(say("and {count} more, which the file has", count=left), 12, theme.DIM)
+        card.text(say("and {count} more in the file", count=left), 12, theme.DIM)
     card.text(say("The page Graph chooses what is shown (D)."), 12, theme.DIM)
     return card.drawn()
 

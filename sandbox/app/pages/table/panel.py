@@ -1,4 +1,4 @@
-"""The page of values: the table, a button that saves all of it, and the stopwatch."""
+"""The page Table: the values, a button that saves all of them, and the stopwatch."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED
@@ -16,7 +16,7 @@ from sandbox.model.errors import SandboxError
 
 HEIGHT = 28  # px, of the button
 GAP = 12  # px, above the stopwatch
-TIP = later("save these quantities at every instant that is kept, with all digits")
+TIP = later("save these quantities at every recorded instant, with all digits")
 
 
 class TablePage:

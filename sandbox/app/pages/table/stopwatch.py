@@ -1,4 +1,4 @@
-"""A stopwatch in the time of the run, started and stopped by hand or by what happens."""
+"""A stopwatch in the time of the run, started and stopped by hand or by events."""
 
 from math import ceil, log10
 from typing import NamedTuple
@@ -93,7 +93,9 @@ class Stopwatch:
         self._take_up(session)
         self.shown, self.news = True, object()
         if BY_HAND not in (self.starts, self.stops):
-            return say("The run starts and stops the stopwatch; the page Table lets a hand do it")
+            return say(
+                "The run starts and stops the stopwatch; the page Table can switch it to manual"
+            )
         again = self._began is None or self._ended is not None or self.stops is not BY_HAND
         if self.starts is BY_HAND and again:
             self._began, self._ended = session.t, None
@@ -104,7 +106,8 @@ class Stopwatch:
     def reading(self, session: Session) -> Reading:
         """Return what it shows at the step that is shown: the same one whenever it is.
 
-        It is found out once a step, for what has not happened yet is looked for in all states.
+        It is computed once a step: an event that has not happened yet is searched for in all
+        states.
         """
         step = session.world, session.world.steps, self.news
         if self._read is None or self._read[0] != step:

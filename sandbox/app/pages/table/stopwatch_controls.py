@@ -1,4 +1,4 @@
-"""The stopwatch on the page of values: what it shows, its buttons, and what starts and stops it."""
+"""The stopwatch on the page Table: its display, its buttons, and the choice of triggers."""
 
 import pygame
 from pygame_gui import UI_BUTTON_PRESSED, UI_SELECTION_LIST_NEW_SELECTION
@@ -42,17 +42,17 @@ class Timing:
             sheet.image(label(sheet.pen, sheet.width, text), 0)
             for text in (say("Started"), say("Stopped"))
         ]
-        self._known = {occasion.told: occasion for occasion in occasions(session)}
+        self._known = {occasion.label: occasion for occasion in occasions(session)}
         self.starts, self.stops = self._list(stopwatch.starts), self._list(stopwatch.stops)
 
     def _list(self, chosen: Occasion) -> UISelectionList:
         sheet = self._sheet
         rect = pygame.Rect(sheet.margin, 0, sheet.width, sheet.px(LIST))
-        self._known.setdefault(chosen.told, chosen)
+        self._known.setdefault(chosen.label, chosen)
         names: list[str | tuple[str, str]] = [*self._known]
         return UISelectionList(
             rect, names, sheet.manager, container=sheet.container,
-            allow_double_clicks=False, default_selection=chosen.told,
+            allow_double_clicks=False, default_selection=chosen.label,
         )  # fmt: skip
 
     def put(self, y: int) -> int:

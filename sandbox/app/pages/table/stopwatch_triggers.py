@@ -1,4 +1,4 @@
-"""What can start and stop the stopwatch: a hand, or what happens in the run."""
+"""The triggers of the stopwatch: a hand, or an event of the run."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -38,7 +38,7 @@ class Occasion(NamedTuple):
     value: str = ""
 
     @property
-    def told(self) -> str:
+    def label(self) -> str:
         """What it is called where it is chosen."""
         match self.at:
             case None:
@@ -71,7 +71,7 @@ def occasions(session: Session) -> list[Occasion]:
     met = (ContactEvent(event="contact", bodies=(first, second)) for first, second in pairs)
     instants = (*_instants(session.level), *met)
     found = [BY_HAND, AT_ONCE, *(_occasion(at, session.values) for at in instants)]
-    return list({occasion.told: occasion for occasion in found}.values())[:MOST]
+    return list({occasion.label: occasion for occasion in found}.values())[:MOST]
 
 
 def _instants(level: Level) -> Iterator[Moment]:

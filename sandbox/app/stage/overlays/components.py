@@ -1,4 +1,4 @@
-"""The components of the velocities, where those are drawn."""
+"""The components of the velocities, beside the velocity arrows."""
 
 import pygame
 

@@ -1,4 +1,4 @@
-"""All forces on the body that a person looks at, as arrows where they act."""
+"""All forces on the selected body, as arrows at the points where they act."""
 
 import pygame
 

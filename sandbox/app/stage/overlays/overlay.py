@@ -1,4 +1,4 @@
-"""What an overlay of the stage says of itself; everything else about it is derived from that."""
+"""The declaration of an overlay of the stage, from which everything else about it is derived."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

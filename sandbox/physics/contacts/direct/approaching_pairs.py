@@ -1,7 +1,8 @@
-"""Which bodies that do not touch might within a drift.
+"""Pairs of bodies that do not touch, but might within a drift.
 
-How far two are apart is looked at only once one has gone that far against the other since it was
-looked at last: a body that falls is looked at some ten times, and one that stands by another once.
+The distance of a pair is computed again only when the two may have moved that far against each
+other since the last time. So a falling body is looked at about ten times, and a body that stands
+beside another only once.
 """
 
 import numpy as np
@@ -20,8 +21,8 @@ MOST = 6
 """How many times as far as the coordinate that goes furthest two bodies may go together."""
 
 
-class Strangers:
-    """Keeps how far bodies may go before they meet; n bodies.
+class ApproachingPairs:
+    """Knows how far bodies may move before they meet; n bodies.
 
     Parameters
     ----------
@@ -30,7 +31,7 @@ class Strangers:
     shapes
         Theirs.
     surfaces
-        How they touch, and which are to be looked at.
+        How they touch, and which pairs to look at.
     moves
         (n,), which of them anything can move.
     """
@@ -55,7 +56,7 @@ class Strangers:
         self._touch: Integers | None = None  # who touched then
 
     def near(self, contacts: Contacts, place: Coordinates, way: Array) -> list[Pair]:
-        """Return the pairs that do not touch and might within the drift.
+        """Return the pairs that do not touch, but might within the drift.
 
         Parameters
         ----------

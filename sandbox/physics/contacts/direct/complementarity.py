@@ -1,4 +1,4 @@
-"""Which contacts push, which stick and which slip: a mixed complementarity problem.
+"""Which contacts push, stick or slip: a mixed complementarity problem.
 
 Impulses x change the rates r of the rows, r = A x + w, where A = J M⁻¹ Jᵀ is the effective inverse
 mass (the Delassus operator). Three kinds of rows ask for

@@ -1,4 +1,4 @@
-"""The impulses with which what rests and what is joined holds after a drift."""
+"""The impulses with which contacts and joints hold after a drift."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.contacts.direct.constraint_rows import Active
@@ -19,10 +19,10 @@ Held = tuple[Array, Array, Active]
 def hold(kick: Kick, motion: Array, guess: tuple[Array, Active], *, driven: bool) -> Held:
     """Return impulses with which all rows hold after the drift, and the velocities then.
 
-    Newton's method begins with the forces of the step before. Where it does not come home, or
-    comes with energy that nothing gave, bodies are jammed, or squeezed out: what contacts have to
-    give way by within a step is beyond them, and they are kept at the velocities instead of the
-    places, which never gives energy.
+    Newton's method starts with the forces of the last step. If it does not converge, or its result
+    has energy that nothing gave, then bodies are jammed or squeezed out: the contacts cannot give
+    way far enough within one step. In that case velocities are constrained instead of positions,
+    which never adds energy.
 
     Parameters
     ----------

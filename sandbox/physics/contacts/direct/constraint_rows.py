@@ -1,4 +1,4 @@
-"""What rows ask for, and which of them hold."""
+"""The rows of constraints: what each asks for, and which are active."""
 
 from dataclasses import dataclass
 from functools import cached_property

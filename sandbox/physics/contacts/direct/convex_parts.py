@@ -1,4 +1,4 @@
-"""Convex parts of bodies in plain numbers: how far apart they are, and what of which is in which.
+"""Convex parts of bodies in plain numbers: how far apart they are, and which overlap.
 
 They have few corners, and few of them are looked at in a step: arrays would take longer.
 """
@@ -123,7 +123,7 @@ def parts_of(shapes: Sequence[pymunk.Shape]) -> list[Part]:
 
 
 class Placed:
-    """The parts of bodies somewhere; each is put there once, for whoever asks first.
+    """The parts of bodies somewhere; each is placed once, when it is first asked for.
 
     Parameters
     ----------

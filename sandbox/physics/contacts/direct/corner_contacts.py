@@ -1,4 +1,4 @@
-"""Where a corner of one convex part, or a disc, comes down on another."""
+"""Where a corner of a convex part, or a disc, comes down on another part."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""Contacts on curves, as functions of where the bodies are.
+"""Contacts on curves, as functions of the bodies' positions.
 
 With P the middle of what is round, or a corner, F the foot of P on the curve, t and κ the tangent
 and the curvature there, and d the distance from F to P, all along the axes of the curve's body:

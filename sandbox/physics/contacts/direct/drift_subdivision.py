@@ -1,10 +1,10 @@
-"""A drift in parts, where no impulses hold what touches and is joined through the whole of it.
+"""A drift in parts, for when no impulses can hold contacts and joints through all of it.
 
-A heavy wheel on a chain of light planks whips them straight. What would keep their lengths until
-the end of the drift does not exist then: the equations of the step have no solution, whatever
-finds it. Through a shorter drift they have one. So that drift alone is taken in equal parts, as few
-as serve, with a kick between any two, in which forces act as they did in the last. What touches and
-is joined stays so. pymunk is handed the velocities of a straight drift to where the last one ends.
+A heavy wheel on a chain of light planks whips them straight. No impulses then keep their lengths
+until the end of the drift: the equations of the step have no solution, by whatever method. For a
+shorter drift they have one. So this one drift is divided into equal parts, as few as suffice, with
+a kick between any two. In these kicks forces act as they did in the last one; contacts and joints
+stay as they are. pymunk receives the velocities of a straight drift to the end of the last part.
 """
 
 from collections.abc import Callable

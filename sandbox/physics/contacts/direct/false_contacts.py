@@ -1,4 +1,8 @@
-"""Which of pymunk's contacts there are."""
+"""False contacts, which pymunk reports and which are removed here.
+
+For parallel shapes that are far apart, pymunk sometimes reports a contact, without a direction or
+with a large overlap.
+"""
 
 from collections.abc import Callable
 
@@ -13,12 +17,11 @@ FURTHER = 1.5
 """How many times as far as it moves in a step a body may be found in another at first."""
 
 
-class Belief:
-    """Takes away contacts that there are not.
+class FalseContacts:
+    """Removes false contacts.
 
-    Of shapes that lie parallel, far from each other, pymunk now and then finds that they touch,
-    without a direction or deep in each other. What has not touched in the step before can be no
-    deeper in each other than the bodies have moved.
+    A pair that did not touch in the step before cannot overlap by more than its bodies have moved
+    since. A new contact that is deeper than that is false.
 
     Parameters
     ----------
@@ -32,17 +35,17 @@ class Belief:
         self._same: Integers | None = None  # the bodies of the last step's contacts, if all were
 
     def forget(self) -> None:
-        """Believe everything once: bodies were put elsewhere."""
+        """Accept all contacts once: bodies were put elsewhere."""
         self._pairs = self._same = None
 
     def sound(self, contacts: Contacts, moved: Callable[[], tuple[Array, Array]]) -> Contacts:
-        """Return the contacts that there are.
+        """Return the contacts that are real.
 
         Parameters
         ----------
         moved
-            Tells where the bodies are, (n, 2) [m], and how far they moved in the last step,
-            whichever way, (n, 3) [m, rad].
+            Returns the positions of the bodies, (n, 2) [m], and how far they moved in the last
+            step, in any direction, (n, 3) [m, rad].
         """
         if not len(contacts.bodies):
             self._pairs, self._same = set(), None
@@ -59,16 +62,16 @@ class Belief:
         return contacts if whole else Contacts._make(field[good] for field in contacts)
 
     def since(self, contacts: Contacts, state: Array, shift: Array, least: float) -> Contacts:
-        """Return contacts, and those that there are since bodies were moved; the same if none are.
+        """Return contacts, with those that moving the bodies has made; the same object if none.
 
         Parameters
         ----------
         state
             (n, 6), where the bodies are now, see `Batch.state`.
         shift
-            (n, 3), by what they were moved [m, rad].
+            (n, 3), how far they were moved [m, rad].
         least
-            By how much that counts [m, rad].
+            The smallest shift that counts [m, rad].
         """
         moved = np.flatnonzero((np.abs(shift) > least).any(axis=1)).tolist()
         found = self._query.more(contacts, moved, least) if moved else contacts
@@ -80,7 +83,7 @@ class Belief:
 
 
 def _reach(contacts: Contacts, place: Array, way: Array) -> Array:
-    """Return how far bodies can have come into each other in a step: (k,) [m]."""
+    """Return the largest overlap that a step can have made: (k,) [m]."""
     arms = np.hypot(*np.moveaxis(contacts.points[:, :1] - place[contacts.bodies], 2, 0))
     motion = way[contacts.bodies]
     ways = np.hypot(motion[..., 0], motion[..., 1]) + arms * motion[..., 2]

@@ -1,4 +1,4 @@
-"""What touches what, as functions of where the bodies are.
+"""Gaps between bodies, as functions of the bodies' positions.
 
 A contact is a corner on a side, a disc on a side, or two round things on each other. For each there
 is a gap V, which must not shrink, and a way S that its surfaces have slipped, both *of the places*:
@@ -13,7 +13,8 @@ the complex plane:
     round         V = s |d|        S = s |d| φ + a θ_a + b θ_b         φ is how far d has turned
 
 A, B are centres of what is round, and s = −1 where one is inside the other. The angles count by the
-radii that roll. Of curves see `curved`; a side touches one as the circle that is closest there.
+radii that roll. For curves see `curve_contacts`; a side touches one as the circle that is closest
+there.
 """
 
 from collections.abc import Sequence
@@ -224,6 +225,12 @@ class Features:
         return there
 
 
+def _rounds(corner: Booleans, apart: Array, normal: Array) -> tuple[Array, slice | Integers]:
+    """Return the sign of each gap between round outlines, 0 of the others, and which those are."""
+    sign = np.where(corner, np.where((apart.conj() * normal).real < 0, -1.0, 1.0), 0.0)
+    return sign, slice(None) if corner.all() else np.flatnonzero(corner)
+
+
 def features(
     contacts: Contacts, touching: Touching, place: Coordinates, origin: complex
 ) -> Features:
@@ -256,11 +263,7 @@ def features(
     core = surfaces if corner is None else surfaces - out * np.where(corner, outlines.rounding, 0.0)
     at = np.where(is_round, center, core)
     d = at[1] - at[0]
-    sign: Array | None = None
-    rounds: slice | Integers | None = None
-    if corner is not None:
-        sign = np.where(corner, np.where((d.conj() * n).real < 0, -1.0, 1.0), 0.0)
-        rounds = slice(None) if corner.all() else np.flatnonzero(corner)
+    sign, rounds = (None, None) if corner is None else _rounds(corner, d, n)
     side = np.where(owns[1], bodies[1], bodies[0])
     rolls = _rolls(touching, is_round, owns, sign)
     roll_on_curves(curved, owns[0] | owns[1], rubs, figures, rolls)

@@ -1,4 +1,4 @@
-"""Impacts of a step, all at once: of what is held as well."""
+"""The impacts of a step, all at once, with the joints that take part."""
 
 import numpy as np
 
@@ -106,7 +106,7 @@ def bounce(kick: Kick, came: Array, strikes: Booleans) -> tuple[Array, Array]:
     return came + impulse @ kick.response, impulse
 
 
-def told(kick: Kick, left: Array, pushes: Array) -> Impacts:
+def recorded(kick: Kick, left: Array, pushes: Array) -> Impacts:
     """Return what impacts did, with impulses (r,), after which velocities were (3 N,)."""
     places = order(kick.response.shape[1] // 3 - 1)
     jump = (pushes @ kick.response)[places]

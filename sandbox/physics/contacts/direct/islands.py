@@ -1,4 +1,4 @@
-"""Which rows have to do with each other: those of one island are solved together."""
+"""Islands: groups of rows that affect each other, and are solved together."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""What a kick did, part by part."""
+"""The parts of a kick, and what each did."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -89,10 +89,10 @@ def halves(kick: Kick, total: Array, begun: Array, after: Array) -> tuple[Stage,
 
 
 def with_landing(parts: Sequence[Stage], landing: Stage, jump: Array) -> tuple[Stage, ...]:
-    """Return the parts of a kick, and in its middle what comes down in the drift after it.
+    """Return the parts of a kick with a landing in its middle.
 
-    What acts in a kick acts before its step as after it, and an impact acts at the step: so books
-    that are read in the middle of the drifts close.
+    The forces of a kick act equally before and after its step, and an impact acts at the step. Thus
+    energy books that are read in the middle of the drifts close.
 
     Parameters
     ----------

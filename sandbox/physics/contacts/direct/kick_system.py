@@ -1,4 +1,4 @@
-"""What is known of a kick before it is solved."""
+"""The system of equations of a kick, before it is solved."""
 
 from dataclasses import dataclass
 from functools import cached_property

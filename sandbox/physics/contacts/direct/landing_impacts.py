@@ -1,10 +1,11 @@
-"""What comes down within a drift on what it does not touch yet: an impact before the drift.
+"""Landings: bodies that meet within a drift are stopped by an impact before it.
 
-Found where the drift ends, it is as deep as it went since, and to take that back lifts it. So once
-a kick is known, its drift is followed to the end, and what would be in each other there is let
-close its gap and go no further: impulses at the velocities after the kick, as of an impact without
-rebound. They take of the approach what is too much for the drift; the impact at the next step takes
-the rest, where they touch. Neither gives energy, and nobody has to be lifted.
+A meeting that is found only at the end of the drift has become an overlap by then, and to correct
+that lifts the body. So once a kick is known, its drift is followed to the end. Bodies that would
+overlap there may close their gap, but go no further. The impulses for that act on the velocities
+after the kick, as in an impact without rebound. They take away the part of the approach that is too
+much for the drift; the impact at the next step, where the bodies touch, takes the rest. Neither
+gives energy, and no body is lifted.
 """
 
 from collections.abc import Callable, Sequence
@@ -18,7 +19,7 @@ from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
 from sandbox.physics.contacts.direct.kick_system import Kick
-from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Foresight
+from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.engine.batch import Contacts
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -42,7 +43,7 @@ class Landed(NamedTuple):
 
 
 def land(
-    foresight: Foresight,
+    speculative: SpeculativeContacts,
     kick: Kick,
     motion: Array,
     pairs: Sequence[Pair],
@@ -51,11 +52,11 @@ def land(
     *,
     driven: bool,
 ) -> Landed | None:
-    """Let come down what does within the drift after a kick; None if nothing does.
+    """Stop the bodies that would meet within the drift after a kick; None if none would.
 
     Parameters
     ----------
-    foresight
+    speculative
         Knows what meets.
     kick, motion
         The kick, and the velocities after it, (3 N,) [m/s, rad/s].
@@ -71,7 +72,7 @@ def land(
     found: Landed | None = None
     moved = motion
     for _ in range(LOOKS):
-        ahead = foresight.look(kick, moved, pairs)
+        ahead = speculative.look(kick, moved, pairs)
         if ahead is None:
             break
         kick = meeting(kick, ahead)
@@ -85,7 +86,7 @@ def land(
 
 
 def _stopped(kick: Kick, motion: Array, *, driven: bool) -> Landed:
-    """Return what stops what comes down; what does not hang together with it goes on as it did."""
+    """Return the impulses that stop the landing bodies; unconnected bodies are not affected."""
     comes = np.zeros(len(kick.response), dtype=bool)
     comes[kick.layout.gaps] = kick.ahead
     kick = replace(kick, layout=kick.layout.around(comes))

@@ -1,4 +1,4 @@
-"""The problem of contacts with friction as a linear one, for Lemke's method.
+"""Contacts with friction as a linear complementarity problem, for Lemke's method.
 
 Joints are obeyed by all, and so drop out. Friction is a push one way less a push the other way; a
 last condition bounds their sum (Stewart and Trinkle 1996).

@@ -1,4 +1,4 @@
-"""Linear systems whose rows may repeat each other."""
+"""Linear systems with redundant rows."""
 
 from functools import cache
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""The impulses of a kick, by Newton's method over problems of complementarity."""
+"""The impulses of a kick, by Newton's method over complementarity problems."""
 
 from collections.abc import Callable
 from math import inf

@@ -1,4 +1,4 @@
-"""The outlines of bodies, as their contacts have to know them."""
+"""The outlines of bodies, in the form that their contacts need."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Overlaps are taken back: bodies are moved, velocities stay."""
+"""Overlap correction: bodies are moved apart, and their velocities stay."""
 
 import numpy as np
 
@@ -14,15 +14,15 @@ NOTHING = 1e-12
 """m: what a kick leaves of an overlap that is left alone comes as near to it as this, each step."""
 
 
-class Parting:
-    """Takes back overlaps, step by step.
+class OverlapCorrection:
+    """Corrects overlaps, step by step.
 
     Parameters
     ----------
     surfaces
         How bodies touch.
     known
-        What is known of the last kick.
+        The warm start: forces and active rows of the last kick.
     """
 
     def __init__(self, surfaces: Surfaces, known: WarmStart) -> None:
@@ -30,11 +30,11 @@ class Parting:
         self._held: tuple[Layout, Active] | None = None  # what held in the last
 
     def way(self, kick: Kick, leaving: Array) -> Array | None:
-        """Return the way, (3 N,) [m, rad], that takes back a share of what overlaps too much.
+        """Return the displacement, (3 N,) [m, rad], that removes a share of each large overlap.
 
-        As far as they part by themselves they are left to, for what bounces would have more energy
-        further up; so is what has only met. What joints hold in each other stays as it is. None if
-        there is nothing to take back, or no way.
+        Bodies that part by themselves are left alone: a bouncing body would have more energy if it
+        were moved up. So are bodies that have only just met, and overlaps that joints enforce. None
+        if there is nothing to correct, or if it cannot be done.
 
         Parameters
         ----------

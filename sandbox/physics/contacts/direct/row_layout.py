@@ -1,4 +1,4 @@
-"""The rows of a step: which points touch, and what each row asks for."""
+"""The layout of a step's rows: which points touch, and what each row asks for."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -18,7 +18,6 @@ velocities, with Newton's law of restitution; and on from the step.
 """
 
 from functools import partial
-from math import nan
 
 import numpy as np
 
@@ -27,20 +26,18 @@ from sandbox.physics.contacts.direct import impacts
 from sandbox.physics.contacts.direct.constraint_impulses import hold
 from sandbox.physics.contacts.direct.constraint_rows import Active
 from sandbox.physics.contacts.direct.convex_parts import Pair
-from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
 from sandbox.physics.contacts.direct.drift_subdivision import Divided, through
-from sandbox.physics.contacts.direct.false_contacts import Belief
+from sandbox.physics.contacts.direct.kick_builder import KickBuilder
 from sandbox.physics.contacts.direct.kick_parts import Stage, Taken, halves, with_landing
 from sandbox.physics.contacts.direct.kick_system import Kick
 from sandbox.physics.contacts.direct.landing_impacts import land
-from sandbox.physics.contacts.direct.overlap_correction import Parting
-from sandbox.physics.contacts.direct.row_layout import Layouts, Surfaces
-from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, Foresight
+from sandbox.physics.contacts.direct.row_layout import Surfaces
+from sandbox.physics.contacts.direct.speculative_contacts import LOOKS, SpeculativeContacts
 from sandbox.physics.contacts.direct.warm_start import WarmStart
 from sandbox.physics.contacts.queries import Query
 from sandbox.physics.contacts.sequential_impacts import Impacts
-from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
-from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.engine.batch import Batch, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import order
 from sandbox.physics.joints.exact.shake import ExactJoints
 from sandbox.physics.state.errors import JointFailure, NoForces
 
@@ -97,16 +94,11 @@ class Direct:
         self._order = order(len(inertia))
         self._calm = _calm(len(inertia))
         self._begun = self._acceleration = self._change = self._calm.jump
-        self._shift = self._calm.jump  # by what taking back overlaps moved bodies in a step
         self._lead, self._starts = 0.0, True
-        self._until = 0.0
-        self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
-        self._layouts = Layouts(joints, surfaces, self._moves)
+        self._until = 0.0  # s, the end of the drift that follows
         self._known = WarmStart()
-        self._belief, self._corners = Belief(query), CornerPairs()
-        self._foresight = Foresight(query, surfaces, self._moves)
-        self._parting = Parting(surfaces, self._known)
-        self._contacts: Contacts = NO_CONTACTS
+        self._build = KickBuilder(batch, joints, surfaces, self._moves, query, self._known)
+        self._speculative = SpeculativeContacts(query, surfaces, self._moves)
         self._pushed: tuple[Kick, Array] | None = None  # impulses that the contacts lack so far
         self.last = self._calm
         self.stages: tuple[Stage, ...] = ()
@@ -121,8 +113,8 @@ class Direct:
         """Those of the last kick; their impulses are found when somebody asks for them."""
         if self._pushed:
             kick, total = self._pushed
-            self._contacts, self._pushed = kick.pushing(total), None
-        return self._contacts
+            self._build.contacts, self._pushed = kick.pushing(total), None
+        return self._build.contacts
 
     def begin(self, acceleration: Array, *, start: bool) -> None:
         """Take note of the velocities before a kick, and of what acts in it.
@@ -155,13 +147,12 @@ class Direct:
         JointFailure, NoForces
             If there are none.
         """
-        self._contacts = self._belief.sound(self._batch.contacts(), self._moved)
-        self._pushed = None
+        self._build.find_contacts(self._moved)
+        self._pushed, self._until = None, until
         self.last, self.stages, self._solved = self._calm, (), None
-        self._shift = self._calm.jump
         self.kicked, self.drifted, self.divided = None, self.divided, None
-        self._follow(until)
-        if len(self._contacts.bodies) or np.count_nonzero(self._joints.added):
+        self._build.follow(until)
+        if len(self._build.contacts.bodies) or np.count_nonzero(self._joints.added):
             self._solve_all()
         else:
             self._known.forget()
@@ -177,14 +168,13 @@ class Direct:
         if np.count_nonzero(given):
             self.last = self.last._replace(impulse=given)
 
-    def _moved(self) -> tuple[Array, Array]:
-        """Return where bodies are, (n, 2), and how far they moved in the last step, (n, 3)."""
-        way = np.abs(self._begun) * self._dt + np.abs(self._shift)
-        return self._batch.state()[:, :2], way
+    def _moved(self) -> Array:
+        """Return how far their velocities took the bodies in the last step: (n, 3) [m, rad]."""
+        return np.abs(self._begun) * self._dt
 
     def go_on(self, t: float) -> None:
         """Begin at a time, and not at the start [s]."""
-        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+        self._build.go_on(t)
 
     def standing(self, lengths: tuple[Array, Array]) -> Kick:
         """Return the rows of all that touches or is joined where bodies are, between two steps.
@@ -195,24 +185,21 @@ class Direct:
             What the joints keep before and after a drift from there, (m,) each [m, rad].
         """
         self.relay()
-        self._lengths = lengths
-        return self._kick_at(self._joints.place())
+        return self._build.standing(lengths)
 
     def relay(self) -> None:
         """Begin anew with other joints, where bodies are."""
-        self._layouts.forget()
-        self._until = nan
+        self._build.relay()
         self._known.forget()
         self.divided = None
         self._change = self._calm.jump
 
     def forget(self) -> None:
         """Begin anew: bodies were put elsewhere."""
-        self._belief.forget()
-        self._corners.forget()
+        self._build.forget()
         self._known.forget()
         self.divided = None
-        self._change = self._shift = self._calm.jump
+        self._change = self._calm.jump
 
     def _solve_joints(self, until: float) -> None:
         """Solve joints that nothing touches; ropes that come to no terms as contacts are."""
@@ -223,18 +210,10 @@ class Direct:
             self._batch.set_velocity(velocity)
             self._solve_all()
 
-    def _follow(self, until: float) -> None:
-        """Take up what joints keep after the drift, and what they kept before it."""
-        if until == self._until and not np.count_nonzero(self._joints.added):
-            return
-        lengths, last = self._joints.lengths(until), self._lengths[1]
-        self._until = until
-        self._lengths = last if len(last) == len(lengths) else lengths, lengths
-
     def _solve_all(self) -> None:
         self._joints.check()
         rates = self._spread(self._begun, self._acceleration, self._change)
-        kick = self._look(rates[0] * self._dt)
+        kick = self._build.look(rates[0] * self._dt)
         try:
             taken = self._take(kick, rates)
         except (JointFailure, NoForces):
@@ -243,11 +222,11 @@ class Direct:
             self._divide(kick, rates)
             return
         for _ in range(LOOKS):
-            ahead = self._foresight.look(taken.kick, taken.moved, ())
+            ahead = self._speculative.look(taken.kick, taken.moved, ())
             if ahead is None:
                 break
             try:
-                taken = self._take(self._meeting(taken.kick, ahead), rates)
+                taken = self._take(self._build.with_ahead(taken.kick, ahead), rates)
             except (JointFailure, NoForces):
                 break  # found where the drift ends it is in the way no longer
         leaning = taken.kick.leaning(taken.moved, taken.forces)
@@ -283,17 +262,23 @@ class Direct:
         place, motion = self._joints.coordinates()
 
         def near(moved: Array) -> list[Pair]:
-            return self._foresight.strangers.near(self._contacts, place, drift * moved)
+            return self._speculative.approaching.near(self._build.contacts, place, drift * moved)
 
         pairs = near(motion.values)
         if not pairs:
             return
         kick, total = self._solved or (
-            self._kick_at(place),
+            self._build.at(place),
             self._joints.tension * self._joints.kick,
         )
         landed = land(
-            self._foresight, kick, motion.values, pairs, near, self._meeting, driven=self._driven()
+            self._speculative,
+            kick,
+            motion.values,
+            pairs,
+            near,
+            self._build.with_ahead,
+            driven=self._driven(),
         )
         if landed is None:
             return
@@ -317,7 +302,7 @@ class Direct:
         at_step, lead = begun + acceleration * self._lead, self._lead
         total: Array | float = 0.0
         stages: tuple[Stage, ...] = ()
-        told = self._calm
+        record = self._calm
         strikes = impacts.struck(
             kick, at_step, acceleration * self._dt, change, looks=self._strikes
         )
@@ -329,51 +314,14 @@ class Direct:
                 Stage.of(kick, 0, begun[self._order], pushes),
             )
             total = before + pushes
-            told = impacts.told(kick, begun, pushes)
+            record = impacts.recorded(kick, begun, pushes)
         else:
             lead = 0.0
         rest = self._joints.kick - lead
         impulse, moved, active = self._hold(kick, begun + acceleration * rest, rest)
         if stages:
             stages = *stages, Stage.of(kick, rest, moved[self._order], impulse)
-        return Taken(kick, moved, impulse / rest, active, total + impulse, told, stages)
-
-    def _meeting(self, kick: Kick, ahead: Contacts) -> Kick:
-        """Return the same kick with rows for what meets within the drift."""
-        contacts = kick.contacts.and_(ahead)
-        layout = self._layouts.anew(contacts)
-        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
-        return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
-
-    def _look(self, leaving: Array) -> Kick:
-        """Return the rows where everything is, once overlaps are taken back.
-
-        They know how far bodies go in a step by themselves, (3 N,) [m, rad].
-        """
-        place, _ = self._joints.coordinates()
-        kick = self._kick_at(place)
-        way = self._parting.way(kick, leaving)
-        if way is None:
-            return kick
-        state = self._batch.state()
-        self._shift = np.where(self._moves[:, None], way[self._order], 0.0)
-        state[:, :3] += self._shift
-        self._batch.set_state(state)
-        there = Coordinates(place.values + way)
-        found = self._belief.since(self._contacts, state, self._shift, self._surfaces.slop)
-        if found is self._contacts:
-            return kick.moved(there)
-        self._contacts = found
-        return self._kick_at(there)
-
-    def _kick_at(self, place: Coordinates) -> Kick:
-        """Return the rows of all that touches or is joined, where the bodies are."""
-        joints = self._joints
-        self._contacts = self._corners.steady(self._contacts, place, joints.origin)
-        layout, running = self._layouts.of(self._contacts), self._surfaces.running
-        kick = Kick.at(place, joints, self._contacts, layout, running, self._lengths)
-        self._corners.note(kick)
-        return kick
+        return Taken(kick, moved, impulse / rest, active, total + impulse, record, stages)
 
     def _spread(self, *rates: Array) -> Array:
         """Return s rates (n, 3) as rows have coordinates: (s, 3 N)."""

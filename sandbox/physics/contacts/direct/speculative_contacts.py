@@ -1,14 +1,15 @@
-"""Corners that come down within a drift are taken into its kick.
+"""Contacts that close within a drift: they are solved in the kick before it.
 
-Two bodies touch, and turn against each other: another corner meets somewhere within the drift.
-Found where the drift ends, it is as deep as it went since, and to take that back lifts whatever
-stands there. So a kick is followed to the end of its drift. What would be in each other there, and
-is not yet, gets a row of its own, whose gap may close but no further, and the kick is solved anew
-(Stewart and Trinkle 1996; Anitescu and Potra 1997). This takes what of the approach is too much for
-the drift, and the impact at the next step takes the rest: neither gives energy.
+Two bodies touch and turn against each other, so another corner meets its partner somewhere within
+the drift. Found only at the end of the drift, it would already be deep inside, and to take that
+overlap back would lift whatever stands there. So each kick is followed to the end of its drift.
+Corners that would overlap there, and do not yet, get a row of their own: its gap may close but no
+further. Then the kick is solved again (Stewart and Trinkle 1996; Anitescu and Potra 1997). This
+takes away the part of the approach that is too much for the drift; the impact at the next step
+takes the rest. Neither gives energy.
 
-Bodies that do not touch yet and come as far as that are found here, too (see `landing`). What
-bounces is left to its impact.
+Bodies that do not touch yet, but meet within the drift, are found here, too (see
+`landing_impacts`). What bounces is left to its impact.
 """
 
 from collections.abc import Iterator, Sequence
@@ -16,7 +17,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from sandbox.model.expressions import Array
-from sandbox.physics.contacts.direct.approaching_pairs import Strangers
+from sandbox.physics.contacts.direct.approaching_pairs import ApproachingPairs
 from sandbox.physics.contacts.direct.convex_parts import Pair, Placed, Shapes
 from sandbox.physics.contacts.direct.corner_contacts import (
     ALIKE,
@@ -37,7 +38,7 @@ LOOKS = 30
 more box."""
 
 
-class Foresight:
+class SpeculativeContacts:
     """Finds which corners come down within a drift; n bodies.
 
     Parameters
@@ -51,7 +52,7 @@ class Foresight:
 
     Attributes
     ----------
-    strangers
+    approaching
         Knows which of those that do not touch might.
     """
 
@@ -60,21 +61,21 @@ class Foresight:
         shapes = self._shapes
         self._looks = shapes.sided[:, None] & shapes.sided & (surfaces.restitution == 0)
         self._least = max(LEAST, surfaces.slop)
-        self.strangers = Strangers(query, shapes, surfaces, moves)
+        self.approaching = ApproachingPairs(query, shapes, surfaces, moves)
 
-    def look(self, kick: Kick, motion: Array, strangers: Sequence[Pair]) -> Contacts | None:
-        """Return what meets within the drift after a kick, where it starts; None if nothing does.
+    def look(self, kick: Kick, motion: Array, approaching: Sequence[Pair]) -> Contacts | None:
+        """Return the contacts that close within the drift after a kick, at its start; None if none.
 
         Parameters
         ----------
         motion
             (3 N,), the velocities after the kick [m/s, rad/s].
-        strangers
+        approaching
             The pairs that did not touch before it and might.
         """
-        drift, known = kick.joints.drift, set(pairs_of(kick.contacts)) if strangers else ()
+        drift, known = kick.joints.drift, set(pairs_of(kick.contacts)) if approaching else ()
         turning = self._turning(kick.contacts, angles(motion) * drift)
-        coming = [pair for pair in strangers if pair not in known]
+        coming = [pair for pair in approaching if pair not in known]
         if not (turning or coming):
             return None
         here = self._shapes.at(kick.place)

@@ -1,4 +1,4 @@
-"""How the bodies of a level touch, as the direct solver wants to know it."""
+"""The surfaces of a level's bodies, in the form that the direct solver needs."""
 
 from collections.abc import Sequence
 from itertools import pairwise

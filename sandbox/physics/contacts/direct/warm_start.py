@@ -1,4 +1,4 @@
-"""What the last kick tells of the next: forces, and which rows held."""
+"""The warm start of a kick: forces and active rows of the last one."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Equations in which bodies turn: an angle that is kept, and a string that is wound on a wheel."""
+"""Equations in which bodies turn: a fixed angle, or a string wound on a wheel."""
 
 from cmath import exp, phase
 from collections.abc import Callable, Sequence

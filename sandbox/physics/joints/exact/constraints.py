@@ -1,4 +1,4 @@
-"""What an exact joint says: equations between the coordinates of bodies.
+"""The constraints of exact joints: equations between the coordinates of bodies.
 
 The plane is complex here: a point is x + iy, and dC = Re(conj(J) dz) + K dθ.
 """
@@ -60,7 +60,7 @@ class Coordinates:
 
     @property
     def turned(self) -> Plane:
-        """How far bodies are turned, as unit numbers, kept for whoever asks next: (N,)."""
+        """How far bodies are turned, as unit numbers, computed once: (N,)."""
         if self._turned is None:
             self._turned = np.exp(1j * angles(self.values))
         return self._turned

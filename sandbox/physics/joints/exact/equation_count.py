@@ -1,4 +1,4 @@
-"""How many equations the exact joints of a level may make, estimated before any table is made.
+"""How many equations exact joints may have, estimated before any table is made.
 
 Each is a row of a table with three entries a body; unless they are rods and wires apart from each
 other, the product of the table with itself is made and solved in each step. A chain of 800 rods

@@ -1,4 +1,4 @@
-"""What exact joints say: their equations in tables, and their Jacobian."""
+"""The equations of exact joints in tables, and their Jacobian."""
 
 from collections.abc import Sequence
 from copy import copy

@@ -1,4 +1,4 @@
-"""Why exact joints cannot be held: they repeat or contradict each other, or a step is too long."""
+"""Why exact joints fail: they are redundant, contradict each other, or a step is too long."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The equations of the exact joints of a scene, over the coordinates of its bodies."""
+"""The system of all exact joints of a scene, over the coordinates of its bodies."""
 
 from collections.abc import Sequence
 

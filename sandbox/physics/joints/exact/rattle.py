@@ -1,4 +1,4 @@
-"""Velocities and accelerations that keep exact joints at a step itself."""
+"""RATTLE: velocities and accelerations that satisfy exact joints at the step itself."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.joints.exact.banded import Banded

@@ -1,4 +1,4 @@
-"""The pull of exact joints on bodies between two kicks, where impacts change it.
+"""The reactions of exact joints between two kicks, where impacts change them.
 
 A rod turns with the ball that hangs on it, and an impact makes it pull otherwise at once: one that
 stops the ball leaves nothing of v² / l. So the force of a joint is taken along where it is, not

@@ -1,4 +1,4 @@
-"""Rods and wires of which none meets another: each is solved by itself."""
+"""Rods and wires that share no moving body: each is solved by itself."""
 
 from collections.abc import Sequence
 from typing import Protocol

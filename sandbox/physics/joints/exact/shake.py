@@ -1,4 +1,4 @@
-"""Exact joints, solved together at position level.
+"""SHAKE: exact joints, solved together at the level of positions.
 
 Every joint contributes equations C(q) = 0 over the bodies' coordinates q = (x, y, θ). The impulses
 λ along the rows of their Jacobian at the step are chosen so that they hold *after the next drift*,

@@ -1,4 +1,4 @@
-"""Whether equations of joints can be solved together, and what helps where they cannot."""
+"""Whether the equations of joints can be solved together, and what helps if not."""
 
 from collections.abc import Callable
 

@@ -1,1 +1,1 @@
-"""What only some levels call for in a step, one stage a file; `declared.py` lists them."""
+"""What only some levels call for in a step, one stage a file; `register.py` lists them."""

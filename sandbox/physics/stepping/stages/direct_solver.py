@@ -1,4 +1,4 @@
-"""Contacts and exact joints solved together, instead of pymunk's kick; see `contacts/direct`."""
+"""The stage of the direct solver: contacts and exact joints together (see `contacts/direct`)."""
 
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick

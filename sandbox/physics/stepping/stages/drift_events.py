@@ -1,9 +1,9 @@
-"""Events that act: what they cut, tie and switch is done at its own time, within a drift.
+"""The stage of events that act: each takes effect at its own time within a drift.
 
-See `events/drift_events.py`. From there on bodies are held and kicked for half of what is left of the
-drift, by all that still acts, so that exact joints hold at its end. pymunk is then handed the
-places and the velocities of a straight drift that leads there. Euler's schemes know no velocities
-at a step, and are no better than a step: there events act at the step that finds them.
+See `events/drift_events.py`. From then on the bodies are held and kicked for half of what is left
+of the drift, by all that still acts, so that exact joints hold at its end. pymunk is then handed
+the places and the velocities of a straight drift that leads there. Euler's schemes know no
+velocities at a step, and are no better than a step: there events act at the step that finds them.
 
 A joint that breaks is an event like others, which waits for its force. Where several bear too much
 at once, the one that is furthest beyond what it bears goes first, and may take the load off the
@@ -83,10 +83,10 @@ class Acting:
         if not self._parts:
             return step
         if self._leapfrog:
-            told = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
+            done = acted(self._parts, self._laws, self._scene.inertia, self._switched, self._dt)
         else:
-            told = acted_at_a_step(self._begun, self._laws, self._switched)
-        return step._replace(acted=told._replace(jolts=tuple(self._jolts)))
+            done = acted_at_a_step(self._begun, self._laws, self._switched)
+        return step._replace(acted=done._replace(jolts=tuple(self._jolts)))
 
     def look(self) -> None:
         """Let happen what does in the coming drift."""

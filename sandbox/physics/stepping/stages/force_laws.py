@@ -1,4 +1,4 @@
-"""Force laws: all that act are added up in one call before each kick."""
+"""The stage of force laws: all that act are added up in one call before each kick."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Fourth order: a step of several drifts and kicks, some of which go back in time."""
+"""The stage of fourth order: a step of several drifts and kicks, some backwards in time."""
 
 from sandbox.model.expressions import Array
 from sandbox.physics.scene.composition_schemes import fourth_order, substeps

@@ -1,4 +1,4 @@
-"""The grid in which pymunk finds who touches whom ends somewhere: nobody may come there."""
+"""The stage that stops bodies from leaving the grid in which pymunk looks for pairs."""
 
 from math import hypot
 
@@ -22,7 +22,7 @@ def make(setup: Setup) -> Stage:
 
 
 def beyond(name: str, scene: Scene, t: float) -> SimulationError:
-    """Return what is told of a body that leaves the grid of a scene at a time [s]."""
+    """Return the message for a body that leaves the grid of a scene at a time [s]."""
     where = f"the {scene.reach:.3g} m around the origin that so many shapes may be in"
     return SimulationError(name, t, f"'{name}' leaves {where}")
 

@@ -1,4 +1,4 @@
-"""Kinematic bodies that follow formulas of the time: led anew in the kick of each step.
+"""The stage of kinematic bodies, which follow formulas of time.
 
 What solves contacts directly knows the velocities before a kick, and what acts in it; so there
 bodies are led after pymunk's solver, and what they are led by is told before as an acceleration.

@@ -1,4 +1,4 @@
-"""Drifts that are cut at the impacts, and at the ends of slipping, that come in them.
+"""The stage of located impacts and ends of slipping, at which drifts are cut.
 
 See `events/located_impacts.py` and `events/slip_ends.py`. An impact in a drift changes what slips,
 so where there is one, slipping is left to the kick after it.

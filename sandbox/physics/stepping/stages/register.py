@@ -1,4 +1,4 @@
-"""The list of all stages: what calls for each, and what makes it.
+"""The register of stages: what calls for each, and what makes it.
 
 A stage is imported where a level calls for it: what a scene does not need is not even loaded.
 """
@@ -40,15 +40,15 @@ def _has_cuts(setup: Setup) -> bool:
 
 
 STAGES: Mapping[str, tuple[Callable[[Setup], bool], Callable[[Setup], Stage]]] = {
-    "events that act": (lambda s: s.level.happens, _by("acting")),
-    "force laws": (lambda s: s.forces.acts, _by("laws")),
-    "motions of kinematic bodies": (_has_motions, _by("motions")),
-    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("joints")),
-    "located impacts, and located ends of slipping": (_has_cuts, _by("cuts")),
-    "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequence")),
-    "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct")),
+    "events that act": (lambda s: s.level.happens, _by("drift_events")),
+    "force laws": (lambda s: s.forces.acts, _by("force_laws")),
+    "motions of kinematic bodies": (_has_motions, _by("kinematic_bodies")),
+    "joints": (lambda s: bool(s.level.joints or s.scene.joints.together), _by("solved_joints")),
+    "located impacts, and located ends of slipping": (_has_cuts, _by("located_events")),
+    "sequential impacts": (lambda s: s.scene.sequence is not None, _by("sequential_impacts")),
+    "contacts solved directly": (lambda s: s.scene.direct is not None, _by("direct_solver")),
     "one-way surfaces": (lambda s: s.scene.gates is not None, _by("one_way")),
     "fourth order": (lambda s: s.stepping.scheme == "fourth-order", _by("fourth_order")),
-    "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("bounds")),
+    "the bounds of a crowd's grid": (lambda s: isfinite(s.scene.reach), _by("grid_bounds")),
 }
 """What calls for each stage, and what makes it."""

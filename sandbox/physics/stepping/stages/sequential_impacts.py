@@ -1,4 +1,4 @@
-"""Impacts one after the other, between drift and kick; see `contacts/sequential_impacts.py`."""
+"""The stage of sequential impacts, between drift and kick."""
 
 from sandbox.physics.energy.step_record import StepRecord
 from sandbox.physics.state.kick import Kick

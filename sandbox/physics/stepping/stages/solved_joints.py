@@ -1,4 +1,4 @@
-"""Joints that are not pymunk's: what holds exactly is solved after pymunk's kick."""
+"""The stage of joints that are not pymunk's: exact joints are solved after its kick."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -44,9 +44,9 @@ def bearing(setup: Setup, solve: Work) -> Work:
     borne, together = loads(setup.level.joints, setup.values), setup.scene.joints.together
     if not (borne and together):
         return solve
-    from sandbox.physics.events.joint_breaking import Blows
+    from sandbox.physics.events.joint_breaking import JointBreaking
 
-    return Blows(setup.scene, together, borne, solve)
+    return JointBreaking(setup.scene, together, borne, solve)
 
 
 def _all(work: Sequence[Work]) -> Work | None:

@@ -1,0 +1,150 @@
+"""Building the system of a kick: the rows of all that touches or is joined, where bodies are."""
+
+from collections.abc import Callable
+from math import nan
+
+import numpy as np
+
+from sandbox.model.expressions import Array
+from sandbox.physics.contacts.direct.corner_pairs import CornerPairs
+from sandbox.physics.contacts.direct.false_contacts import FalseContacts
+from sandbox.physics.contacts.direct.kick_system import Kick
+from sandbox.physics.contacts.direct.overlap_correction import OverlapCorrection
+from sandbox.physics.contacts.direct.row_layout import Layouts, Surfaces
+from sandbox.physics.contacts.direct.warm_start import WarmStart
+from sandbox.physics.contacts.queries import Query
+from sandbox.physics.engine.batch import NO_CONTACTS, Batch, Booleans, Contacts
+from sandbox.physics.joints.exact.constraints import Coordinates, order
+from sandbox.physics.joints.exact.shake import ExactJoints
+
+
+class KickBuilder:
+    """Builds the system of equations of each kick; n bodies, m equations of joints.
+
+    Parameters
+    ----------
+    batch
+        Reads and writes the bodies.
+    joints
+        The exact ones; they may be none.
+    surfaces
+        How bodies touch.
+    moves
+        (n,), whether a body is dynamic.
+    query
+        Finds what bodies touch that were moved.
+    known
+        The warm start, whose forces the correction of overlaps begins with.
+
+    Attributes
+    ----------
+    contacts
+        Those of the present kick.
+    shift
+        (n, 3), by how much the correction of overlaps moved each body in this step [m, rad].
+    """
+
+    def __init__(
+        self,
+        batch: Batch,
+        joints: ExactJoints,
+        surfaces: Surfaces,
+        moves: Booleans,
+        query: Query,
+        known: WarmStart,
+    ) -> None:
+        self._batch, self._joints, self._surfaces = batch, joints, surfaces
+        self._moves, self._order = moves, order(len(moves))
+        self._still: Array = np.zeros((len(moves), 3))
+        self._still.setflags(write=False)
+        self._until = 0.0
+        self._lengths = joints.lengths(0.0), joints.lengths(0.0)  # before and after the drift
+        self._layouts = Layouts(joints, surfaces, moves)
+        self._false, self._corners = FalseContacts(query), CornerPairs()
+        self._overlaps = OverlapCorrection(surfaces, known)
+        self.contacts: Contacts = NO_CONTACTS
+        self.shift = self._still
+
+    def find_contacts(self, moved: Callable[[], Array]) -> None:
+        """Take the contacts that pymunk has found, less the false ones.
+
+        Parameters
+        ----------
+        moved
+            Returns how far their velocities took the bodies in the last step, (n, 3) [m, rad].
+            It is asked only where something new touches.
+        """
+        shift = self.shift
+        self.contacts = self._false.sound(
+            self._batch.contacts(),
+            lambda: (self._batch.state()[:, :2], moved() + np.abs(shift)),
+        )
+        self.shift = self._still
+
+    def follow(self, until: float) -> None:
+        """Take up what joints keep after a drift that ends at a time, and what before it [s]."""
+        if until == self._until and not np.count_nonzero(self._joints.added):
+            return
+        lengths, last = self._joints.lengths(until), self._lengths[1]
+        self._until = until
+        self._lengths = last if len(last) == len(lengths) else lengths, lengths
+
+    def go_on(self, t: float) -> None:
+        """Begin at a time, and not at the start [s]."""
+        self._lengths = self._joints.lengths(t), self._joints.lengths(t)
+
+    def standing(self, lengths: tuple[Array, Array]) -> Kick:
+        """Return the system where bodies are, between two steps; see `Direct.standing`."""
+        self._lengths = lengths
+        return self.at(self._joints.place())
+
+    def relay(self) -> None:
+        """Begin anew with other joints, where bodies are."""
+        self._layouts.forget()
+        self._until = nan
+
+    def forget(self) -> None:
+        """Begin anew: bodies were put elsewhere."""
+        self._false.forget()
+        self._corners.forget()
+        self.shift = self._still
+
+    def look(self, leaving: Array) -> Kick:
+        """Return the system where everything is, once overlaps are taken back.
+
+        Parameters
+        ----------
+        leaving
+            (3 N,), how far bodies go in a step by themselves [m, rad].
+        """
+        place, _ = self._joints.coordinates()
+        kick = self.at(place)
+        way = self._overlaps.way(kick, leaving)
+        if way is None:
+            return kick
+        state = self._batch.state()
+        self.shift = np.where(self._moves[:, None], way[self._order], 0.0)
+        state[:, :3] += self.shift
+        self._batch.set_state(state)
+        there = Coordinates(place.values + way)
+        found = self._false.since(self.contacts, state, self.shift, self._surfaces.slop)
+        if found is self.contacts:
+            return kick.moved(there)
+        self.contacts = found
+        return self.at(there)
+
+    def at(self, place: Coordinates) -> Kick:
+        """Return the system at given positions of the bodies."""
+        joints = self._joints
+        self.contacts = self._corners.steady(self.contacts, place, joints.origin)
+        layout, running = self._layouts.of(self.contacts), self._surfaces.running
+        kick = Kick.at(place, joints, self.contacts, layout, running, self._lengths)
+        self._corners.note(kick)
+        return kick
+
+    def with_ahead(self, kick: Kick, ahead: Contacts) -> Kick:
+        """Return the same system with rows for what meets within the drift."""
+        contacts = kick.contacts.and_(ahead)
+        layout = self._layouts.anew(contacts)
+        running, closes = self._surfaces.running, kick.closes + len(ahead.bodies)
+        return Kick.at(kick.place, self._joints, contacts, layout, running, self._lengths, closes)
